@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A whole project: what a designer edits. Copying is cheap (weave matrices are shared).
+#pragma once
+
+#include "core/design/experiment.h"
+#include "core/design/fabric.h"
+
+namespace hygroloom {
+
+struct Design {
+    std::vector<Material> materials;     ///< the project's own, before the library's
+    std::vector<Fabric> fabrics;
+    std::vector<Experiment> experiments;
+};
+
+/// The project's material of that name, else the library's, else nullptr.
+const Material* find_material(const Design& design, const std::string& name);
+
+/// The substance of a blend: density by volume, the rest weighted by mass; radius of equal mean surface.
+/// Precondition: validate() found no error in it.
+Material blended_material(const Design& design, const std::vector<MaterialShare>& shares);
+
+const Fabric* find_fabric(const Design& design, const std::string& name);
+const Experiment* find_experiment(const Design& design, const std::string& name);
+
+} // namespace hygroloom

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Numbers that follow from a fabric's description by formula alone, in trade units.
+#pragma once
+
+#include "core/design/design.h"
+#include "core/design/interlacing.h"
+
+namespace hygroloom {
+
+struct YarnQuantities {
+    double linear_density_tex = 0;
+    double diameter_mm = 0;              ///< of the free, round yarn
+    double packing_factor = 0;           ///< of the free yarn
+    Section section_mm;                  ///< in the fabric
+    double packing_factor_in_fabric = 0;
+    double pitch_mm = 0;                 ///< from yarn to yarn
+    double crimp_percent = 0;
+    double cover = 0;                    ///< sett x width, 1 = touching
+    double pore_radius_um = 0;           ///< between the fibres: 2 x void area / wetted perimeter
+    double contact_angle_deg = 0;
+    bool flattened = false;              ///< section is not the free circle
+};
+
+struct FabricQuantities {
+    YarnQuantities warp;
+    YarnQuantities weft;
+    double cover_factor = 0;             ///< c1 + c2 - c1 c2
+    double areal_density_g_m2 = 0;       ///< dry
+    double yarn_layer_thickness_mm = 0;  ///< of the interlaced yarns
+    double thickness_mm = 0;             ///< with flyaway, or as given
+    double porosity = 0;                 ///< 1 - areal density / (thickness x fibre density)
+    double fibre_volume_fraction = 0;    ///< of the yarn layer
+    double gap_warp_mm = 0;              ///< between neighbouring ends
+    double gap_weft_mm = 0;
+    double inter_yarn_pore_radius_um = 0;///< hydraulic radius of the hole between four yarns
+    bool jammed = false;                 ///< yarns cannot bend round each other without being squeezed
+    std::vector<std::string> notes;      ///< what was done to the sections, in sentences
+};
+
+/// Precondition: validate() found no error in this fabric.
+/// Sections: physics.md's rule (free linear density kept; height limited by the thickness, width by the pitch).
+/// Laboratory values in fabric.measured are not applied here; they are shown beside these.
+FabricQuantities derive_quantities(const Design& design, const Fabric& fabric);
+
+} // namespace hygroloom

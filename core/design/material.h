@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Fibre materials and their blends. Values as a designer or a data sheet gives them, in the unit their name ends with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+/// Sorption isotherm of Guggenheim, Anderson and de Boer, regain against relative humidity. All zero: use the master curve.
+struct GabIsotherm {
+    double monolayer_regain = 0; ///< wm, kg water per kg dry fibre
+    double c = 0;
+    double k = 0;
+};
+
+/// How water moves inside a fibre.
+struct FibreDiffusion {
+    bool two_stage = false;          ///< Li and Luo's two-stage law of cotton or wool, see physics/sorption.h
+    double constant_m2_s = 0;        ///< used when not two_stage
+};
+
+/// One fibre substance, dry.
+struct Material {
+    std::string name;
+    std::string based_on;              ///< library material a project's own one starts from; empty for the library's
+    double density_kg_m3 = 0;
+    double fibre_radius_um = 0;
+    double standard_regain = 0;        ///< at 65 % relative humidity and 20 C, absorption, fraction
+    double saturation_regain = 0;      ///< at 100 % relative humidity, fraction
+    GabIsotherm gab;
+    FibreDiffusion diffusion;
+    double contact_angle_deg = 0;      ///< of water, advancing
+    double thermal_conductivity_w_mk = 0;
+    double specific_heat_j_kgk = 0;
+};
+
+/// Part of a blend, by mass.
+struct MaterialShare {
+    std::string name;
+    double share = 1.0;
+};
+
+/// The library that ships with the program (resources/materials, compiled in), in the order of its file.
+const std::vector<Material>& material_library();
+
+} // namespace hygroloom

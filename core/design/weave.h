@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A weave: the repeat of up (warp over weft) and down crossings, as on point paper.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+/// Copyable; the matrix is shared and never changes once made.
+class Weave {
+public:
+    Weave(); ///< plain
+    /// up holds picks rows of ends values, first pick first; a row is one pick.
+    Weave(int ends, int picks, std::vector<std::uint8_t> up, std::string pattern = {});
+
+    int ends() const { return ends_; }
+    int picks() const { return picks_; }
+    /// Whether the warp end lies over the pick; indices may run past the repeat, and below zero.
+    bool warp_up(int end, int pick) const;
+    /// The name it was made from ("twill 2/1 Z"), empty for a free matrix.
+    const std::string& pattern() const { return pattern_; }
+    /// A copy with one crossing turned over; it has no pattern name.
+    Weave toggled(int end, int pick) const;
+
+    friend bool operator==(const Weave& a, const Weave& b);
+
+private:
+    int ends_ = 0;
+    int picks_ = 0;
+    std::shared_ptr<const std::vector<std::uint8_t>> up_;
+    std::string pattern_;
+};
+
+/// "plain", "twill 2/1 Z", "satin 5/2", "basket 2/2", "rib 2/2 warp", ...; throws Error with a sentence that lists the forms.
+Weave weave_from_pattern(const std::string& pattern);
+
+/// Patterns to offer in a list, each accepted by weave_from_pattern().
+const std::vector<std::string>& common_weave_patterns();
+
+} // namespace hygroloom

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A yarn as a designer gives it.
+#pragma once
+
+#include "core/design/material.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+enum class TwistDirection { s, z };
+
+/// A yarn has a diameter, or a linear density with a packing factor; all three must agree.
+/// With a diameter alone, or a linear density alone, the packing factor is default_packing_factor.
+struct Yarn {
+    std::vector<MaterialShare> material{{"cotton", 1.0}};
+    std::optional<double> diameter_mm;         ///< of the free yarn
+    std::optional<double> linear_density_tex;
+    std::optional<double> packing_factor;      ///< fibre volume / yarn volume
+    int fibres_per_yarn = 30;                  ///< drawn fibres (bundles of real ones)
+    double twist_per_m = 700;
+    TwistDirection twist_direction = TwistDirection::z;
+};
+
+constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65
+
+} // namespace hygroloom

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The woven textile in SI units: two systems of equal yarns, one repeat of the weave, and how many crossings there are.
+// Nothing is stored per crossing: profiles and sections stand once for each system and everything else follows from indices.
+// Warp runs along y, weft along x, z points out of the top face; the origin is the middle of the region.
+#pragma once
+
+#include "core/base/vec3.h"
+#include "core/design/fabric_quantities.h"
+
+namespace hygroloom {
+
+/// A yarn's shape over one pitch where it changes sides, sampled evenly in x from crossing to crossing.
+struct YarnProfile {
+    std::vector<double> height;      ///< of the centreline, from +amplitude to -amplitude
+    std::vector<double> slope;       ///< dz/dx of the centreline
+    std::vector<double> half_height; ///< of the section, across the yarn; smaller where neighbours squeeze it
+    std::vector<double> half_width;
+};
+
+/// All ends, or all picks.
+struct YarnSystem {
+    int count = 0;                 ///< yarns in the region
+    double pitch = 0;              ///< m, from yarn to yarn
+    Section section;               ///< m, at a crossing
+    Interlacing path;              ///< m; its pitch is the other system's
+    YarnProfile profile;
+    double area = 0;               ///< m2, of the section with its pores
+    double packing = 0;            ///< fibre volume / yarn volume, in the fabric
+    double pore_radius = 0;        ///< m, effective, between the fibres
+    double tortuosity = 1;
+    double contact_angle = 0;      ///< radian
+    Material fibre;                ///< the blend's mean substance
+};
+
+enum class YarnKind { warp, weft };
+
+/// A crossing is (end, pick). Each crossing has two segments, one of its end and one of its pick, each centred on it and
+/// reaching half-way to the neighbouring crossings: the cells of the moisture model.
+/// Segments are numbered along the yarns: first all ends (end x picks + pick), then all picks (ends x picks + pick x ends + end).
+struct Textile {
+    YarnSystem warp;
+    YarnSystem weft;
+    Weave weave;
+    int first_end = 0;  ///< of the region within the repeat's numbering
+    int first_pick = 0;
+    FabricQuantities quantities;
+
+    int ends() const { return warp.count; }
+    int picks() const { return weft.count; }
+    int crossings() const { return ends() * picks(); }
+    int segments() const { return 2 * crossings(); }
+    int segment(YarnKind kind, int end, int pick) const
+    {
+        return kind == YarnKind::warp ? end * picks() + pick : crossings() + pick * ends() + end;
+    }
+    const YarnSystem& system(YarnKind kind) const { return kind == YarnKind::warp ? warp : weft; }
+
+    bool warp_up(int end, int pick) const { return weave.warp_up(first_end + end, first_pick + pick); }
+    double x_of_end(int end) const { return (end - 0.5 * (ends() - 1)) * warp.pitch; }
+    double y_of_pick(int pick) const { return (pick - 0.5 * (picks() - 1)) * weft.pitch; }
+    /// Height of the yarn's centreline at its crossing.
+    double height_at_crossing(YarnKind kind, int end, int pick) const;
+    /// Length of a segment's centreline.
+    double segment_length(YarnKind kind, int end, int pick) const;
+    /// Whether the yarn changes sides between this crossing and the next along it.
+    bool changes_after(YarnKind kind, int end, int pick) const;
+    /// Half the thickness of the interlaced yarns: no yarn reaches higher.
+    double half_thickness() const;
+};
+
+/// A rectangle of crossings.
+struct TextileRegion {
+    int first_end = 0;
+    int first_pick = 0;
+    int ends = 0;
+    int picks = 0;
+};
+
+/// The whole crossings that fit a sample of the given size, at least one each way.
+TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm);
+
+/// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.
+Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region);
+
+/// A point of a yarn's skin: along is in metres along the fabric from the region's middle, around in radian from +z.
+struct YarnPoint {
+    Vec3d centre;
+    Vec3d tangent;      ///< unit, along the yarn
+    double half_height;
+    double half_width;
+};
+
+/// The yarn at a distance from crossing number at (0 .. yarn's crossings - 1), offset -0.5 .. 0.5 of the pitch.
+YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, double offset);
+
+} // namespace hygroloom

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A machine that can run the physics: the CPU, or a GPU.
+#pragma once
+
+#include "core/sim/frame.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+struct Scene;
+
+/// One way to run scenes. advance() and frame() belong to the scene loaded last.
+class Backend {
+public:
+    virtual ~Backend() = default;
+    virtual std::string name() const = 0;   ///< "cpu", "cuda"
+    virtual std::string device() const = 0; ///< in words
+    /// 0 for all of the machine. Results do not depend on it.
+    virtual void set_threads(int threads) = 0;
+    virtual void load(const Scene& scene) = 0;
+    /// Advances towards the given time, by at least one step and by about 0.05 s of wall time at most; returns the time reached.
+    virtual double advance(double until) = 0;
+    virtual Frame frame() = 0;
+    virtual long liquid_steps() const = 0;
+    virtual int particles() const = 0;
+};
+
+std::unique_ptr<Backend> make_cpu_backend();
+
+/// A backend that this build or machine may have.
+struct BackendInfo {
+    std::string name;
+    std::string device;
+    bool usable = false;
+    std::string reason; ///< why not, in a sentence
+};
+
+} // namespace hygroloom

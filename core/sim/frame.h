@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a simulation shows of itself at one moment. Frames are values: nothing in them points back into the solver.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace hygroloom {
+
+/// Where all water is, in kg, and what has happened to energy, in J, since the start.
+struct Ledger {
+    double time = 0;             ///< s
+    double water_initial = 0;    ///< in fibres and pores before the first drop
+    double water_delivered = 0;  ///< by drops
+    double water_free = 0;       ///< liquid outside the yarns
+    double water_liquid = 0;     ///< liquid in the yarns' pores
+    double water_bound = 0;      ///< in the fibres
+    double water_vapour = 0;     ///< in the yarns' pores
+    double water_evaporated = 0; ///< to the air, net
+    double water_dripped = 0;    ///< fallen off
+    double energy_stored = 0;    ///< sensible heat over the climate's temperature
+    double energy_released = 0;  ///< by sorption and condensation, less evaporation
+    double energy_lost = 0;      ///< to the air, and with water that left
+    double energy_delivered = 0; ///< with water that came
+
+    double water_imbalance() const
+    {
+        return water_initial + water_delivered - water_free - water_liquid - water_bound - water_vapour - water_evaporated - water_dripped;
+    }
+    double energy_imbalance() const { return energy_stored - energy_released - energy_delivered + energy_lost; }
+};
+
+struct Frame {
+    double time = 0;                              ///< s
+    // One value per segment, in the textile's order.
+    std::vector<float> saturation;                ///< liquid volume / pore volume
+    std::vector<float> liquid;                    ///< kg
+    std::vector<float> regain;                    ///< bound water / dry fibre
+    std::vector<float> vapour;                    ///< kg/m3
+    std::vector<float> temperature;               ///< K
+    // Free liquid.
+    std::vector<std::array<float, 3>> positions;  ///< m
+    std::vector<std::array<float, 3>> velocities; ///< m/s
+    Ledger ledger;
+    // Totals of each face, kg: water over the start in segments that lie on top and at the bottom.
+    double water_top = 0;
+    double water_bottom = 0;
+};
+
+} // namespace hygroloom

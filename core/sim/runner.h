@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One run from project to recording. Runs in the calling thread; the window calls it from a thread of its own.
+#pragma once
+
+#include "core/sim/frame.h"
+#include "core/sim/model_plan.h"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace hygroloom {
+
+class Backend;
+
+struct RunOptions {
+    Fidelity fidelity = Fidelity::standard;
+    ForcedParts forced;
+    std::uint64_t seed = 1;
+    int threads = 0;                      ///< 0: all the machine has
+    std::filesystem::path recording;      ///< empty: none is written
+};
+
+/// What a caller may do to a run from another thread.
+struct RunControl {
+    std::atomic<bool> cancel{false};
+    std::atomic<bool> pause{false};
+};
+
+struct RunProgress {
+    double simulated = 0; ///< s
+    double duration = 0;  ///< s
+    double wall = 0;      ///< s
+    long steps = 0;       ///< of the liquid
+    int particles = 0;    ///< still free
+};
+
+/// Everything that describes a run but its frames.
+struct RunRecord {
+    Design design;
+    std::string fabric;
+    std::string experiment;
+    ModelPlan plan;
+    Textile textile;
+    std::uint64_t seed = 1;
+    int threads = 0;
+    std::string backend; ///< "cpu", "cuda"
+    std::string device;  ///< in words
+    double wall = 0;     ///< s, of the run; 0 while it runs
+};
+
+struct RunCallbacks {
+    std::function<void(const RunRecord&)> started;
+    std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
+    std::function<void(const RunProgress&)> progress;        ///< several times a second
+};
+
+/// Runs to the end. Throws Cancelled when asked to stop (within 0.2 s; the recording so far is complete and readable),
+/// DeviceError, FileError or Error. Precondition: validate() found no error.
+RunRecord run_experiment(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
+                         Backend& backend, RunControl& control, const RunCallbacks& callbacks);
+
+} // namespace hygroloom
