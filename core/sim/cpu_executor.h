@@ -33,7 +33,11 @@ public:
         std::vector<T> values_;
     };
 
-    void set_threads(int threads) { arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : tbb::task_arena::automatic); }
+    void set_threads(int threads)
+    {
+        constexpr int all = tbb::task_arena::automatic;
+        arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
+    }
 
     /// Calls stage(i) for 0 <= i < count; the name is for profilers.
     template <typename Stage> void for_each(const char*, int count, const Stage& stage)
