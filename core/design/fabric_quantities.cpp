@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/fabric_quantities.h"
 
+#include "core/base/units.h"
 #include "core/design/yarn_sections.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -26,16 +29,26 @@ YarnQuantities describe(const FreeYarn& free, const FittedYarn& fitted, const Ma
     return yarn;
 }
 
+/// Volume of loops and hairs on both yarns, mm3 per mm2 of fabric; a loop is half a circle as high as it is.
+double flyaway_volume(const Fabric& fabric, const Material& warp_fibre, const Material& weft_fibre)
+{
+    const Flyaway& flyaway = fabric.flyaway;
+    const double per_mm = flyaway.loop_density_per_mm * pi * flyaway.loop_height_mm + flyaway.hair_density_per_mm * flyaway.hair_length_mm;
+    const auto fibre_area = [](const Material& fibre) { return pi * 1e-6 * fibre.fibre_radius_um * fibre.fibre_radius_um; };
+    return per_mm * 0.1 * (fabric.ends_per_cm * fibre_area(warp_fibre) + fabric.picks_per_cm * fibre_area(weft_fibre));
+}
+
 void note_section(std::vector<std::string>& notes, const char* name, const FreeYarn& free, const FittedYarn& fitted, double pitch)
 {
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height to fit the thickness.", name,
-                                    free.diameter, section.height));
+        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height to fit the thickness.",
+                                    name, free.diameter, section.height));
     if (fitted.narrowed)
-        notes.push_back(fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
-                                    "{:.3g} to {:.3g}.",
-                                    name, section.width, pitch, free.packing_factor, fitted.packing_factor));
+        notes.push_back(
+            fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
+                        "{:.3g} to {:.3g}.",
+                        name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
         notes.push_back(fmt::format("The {} yarns become {:.3g} mm wide, keeping their area.", name, section.width));
 }
@@ -75,6 +88,7 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     const double fibre_mm = warp_mass / warp_fibre.density_kg_m3 + weft_mass / weft_fibre.density_kg_m3;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;
+    q.smoothness = std::max(0.0, 1 - flyaway_volume(fabric, warp_fibre, weft_fibre) / q.thickness_mm);
     q.gap_warp_mm = q.warp.pitch_mm - q.warp.section_mm.width;
     q.gap_weft_mm = q.weft.pitch_mm - q.weft.section_mm.width;
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
@@ -83,8 +97,9 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     note_section(q.notes, "weft", weft, fitted.weft, q.weft.pitch_mm);
     const double hair = q.thickness_mm - q.yarn_layer_thickness_mm;
     if (fabric.thickness_mm && hair > 0.005 * q.thickness_mm)
-        q.notes.push_back(fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
-                                      q.yarn_layer_thickness_mm, hair));
+        q.notes.push_back(
+            fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
+                        q.yarn_layer_thickness_mm, hair));
     if (q.jammed)
         q.notes.push_back("The yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;

@@ -13,13 +13,13 @@ namespace hygroloom {
 
 /// One yarn's part of a mesh.
 struct MeshGroup {
-    std::string name;               ///< "warp_000", "weft_012"
+    std::string name; ///< "warp_000", "weft_012"
     YarnKind kind = YarnKind::warp;
     int yarn = 0;
     std::size_t first_vertex = 0;
     std::size_t vertices = 0;
     std::size_t first_index = 0;
-    std::size_t indices = 0;        ///< three per triangle
+    std::size_t indices = 0; ///< three per triangle
 };
 
 /// Flat arrays, as a graphics card takes them. Triangles run anticlockwise seen from outside.
@@ -45,19 +45,19 @@ YarnMesh mesh_yarns(const Textile& textile, int samples_per_crossing, int sides)
 
 /// The middle line of one yarn.
 struct YarnLine {
-    std::string name;               ///< as MeshGroup::name
-    std::vector<float> positions;   ///< x y z per point, m
+    std::string name;             ///< as MeshGroup::name
+    std::vector<float> positions; ///< x y z per point, m
 };
 
 /// All ends, then all picks; the same points along each yarn as mesh_yarns() has rings.
 std::vector<YarnLine> yarn_lines(const Textile& textile, int samples_per_crossing);
 
-/// The vertices for one ring of a yarn's skin, sides + 1 of them (the first again at the end, for its own v), written as
-/// offsets from the centre along the across direction and along the yarn's upward normal. Used by mesh_yarns() and by the window.
+/// A point of a section's skin, angle from the yarn's upward direction towards its across direction (+x of the warp, -y of the weft).
+/// The middles of a racetrack's two flats stand at angle 0 and pi; its half circles at the angles between.
 struct SectionPoint {
-    double across = 0;        ///< m
+    double across = 0;        ///< m, from the centre
     double up = 0;            ///< m
-    double normal_across = 0; ///< of the skin
+    double normal_across = 0; ///< of the skin, unit
     double normal_up = 0;
 };
 SectionPoint section_point(double half_width, double half_height, double angle);
