@@ -9,7 +9,9 @@
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/yarn_exchange.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace hygroloom {
 

@@ -64,17 +64,20 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
-        for (int i = 0; i < added; ++i) {
-            const Vec3d x = drop.centre + places[static_cast<std::size_t>(i)];
-            const auto at = static_cast<std::size_t>(count_ + i);
-            position_.write(at, {static_cast<Real>(x.x), static_cast<Real>(x.y), static_cast<Real>(x.z)});
-            velocity_.write(at, {0, 0, static_cast<Real>(-drop.speed)});
-            wall_normal_.write(at, {});
-            wall_distance_.write(at, support_);
-            wall_segment_.write(at, -1);
-            content_.write(at, quanta_);
-            alive_.write(at, 1);
+        std::vector<Vec3> x;
+        for (const Vec3d& place : places) {
+            const Vec3d p = drop.centre + place;
+            x.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
         }
+        const auto at = static_cast<std::size_t>(count_);
+        const auto n = static_cast<std::size_t>(added);
+        position_.write_range(at, x);
+        velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
+        wall_normal_.write_range(at, std::vector<Vec3>(n));
+        wall_distance_.write_range(at, std::vector<Real>(n, support_));
+        wall_segment_.write_range(at, std::vector<int>(n, -1));
+        content_.write_range(at, std::vector<std::int64_t>(n, quanta_));
+        alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
         const double fall = drop.centre.z - std::cbrt(drop.volume * 3.0 / (4.0 * pi)) - scene_.half_thickness;
