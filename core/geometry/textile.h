@@ -82,7 +82,7 @@ TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double hei
 /// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region);
 
-/// A point of a yarn's skin: along is in metres along the fabric from the region's middle, around in radian from +z.
+/// A yarn at one place: its centreline and half its section across and along the fabric.
 struct YarnPoint {
     Vec3d centre;
     Vec3d tangent;      ///< unit, along the yarn

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Closed form of the arcs and straights; see the header.
+#include "core/design/interlacing.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+double section_area(const Section& section)
+{
+    return 0.25 * pi * section.height * section.height + (section.width - section.height) * section.height;
+}
+
+Section flattened_section(double diameter, double height)
+{
+    const double area = 0.25 * pi * diameter * diameter;
+    return {area / height + (1.0 - 0.25 * pi) * height, height};
+}
+
+Interlacing interlace(double pitch, const Section& own, const Section& other)
+{
+    Interlacing path;
+    path.pitch = pitch;
+    path.amplitude = 0.5 * other.height;
+    path.flat = std::max(0.0, 0.5 * (other.width - other.height));
+    path.arc_radius = 0.5 * (own.height + other.height);
+
+    // From the arc's centre to the middle of the pitch, where the path crosses the fabric's middle plane.
+    const double across = 0.5 * pitch - path.flat;
+    const double down = path.arc_radius - path.amplitude;
+    const double reach = std::hypot(across, down);
+    double straight = 0;
+    if (reach >= path.arc_radius) {
+        straight = std::sqrt(reach * reach - path.arc_radius * path.arc_radius);
+        path.weave_angle = 0.5 * pi - std::atan2(down, across) - std::acos(path.arc_radius / reach);
+    } else {
+        path.jammed = true;
+        path.arc_radius = (across * across + path.amplitude * path.amplitude) / (2.0 * path.amplitude);
+        path.weave_angle = std::asin(std::min(1.0, across / path.arc_radius));
+    }
+    path.length = 2.0 * (path.flat + path.arc_radius * path.weave_angle + straight);
+    return path;
+}
+
+double Interlacing::height_at(double x) const
+{
+    if (x > 0.5 * pitch) return -height_at(pitch - x);
+    const double past_flat = x - flat;
+    if (past_flat <= 0) return amplitude;
+    if (past_flat < arc_radius * std::sin(weave_angle))
+        return amplitude - arc_radius + std::sqrt(arc_radius * arc_radius - past_flat * past_flat);
+    return (0.5 * pitch - x) * std::tan(weave_angle);
+}
+
+double Interlacing::slope_at(double x) const
+{
+    const double past_flat = std::min(x, pitch - x) - flat;
+    if (past_flat <= 0) return 0;
+    if (past_flat < arc_radius * std::sin(weave_angle))
+        return -past_flat / std::sqrt(arc_radius * arc_radius - past_flat * past_flat);
+    return -std::tan(weave_angle);
+}
+
+} // namespace hygroloom
