@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Heat in wet yarns and the phase change in their pores.
+#pragma once
+
+#include "core/physics/air.h"
+
+namespace hygroloom {
+
+constexpr double pore_mass_transfer = 0.17; // m/s, h_lg of the paper's table A1: at the pore, not at the fabric's face
+constexpr double wet_area_saturation = 0.05; // saturation from which all fibre surface counts as wet
+
+/// Conductivity of fibre, liquid and air side by side, W/(m K): along a yarn. Fractions of the volume.
+HL_FN double parallel_conductivity(double fibre_fraction, double fibre_conductivity, double liquid_fraction)
+{
+    const double air_fraction = 1.0 - fibre_fraction - liquid_fraction;
+    return fibre_fraction * fibre_conductivity + liquid_fraction * water_conductivity + air_fraction * air_conductivity;
+}
+
+/// Conductivity across fibre, liquid and air, W/(m K): geometric mean.
+HL_FN double mean_conductivity(double fibre_fraction, double fibre_conductivity, double liquid_fraction)
+{
+    const double air_fraction = 1.0 - fibre_fraction - liquid_fraction;
+    return std::pow(fibre_conductivity, fibre_fraction) * std::pow(water_conductivity, liquid_fraction) *
+           std::pow(air_conductivity, air_fraction);
+}
+
+/// Share of the fibre surface that is wet, for evaporation (f of the corrected eq. 15).
+HL_FN double wet_share(double saturation)
+{
+    const double share = saturation / wet_area_saturation;
+    return share < 0 ? 0.0 : share > 1 ? 1.0 : share;
+}
+
+/// Rate at which pore air comes to saturation, 1/s: h_lg S_v per volume of air, S_v = 2 x fibre fraction / radius.
+HL_FN double phase_change_rate(double fibre_fraction, double fibre_radius, double air_fraction)
+{
+    return pore_mass_transfer * 2.0 * fibre_fraction / fibre_radius / air_fraction;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid in the pores between a yarn's fibres. SI; saturation 0..1 of the pore volume.
+#pragma once
+
+#include "core/physics/wetting.h"
+
+namespace hygroloom {
+
+constexpr double spreading_exponent = 2.0; // p of D = D0 s^p; gives Kissa's law of spreading exactly (physics/README.md)
+
+/// Effective pore radius of a bundle, m: twice the pore area over the wetted perimeter. 0 < packing < 1.
+HL_FN double bundle_pore_radius(double fibre_radius, double packing) { return fibre_radius * (1.0 - packing) / packing; }
+
+/// Permeability along a hexagonal bundle, m2 (Gebart 1992). Valid for packing above about 0.35.
+HL_FN double permeability_along(double fibre_radius, double packing)
+{
+    const double pores = 1.0 - packing;
+    return 8.0 * fibre_radius * fibre_radius / 53.0 * pores * pores * pores / (packing * packing);
+}
+
+/// Permeability across a hexagonal bundle, m2 (Gebart 1992); 0 from packing 0.9069.
+HL_FN double permeability_across(double fibre_radius, double packing)
+{
+    const double closest = 0.9068996821; // pi / (2 sqrt 3)
+    if (packing >= closest) return 0.0;
+    return 0.2310 * std::pow(std::sqrt(closest / packing) - 1.0, 2.5) * fibre_radius * fibre_radius;
+}
+
+/// Liquid diffusivity along parallel pores at full saturation, m2/s; 0 when the liquid does not wet (eq. 14 corrected).
+HL_FN double saturated_liquid_diffusivity(double surface_tension, double contact_angle, double pore_radius, double viscosity)
+{
+    const double tension = adhesion_tension(surface_tension, contact_angle);
+    return tension > 1e-12 * surface_tension ? tension * pore_radius / (20.0 * viscosity) : 0.0;
+}
+
+HL_FN double saturation_power(double saturation, double exponent)
+{
+    if (saturation <= 0) return 0.0;
+    if (exponent == 2.0) return saturation * saturation;
+    return std::pow(saturation, exponent);
+}
+
+/// Integral of D0 s^p from dry to s, divided by D0: flux = D0 x difference of this / distance.
+HL_FN double spreading_potential(double saturation, double exponent)
+{
+    return saturation * saturation_power(saturation, exponent) / (exponent + 1.0);
+}
+
+} // namespace hygroloom
