@@ -15,7 +15,7 @@ struct Circle {
     double x = 0, y = 0, radius = 0; ///< m
 };
 
-/// Whether a segment counts as wet: water over the start above 5 % of what its pores hold.
+/// A segment counts as wet when liquid fills at least this share of its pores.
 constexpr double wet_saturation = 0.05;
 
 /// The smallest circle round the points (Welzl 1991); radius 0 for one point, negative for none.

@@ -38,6 +38,18 @@ HL_FN void atomic_add(int* target, int value)
 #endif
 }
 
+/// Raises a shared value to the largest one offered.
+HL_FN void atomic_max(int* target, int value)
+{
+#ifdef __CUDA_ARCH__
+    atomicMax(target, value);
+#else
+    int seen = __atomic_load_n(target, __ATOMIC_RELAXED);
+    while (value > seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+#endif
+}
+
 /// Lowers a shared value to the smallest one offered.
 HL_FN void atomic_min(int* target, int value)
 {

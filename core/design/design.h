@@ -11,6 +11,7 @@ struct Design {
     std::vector<Material> materials;     ///< the project's own, before the library's
     std::vector<Fabric> fabrics;
     std::vector<Experiment> experiments;
+    bool operator==(const Design&) const = default;
 };
 
 /// The project's material of that name, else the library's, else nullptr.

@@ -12,6 +12,7 @@ struct Flyaway {
     double hair_density_per_mm = 0;
     double loop_height_mm = 0;
     double hair_length_mm = 0;
+    bool operator==(const Flyaway&) const = default;
 };
 
 /// Values a laboratory measured, which replace the derived ones.
@@ -21,6 +22,7 @@ struct Measured {
     std::optional<double> capillary_radius_um;
     std::optional<double> tortuosity;
     std::optional<double> crimp_percent;
+    bool operator==(const Measured&) const = default;
 };
 
 struct Fabric {
@@ -34,6 +36,7 @@ struct Fabric {
     Flyaway flyaway;
     std::optional<double> contact_angle_deg;   ///< of the finish; without it, each yarn's fibres
     Measured measured;
+    bool operator==(const Fabric&) const = default;
 };
 
 } // namespace hygroloom

@@ -12,12 +12,15 @@ struct GabIsotherm {
     double monolayer_regain = 0; ///< wm, kg water per kg dry fibre
     double c = 0;
     double k = 0;
+    bool operator==(const GabIsotherm&) const = default;
+    bool given() const { return monolayer_regain != 0 || c != 0 || k != 0; }
 };
 
 /// How water moves inside a fibre.
 struct FibreDiffusion {
     bool two_stage = false;          ///< Li and Luo's two-stage law of cotton or wool, see physics/sorption.h
     double constant_m2_s = 0;        ///< used when not two_stage
+    bool operator==(const FibreDiffusion&) const = default;
 };
 
 /// One fibre substance, dry.
@@ -33,15 +36,23 @@ struct Material {
     double contact_angle_deg = 0;      ///< of water, advancing
     double thermal_conductivity_w_mk = 0;
     double specific_heat_j_kgk = 0;
+    bool operator==(const Material&) const = default;
 };
 
 /// Part of a blend, by mass.
 struct MaterialShare {
     std::string name;
     double share = 1.0;
+    bool operator==(const MaterialShare&) const = default;
 };
 
 /// The library that ships with the program (resources/materials, compiled in), in the order of its file.
 const std::vector<Material>& material_library();
+
+/// nullptr when the library has none of that name.
+const Material* find_library_material(const std::string& name);
+
+/// "cotton" or "wool", whichever two-stage diffusion law the material has by its own name or by what it is based on; empty for others.
+std::string two_stage_law(const Material& material);
 
 } // namespace hygroloom

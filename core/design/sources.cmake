@@ -1,4 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+include(${CMAKE_CURRENT_LIST_DIR}/../embed_text.cmake)
+embed_text(${CMAKE_SOURCE_DIR}/resources/materials/fibres.json ${CMAKE_CURRENT_BINARY_DIR}/fibres_json.cpp fibres_json)
 target_sources(hygroloom_core PRIVATE
+  ${CMAKE_CURRENT_BINARY_DIR}/fibres_json.cpp
+  design/design.cpp
+  design/fabric_quantities.cpp
   design/interlacing.cpp
+  design/material.cpp
+  design/validate.cpp
+  design/validate_fabric.cpp
+  design/weave.cpp
+  design/weave_patterns.cpp
+  design/yarn_sections.cpp
 )

@@ -9,6 +9,8 @@
 
 namespace hygroloom {
 
+constexpr int largest_repeat = 2000; ///< ends, picks
+
 /// Copyable; the matrix is shared and never changes once made.
 class Weave {
 public:
@@ -25,6 +27,7 @@ public:
     /// A copy with one crossing turned over; it has no pattern name.
     Weave toggled(int end, int pick) const;
 
+    /// Same matrix and same pattern name.
     friend bool operator==(const Weave& a, const Weave& b);
 
 private:
@@ -33,6 +36,9 @@ private:
     std::shared_ptr<const std::vector<std::uint8_t>> up_;
     std::string pattern_;
 };
+
+/// Of all steps from a crossing to the next along the ends (or along the picks), the share where the yarn changes sides: 1 for plain.
+double share_of_changes(const Weave& weave, bool along_warp);
 
 /// "plain", "twill 2/1 Z", "satin 5/2", "basket 2/2", "rib 2/2 warp", ...; throws Error with a sentence that lists the forms.
 Weave weave_from_pattern(const std::string& pattern);

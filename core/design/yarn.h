@@ -20,6 +20,7 @@ struct Yarn {
     int fibres_per_yarn = 30;                  ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
     TwistDirection twist_direction = TwistDirection::z;
+    bool operator==(const Yarn&) const = default;
 };
 
 constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65

@@ -1,3 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  project/atomic_file.cpp
+  project/json_reader.cpp
+  project/migrations.cpp
+  project/project_file.cpp
+  project/project_read.cpp
+  project/project_value.cpp
+  project/project_write.cpp
 )

@@ -33,11 +33,11 @@ struct ModelPlan {
     int fibre_shells = 0;           ///< radial cells in a fibre
     double frame_interval = 0;      ///< s
     double network_step_limit = 0;  ///< s
+    double saturation_change = 0;   ///< that a network step aims at
     double density_tolerance = 0;   ///< of the pressure loop, fraction
     std::string resolution_reason;
     double expected_seconds = 0;
     double expected_bytes = 0;
-    double expected_error = 0;      ///< of the wetted radius against the reference, fraction
     std::string expectation_source;
 
     bool on(const std::string& part) const;

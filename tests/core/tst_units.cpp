@@ -11,7 +11,7 @@ bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tole
 
 class TestUnits : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void twentiesCottonCountIsTwentyNinePointFiveTex()
     {
         QVERIFY(near(tex_from_ne(20), 29.525, 1e-9));

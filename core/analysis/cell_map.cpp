@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/cell_map.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace hygroloom {
+
+MapSide map_side_from_name(const std::string& name)
+{
+    if (name == "top") return MapSide::top;
+    if (name == "bottom") return MapSide::bottom;
+    if (name == "total") return MapSide::total;
+    throw Error("The side of a map must be top, bottom or total; \"" + name + "\" was given.");
+}
+
+double CellMap::maximum() const { return water.empty() ? 0.0 : *std::max_element(water.begin(), water.end()); }
+
+CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int n)
+{
+    CellMap map;
+    map.crossings_per_cell = n;
+    map.columns = (textile.ends() + n - 1) / n;
+    map.rows = (textile.picks() + n - 1) / n;
+    map.cell_width = n * textile.warp.pitch;
+    map.cell_height = n * textile.weft.pitch;
+    map.water.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 0.0);
+
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        const double fibres = system.area * system.packing * system.fibre.density_kg_m3; // kg/m
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
+                if (side != MapSide::total && on_top != (side == MapSide::top)) continue;
+                const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
+                const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
+                                     textile.segment_length(kind, end, pick);
+                const auto cell = static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n);
+                map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]) + bound;
+            }
+    }
+    for (int row = 0; row < map.rows; ++row)
+        for (int column = 0; column < map.columns; ++column) {
+            const int ends = std::min(n, textile.ends() - column * n), picks = std::min(n, textile.picks() - row * n);
+            map.water[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column)] /=
+                ends * picks * textile.warp.pitch * textile.weft.pitch;
+        }
+    return map;
+}
+
+void write_cell_map_csv(const CellMap& map, const RunRecord& run, double time, MapSide side, const std::filesystem::path& path)
+{
+    constexpr const char* names[] = {"top", "bottom", "total"};
+    std::string text = fmt::format("# program=Hygroloom {}\n# simulated=true\n# fabric={}\n# experiment={}\n# fidelity={}\n# seed={}\n# time_s={}\n"
+                                   "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,water_g_m2\n",
+                                   HYGROLOOM_VERSION, run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
+                                   names[static_cast<int>(side)], map.crossings_per_cell);
+    const double width = run.textile.ends() * run.textile.warp.pitch, height = run.textile.picks() * run.textile.weft.pitch;
+    for (int row = 0; row < map.rows; ++row)
+        for (int column = 0; column < map.columns; ++column) {
+            // The middle of what the cell really covers.
+            const double right = std::min((column + 1) * map.cell_width, width), top = std::min((row + 1) * map.cell_height, height);
+            text += fmt::format("{},{},{:.6g},{:.6g},{:.6g}\n", column, row, mm_from_metre(0.5 * (column * map.cell_width + right - width)),
+                                mm_from_metre(0.5 * (row * map.cell_height + top - height)), 1e3 * map.at(column, row));
+        }
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) throw FileError(path.string() + ": the map cannot be written. Check that the folder exists and can be written to.");
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    if (std::fclose(file) != 0 || !written) throw FileError(path.string() + ": the map cannot be written; the disk may be full.");
+}
+
+} // namespace hygroloom

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  analysis/cell_map.cpp
+  analysis/enclosing_circle.cpp
+  analysis/metrics.cpp
+  analysis/metrics_json.cpp
+)

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Collects issues while validate() walks through a design.
+#pragma once
+
+#include "core/design/validate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace hygroloom {
+
+struct IssueList {
+    std::vector<Issue> issues;
+
+    void add(Severity severity, std::string code, std::string where, std::string text)
+    {
+        issues.push_back({severity, std::move(code), std::move(where), std::move(text)});
+    }
+    void error(std::string code, std::string where, std::string text) { add(Severity::error, std::move(code), std::move(where), std::move(text)); }
+
+    /// least <= value <= most, or an issue; NaN and infinities never pass. Whether it passed.
+    bool range(const std::string& where, const char* what, double value, double least, double most, const char* unit = "")
+    {
+        if (std::isfinite(value) && value >= least && value <= most) return true;
+        const char* gap = *unit ? " " : "";
+        error("range", where, fmt::format("The {} must be from {} to {}{}{}; given is {}.", what, least, most, gap, unit, value));
+        return false;
+    }
+    template <typename Value> // std::optional<double>
+    bool range_if_given(const std::string& where, const char* what, const Value& value, double least, double most, const char* unit = "")
+    {
+        return !value || range(where, what, *value, least, most, unit);
+    }
+
+    /// A name that is not empty, not too long, and not taken.
+    void name(const std::string& where, const std::string& value, std::set<std::string>& taken)
+    {
+        if (value.empty()) error("empty_name", where, "The name is empty; give one.");
+        if (value.size() > 200) error("range", where, fmt::format("The name has {} bytes; 200 at most.", value.size()));
+        if (!value.empty() && !taken.insert(value).second) error("duplicate_name", where, fmt::format("The name \"{}\" is taken; names must differ.", value));
+    }
+
+    int errors() const
+    {
+        int count = 0;
+        for (const Issue& issue : issues) count += issue.severity == Severity::error;
+        return count;
+    }
+};
+
+/// The parts of validate(), each in the order of the project file.
+void validate_material(const Material& material, const std::string& where, IssueList& list);
+void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
+void validate_experiment(const Experiment& experiment, const std::string& where, IssueList& list);
+
+} // namespace hygroloom

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A fabric's fields one by one, then whether its yarns fit in it.
+#include "core/base/units.h"
+#include "core/design/issue_list.h"
+#include "core/design/yarn_sections.h"
+
+#include "core/design/fabric_quantities.h"
+
+namespace hygroloom {
+
+namespace {
+
+bool validate_blend(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
+{
+    const int before = list.errors();
+    if (yarn.material.empty()) list.error("no_material", where, "The yarn has no material; give a name or a blend.");
+    double sum = 0;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < yarn.material.size(); ++i) {
+        const MaterialShare& part = yarn.material[i];
+        const std::string at = yarn.material.size() == 1 ? where : fmt::format("{}[{}]", where, i);
+        const Material* material = find_material(design, part.name);
+        if (!material) {
+            std::string known;
+            for (const Material& own : design.materials) known += own.name + ", ";
+            for (const Material& shipped : material_library()) known += shipped.name + ", ";
+            known.resize(known.size() - 2);
+            list.error("unknown_material", at, fmt::format("There is no material \"{}\". Known are: {}.", part.name, known));
+        }
+        if (!seen.insert(part.name).second) list.error("duplicate_name", at, fmt::format("The blend names \"{}\" twice.", part.name));
+        if (!(part.share > 0 && part.share <= 1))
+            list.error("range", at + ".share", fmt::format("A share must be more than 0 and at most 1; given is {}.", part.share));
+        sum += part.share;
+    }
+    if (list.errors() == before && !(std::abs(sum - 1) <= 1e-6))
+        list.error("shares", where, fmt::format("The shares of the blend must sum to 1; they sum to {}.", sum));
+    return list.errors() == before;
+}
+
+void validate_yarn(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
+{
+    bool sound = validate_blend(design, yarn, where + ".material", list);
+    const int before = list.errors();
+    list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
+    list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
+    list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, 0.02, densest_packing);
+    if (!yarn.diameter_mm && !yarn.linear_density_tex)
+        list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
+    list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
+    list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
+
+    sound = sound && list.errors() == before;
+    for (const MaterialShare& part : yarn.material) {
+        // A material's own fault is told at the material; here it only stops the arithmetic.
+        const Material* material = find_material(design, part.name);
+        sound = sound && material && material->density_kg_m3 >= 500 && material->density_kg_m3 <= 3000;
+    }
+    if (!sound || !yarn.diameter_mm) {
+        if (sound) { // from tex: the diameter must be one that could have been given
+            const FreeYarn free = free_yarn(yarn, blended_material(design, yarn.material).density_kg_m3);
+            list.range(where + ".linear_density_tex", "diameter that follows from the linear density", free.diameter, 0.005, 10, "mm");
+        }
+        return;
+    }
+    const double density = blended_material(design, yarn.material).density_kg_m3;
+    const double solid = density * 0.25 * pi * *yarn.diameter_mm * *yarn.diameter_mm; // tex without pores
+    if (!yarn.linear_density_tex) return;
+    const double packing = *yarn.linear_density_tex / solid;
+    if (yarn.packing_factor) {
+        if (std::abs(packing / *yarn.packing_factor - 1) > 0.01)
+            list.error("yarn_disagrees", where,
+                       fmt::format("Diameter {} mm and packing factor {} make {:.4g} tex of this fibre ({:.0f} kg/m3), but linear_density_tex says {}. "
+                                   "They must agree within 1 %; leave one out.",
+                                   *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density, *yarn.linear_density_tex));
+    } else if (packing < 0.02 || packing > densest_packing) {
+        list.error("yarn_disagrees", where,
+                   fmt::format("{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from 0.02 to {}.",
+                               *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, densest_packing));
+    }
+}
+
+void validate_weave(const Weave& weave, const std::string& where, IssueList& list)
+{
+    if (weave.ends() > largest_repeat || weave.picks() > largest_repeat) {
+        list.error("range", where, fmt::format("A repeat may have up to {} ends and picks; given are {} and {}.", largest_repeat, weave.ends(), weave.picks()));
+        return;
+    }
+    const auto unbound = [&](const char* name, int threads, int crossings, auto up) {
+        int count = 0, first = 0;
+        for (int thread = 0; thread < threads; ++thread) {
+            int ups = 0;
+            for (int at = 0; at < crossings; ++at) ups += up(thread, at);
+            if (ups != 0 && ups != crossings) continue;
+            if (count++ == 0) first = thread;
+        }
+        if (count > 0)
+            list.add(Severity::warning, "unbound_thread", where,
+                     fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", count, threads, name, name, first + 1));
+    };
+    unbound("ends", weave.ends(), weave.picks(), [&](int end, int pick) { return weave.warp_up(end, pick); });
+    unbound("picks", weave.picks(), weave.ends(), [&](int pick, int end) { return weave.warp_up(end, pick); });
+}
+
+void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+{
+    const FreeYarn warp = free_yarn(fabric.warp, blended_material(design, fabric.warp.material).density_kg_m3);
+    const FreeYarn weft = free_yarn(fabric.weft, blended_material(design, fabric.weft.material).density_kg_m3);
+    if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (warp.diameter + weft.diameter)) {
+        list.error("thickness_too_small", where + ".thickness_mm",
+                   fmt::format("A thickness of {} mm less loops of {} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and {:.3g} mm; a tenth of "
+                               "their sum is the least.",
+                               *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
+                               warp.diameter, weft.diameter));
+        return;
+    }
+    const FittedYarns fitted = fit_yarns(fabric, warp, weft);
+    const auto check = [&](const char* name, const char* key, double sett, const FreeYarn& free, const FittedYarn& yarn) {
+        if (yarn.packing_factor <= densest_packing) return;
+        list.error("ends_do_not_fit", where + "." + key,
+                   fmt::format("{} {} per cm of {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
+                               "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
+                               sett, name, free.linear_density_tex, free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
+                               densest_packing));
+    };
+    check("ends", "ends_per_cm", fabric.ends_per_cm, warp, fitted.warp);
+    check("picks", "picks_per_cm", fabric.picks_per_cm, weft, fitted.weft);
+}
+
+void validate_measured(const Measured& measured, const std::string& where, IssueList& list)
+{
+    list.range_if_given(where + ".porosity", "porosity", measured.porosity, 0.01, 0.999);
+    list.range_if_given(where + ".areal_density_g_m2", "areal density", measured.areal_density_g_m2, 1, 10000, "g/m2");
+    list.range_if_given(where + ".capillary_radius_um", "capillary radius", measured.capillary_radius_um, 0.05, 1000, "um");
+    list.range_if_given(where + ".tortuosity", "tortuosity", measured.tortuosity, 1, 20);
+    list.range_if_given(where + ".crimp_percent", "crimp", measured.crimp_percent, 0, 100, "%");
+}
+
+void note_wicking(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+{
+    const auto note = [&](const std::string& at, double angle) {
+        if (angle >= 90)
+            list.add(Severity::note, "no_wicking", at,
+                     fmt::format("At a contact angle of {:.3g} degrees water does not wick into the yarns; it wicks below 90.", angle));
+    };
+    if (fabric.contact_angle_deg) {
+        note(where + ".contact_angle_deg", *fabric.contact_angle_deg);
+        return;
+    }
+    note(where + ".warp.material", blended_material(design, fabric.warp.material).contact_angle_deg);
+    note(where + ".weft.material", blended_material(design, fabric.weft.material).contact_angle_deg);
+}
+
+} // namespace
+
+void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+{
+    const int before = list.errors();
+    validate_yarn(design, fabric.warp, where + ".warp", list);
+    validate_yarn(design, fabric.weft, where + ".weft", list);
+    validate_weave(fabric.weave, where + ".weave", list);
+    list.range(where + ".ends_per_cm", "number of ends per cm", fabric.ends_per_cm, 0.5, 500);
+    list.range(where + ".picks_per_cm", "number of picks per cm", fabric.picks_per_cm, 0.5, 500);
+    list.range_if_given(where + ".thickness_mm", "thickness of a fabric", fabric.thickness_mm, 0.01, 50, "mm");
+    const Flyaway& flyaway = fabric.flyaway;
+    list.range(where + ".flyaway.loop_density_per_mm", "number of loops per mm", flyaway.loop_density_per_mm, 0, 1000);
+    list.range(where + ".flyaway.hair_density_per_mm", "number of hairs per mm", flyaway.hair_density_per_mm, 0, 1000);
+    list.range(where + ".flyaway.loop_height_mm", "height of the loops", flyaway.loop_height_mm, 0, 20, "mm");
+    list.range(where + ".flyaway.hair_length_mm", "length of the hairs", flyaway.hair_length_mm, 0, 50, "mm");
+    list.range_if_given(where + ".contact_angle_deg", "contact angle", fabric.contact_angle_deg, 0, 180, "degrees");
+    validate_measured(fabric.measured, where, list);
+
+    // The arithmetic needs sound numbers, those of the materials included.
+    for (const Yarn* yarn : {&fabric.warp, &fabric.weft})
+        for (const MaterialShare& part : yarn->material) {
+            const Material* material = find_material(design, part.name);
+            if (!material) return;
+            IssueList own;
+            validate_material(*material, {}, own);
+            if (own.errors() > 0) return;
+        }
+    if (list.errors() > before) return;
+    validate_fit(design, fabric, where, list);
+    if (list.errors() > before) return;
+    note_wicking(design, fabric, where, list);
+    for (const std::string& sentence : derive_quantities(design, fabric).notes) list.add(Severity::note, "sections", where, sentence);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/project/atomic_file.h"
+
+#include "core/base/error.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace hygroloom {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what, int code)
+{
+    throw FileError(fmt::format("{}: {}: {}.", path.string(), what, std::strerror(code)));
+}
+
+/// Removes the temporary file unless it was renamed away.
+struct Temporary {
+    std::filesystem::path path;
+    ~Temporary()
+    {
+        std::error_code ignored;
+        if (!path.empty()) std::filesystem::remove(path, ignored);
+    }
+};
+
+std::filesystem::path temporary_beside(const std::filesystem::path& target)
+{
+    static std::atomic<unsigned> counter{0};
+    auto path = target;
+    path.replace_filename(fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, 100), ::getpid(), counter++, target.extension().string()));
+    return path;
+}
+
+/// Whether the data reached the disk; a folder on a file system that cannot sync folders counts as synced.
+void sync(const std::filesystem::path& path, bool folder, const std::filesystem::path& target)
+{
+    const int file = ::open(path.c_str(), folder ? O_RDONLY | O_DIRECTORY | O_CLOEXEC : O_RDWR | O_CLOEXEC);
+    if (file < 0) {
+        if (folder) return;
+        fail(target, "The file cannot be written", errno);
+    }
+    const int result = ::fsync(file);
+    const int code = errno;
+    ::close(file);
+    if (result != 0 && !folder) fail(target, "The file cannot be written to the disk", code);
+}
+
+void keep_backup(const std::filesystem::path& target)
+{
+    const std::filesystem::path backup = target.string() + "~";
+    // A hard link keeps the target in place all the time; where links are not possible, a copy does.
+    const std::filesystem::path fresh = temporary_beside(backup);
+    Temporary guard{fresh};
+    if (::link(target.c_str(), fresh.c_str()) != 0) {
+        std::error_code failure;
+        std::filesystem::copy_file(target, fresh, std::filesystem::copy_options::overwrite_existing, failure);
+        if (failure) fail(target, "The previous version cannot be kept", failure.value());
+    }
+    if (::rename(fresh.c_str(), backup.c_str()) != 0) fail(target, "The previous version cannot be kept", errno);
+}
+
+} // namespace
+
+void write_file_with(const std::filesystem::path& given, const std::function<void(const std::filesystem::path&)>& writer, Previous previous)
+{
+    std::error_code failure;
+    if (std::filesystem::is_directory(given, failure)) throw FileError(given.string() + ": This is a folder; give the name of a file.");
+    // A link stays a link: what it points to is replaced.
+    const auto target = std::filesystem::is_symlink(given, failure) ? std::filesystem::weakly_canonical(given, failure) : given;
+    const bool there = std::filesystem::exists(target, failure);
+    struct stat old {};
+    if (there && ::stat(target.c_str(), &old) == 0 && !S_ISREG(old.st_mode)) throw FileError(given.string() + ": This is not a regular file.");
+    if (there && ::access(target.c_str(), W_OK) != 0) fail(given, "The file cannot be replaced", errno);
+
+    Temporary temporary{temporary_beside(target)};
+    writer(temporary.path);
+    sync(temporary.path, false, given);
+    if (there) ::chmod(temporary.path.c_str(), old.st_mode & 07777);
+    if (there && previous == Previous::keep_as_backup) keep_backup(target);
+    if (::rename(temporary.path.c_str(), target.c_str()) != 0) fail(given, "The file cannot be put in place", errno);
+    temporary.path.clear();
+    sync(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."), true, given);
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes, Previous previous)
+{
+    write_file_with(
+        path,
+        [&](const std::filesystem::path& temporary) {
+            const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file < 0) fail(path, "The file cannot be written", errno);
+            std::size_t done = 0;
+            while (done < bytes.size()) {
+                const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
+                if (written < 0 && errno == EINTR) continue;
+                if (written <= 0) {
+                    const int code = written < 0 ? errno : ENOSPC;
+                    ::close(file);
+                    fail(path, "The file cannot be written", code);
+                }
+                done += static_cast<std::size_t>(written);
+            }
+            if (::close(file) != 0) fail(path, "The file cannot be written", errno);
+        },
+        previous);
+}
+
+std::string read_file(const std::filesystem::path& path, std::size_t most)
+{
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) fail(path, "The file cannot be opened", errno);
+    struct Closing {
+        int file;
+        ~Closing() { ::close(file); }
+    } closing{file};
+    struct stat status {};
+    if (::fstat(file, &status) != 0) fail(path, "The file cannot be read", errno);
+    if (S_ISDIR(status.st_mode)) throw FileError(path.string() + ": This is a folder; give the name of a file.");
+    if (!S_ISREG(status.st_mode)) throw FileError(path.string() + ": This is not a regular file.");
+    if (static_cast<std::size_t>(status.st_size) > most)
+        throw FileError(fmt::format("{}: The file has {:.1f} MiB; at most {:.0f} MiB are read.", path.string(), status.st_size / 1048576.0, most / 1048576.0));
+    if (status.st_size == 0) throw FileError(path.string() + ": The file is empty.");
+
+    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file, bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(path, "The file cannot be read", errno);
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Files that are either wholly the old one or wholly the new one, also after a crash.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace hygroloom {
+
+enum class Previous { replace, keep_as_backup };
+
+/// Writes to a temporary file in the target's folder, syncs it, renames it over the target and syncs the folder.
+/// With keep_as_backup the file that was there stays as path + "~". Throws FileError; the target is then unchanged and the temporary file gone.
+void write_file(const std::filesystem::path& path, std::string_view bytes, Previous previous = Previous::replace);
+
+/// The same for a writer that needs a path of its own: it gets the temporary path (with the target's extension) and throws when it fails.
+void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path& temporary)>& writer,
+                     Previous previous = Previous::replace);
+
+/// The whole file. Throws FileError when it is missing, a folder, not readable, empty, or larger than most bytes.
+std::string read_file(const std::filesystem::path& path, std::size_t most);
+
+} // namespace hygroloom

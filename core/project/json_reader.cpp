@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/project/json_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::size_t deepest = 32;
+constexpr std::size_t most_keys = 1000;
+
+[[noreturn]] void refuse_at(const std::string& file, const std::string& path, const std::string& sentence)
+{
+    throw FileError(fmt::format("{}: {}: {}", file, path.empty() ? "the project" : path, sentence));
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte)
+{
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t start = before.rfind('\n');
+    const std::size_t column = start == std::string_view::npos ? before.size() : before.size() - start - 1;
+    return fmt::format("line {}, column {}", line, std::max<std::size_t>(column, 1));
+}
+
+/// The reason without the library's own number and position.
+std::string reason(const std::string& message)
+{
+    std::string text = message;
+    if (const auto tail = text.find(" - "); tail != std::string::npos)
+        text = text.substr(tail + 3);
+    else if (const auto colon = text.rfind(": "); colon != std::string::npos)
+        text = text.substr(colon + 2);
+    for (char& letter : text)
+        if (static_cast<unsigned char>(letter) >= 0x80) letter = '?'; // it may quote half a character
+    if (text.size() > 200) text = text.substr(0, 120) + " ... " + text.substr(text.size() - 70);
+    return text;
+}
+
+/// Levenshtein's distance, one row at a time.
+std::size_t distance(const std::string& a, const std::string& b)
+{
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+ProjectJson parse_json(std::string_view text, const std::string& name)
+{
+    std::vector<std::set<std::string>> keys;
+    const auto watch = [&](int, ProjectJson::parse_event_t event, ProjectJson& parsed) {
+        using Event = ProjectJson::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) {
+            if (keys.size() >= deepest) throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name, deepest));
+            keys.emplace_back();
+        } else if (event == Event::object_end || event == Event::array_end) {
+            keys.pop_back();
+        } else if (event == Event::key) {
+            const auto& key = parsed.get_ref<const std::string&>();
+            if (keys.back().size() > most_keys) throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name, most_keys));
+            if (!keys.back().insert(key).second) throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name, in_words(key)));
+        }
+        return true;
+    };
+    try {
+        return ProjectJson::parse(text.begin(), text.end(), watch);
+    } catch (const ProjectJson::parse_error& failure) {
+        throw FileError(fmt::format("{}: {}: This is not valid JSON: {}.", name, line_and_column(text, failure.byte), reason(failure.what())));
+    } catch (const ProjectJson::exception& failure) {
+        throw FileError(fmt::format("{}: This is not valid JSON: {}.", name, reason(failure.what())));
+    }
+}
+
+std::string in_words(const ProjectJson& value)
+{
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return fmt::format("a list of {}", value.size());
+    std::string text = value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace);
+    if (text.size() > 60) {
+        text.resize(57);
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back(); // whole characters only
+        if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xc0) text.pop_back();
+        text += "...";
+    }
+    return text;
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& words)
+{
+    std::string nearest;
+    if (word.size() > 100) return nearest;
+    std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;
+    for (const std::string& candidate : words)
+        if (const std::size_t far = distance(word, candidate); far < least) {
+            least = far;
+            nearest = candidate;
+        }
+    return nearest;
+}
+
+double number_in(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    if (!value.is_number()) refuse_at(file, path, fmt::format("This must be a number; given is {}.", in_words(value)));
+    return value.get<double>();
+}
+
+std::string text_in(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    if (!value.is_string()) refuse_at(file, path, fmt::format("This must be a text in quotes; given is {}.", in_words(value)));
+    return value.get<std::string>();
+}
+
+const ProjectJson& array_in(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    if (!value.is_array()) refuse_at(file, path, fmt::format("This must be a list in [ ]; given is {}.", in_words(value)));
+    return value;
+}
+
+ObjectReader::ObjectReader(const ProjectJson& value, std::string file, std::string path) : value_(value), file_(std::move(file)), path_(std::move(path))
+{
+    if (!value.is_object()) refuse_at(file_, path_, fmt::format("This must be an object in {{ }}; given is {}.", in_words(value)));
+}
+
+const ProjectJson* ObjectReader::find(const std::string& key)
+{
+    known_.push_back(key);
+    const auto at = value_.find(key);
+    return at == value_.end() ? nullptr : &*at;
+}
+
+const ProjectJson& ObjectReader::require(const std::string& key)
+{
+    const ProjectJson* member = find(key);
+    if (!member) refuse_at(file_, path_, fmt::format("The key \"{}\" is missing.", key));
+    return *member;
+}
+
+void ObjectReader::read(const std::string& key, double& value)
+{
+    if (const ProjectJson* member = find(key)) value = number_in(*member, file_, path_of(key));
+}
+
+void ObjectReader::read(const std::string& key, std::optional<double>& value)
+{
+    if (const ProjectJson* member = find(key)) value = number_in(*member, file_, path_of(key));
+}
+
+void ObjectReader::read(const std::string& key, int& value)
+{
+    const ProjectJson* member = find(key);
+    if (!member) return;
+    const double number = number_in(*member, file_, path_of(key));
+    if (!(number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max()))
+        refuse(key, fmt::format("This must be a whole number; given is {}.", in_words(*member)));
+    value = static_cast<int>(number);
+}
+
+void ObjectReader::read(const std::string& key, std::string& value)
+{
+    if (const ProjectJson* member = find(key)) value = text_in(*member, file_, path_of(key));
+}
+
+void ObjectReader::read(const std::string& key, std::array<double, 2>& value)
+{
+    const ProjectJson* member = find(key);
+    if (!member) return;
+    array_in(*member, file_, path_of(key));
+    if (member->size() != 2) refuse(key, fmt::format("This must be a list of 2 numbers; given is {}.", in_words(*member)));
+    for (std::size_t i = 0; i < 2; ++i) value[i] = number_in((*member)[i], file_, fmt::format("{}[{}]", path_of(key), i));
+}
+
+void ObjectReader::finish() const
+{
+    for (const auto& [key, member] : value_.items()) {
+        if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+        const std::string near = nearest_word(key, known_);
+        std::string all;
+        for (const std::string& word : known_) all += (all.empty() ? "" : ", ") + word;
+        refuse_at(file_, path_,
+                  near.empty() ? fmt::format("The key {} is not known here. Known are: {}.", in_words(key), all)
+                               : fmt::format("The key {} is not known here; did you mean \"{}\"?", in_words(key), near));
+    }
+}
+
+std::string ObjectReader::path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+
+void ObjectReader::refuse(const std::string& key, const std::string& sentence) const { refuse_at(file_, path_of(key), sentence); }
+
+} // namespace hygroloom

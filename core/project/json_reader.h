@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Strict reading of JSON: every key must be known, every value of the right type, and each refusal says where.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/migrations.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hygroloom {
+
+/// Parses text; refuses bad UTF-8, duplicate keys and nesting deeper than 32. Throws FileError with name, line and column or path.
+ProjectJson parse_json(std::string_view text, const std::string& name);
+
+/// A JSON value in words, shortened: `"abc"`, `12`, `an object`.
+std::string in_words(const ProjectJson& value);
+
+/// The nearest of some words, or empty when none is near.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
+
+/// One object of the file. Ask for every key it may have, then call finish(), which refuses the others.
+class ObjectReader {
+public:
+    ObjectReader(const ProjectJson& value, std::string file, std::string path);
+
+    /// The member, or nullptr when it is absent.
+    const ProjectJson* find(const std::string& key);
+    const ProjectJson& require(const std::string& key);
+    /// Leave value alone when the key is absent.
+    void read(const std::string& key, double& value);
+    void read(const std::string& key, int& value);
+    void read(const std::string& key, std::string& value);
+    void read(const std::string& key, std::optional<double>& value);
+    void read(const std::string& key, std::array<double, 2>& value);
+    /// Refuses keys that were not asked for, with the nearest one that was.
+    void finish() const;
+
+    std::string path_of(const std::string& key) const;
+    const std::string& file() const { return file_; }
+    [[noreturn]] void refuse(const std::string& key, const std::string& sentence) const;
+
+private:
+    const ProjectJson& value_;
+    std::string file_;
+    std::string path_;
+    std::vector<std::string> known_;
+};
+
+double number_in(const ProjectJson& value, const std::string& file, const std::string& path);
+std::string text_in(const ProjectJson& value, const std::string& file, const std::string& path);
+const ProjectJson& array_in(const ProjectJson& value, const std::string& file, const std::string& path);
+
+} // namespace hygroloom

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Between the JSON of a project and its design. For project_file.cpp and for tests; others use project_file.h.
+#pragma once
+
+#include "core/design/design.h"
+#include "core/project/migrations.h"
+
+namespace hygroloom {
+
+/// Checks format and version, migrates, reads strictly. Throws FileError.
+Design design_from_json(ProjectJson project, const std::string& file, const std::vector<Migration>& steps = project_migrations());
+
+/// In the newest version, keys in the format's order.
+ProjectJson json_from_design(const Design& design);
+
+/// Two-space indent, lists of plain values on one line. Throws Error when a number is not finite or a text is not UTF-8.
+std::string text_from_json(const ProjectJson& project);
+
+} // namespace hygroloom

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The design in a project's JSON. Form only: whether values make sense is for validate().
+#include "core/project/json_reader.h"
+#include "core/project/project_file.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+void read_isotherm(ObjectReader& object, GabIsotherm& gab)
+{
+    const ProjectJson* value = object.find("isotherm");
+    if (!value) return;
+    if (value->is_string()) {
+        if (*value != "master") object.refuse("isotherm", fmt::format("This must be \"master\" or an object; given is {}.", in_words(*value)));
+        gab = {};
+        return;
+    }
+    ObjectReader isotherm(*value, object.file(), object.path_of("isotherm"));
+    isotherm.require("monolayer_regain");
+    isotherm.require("c");
+    isotherm.require("k");
+    isotherm.read("monolayer_regain", gab.monolayer_regain);
+    isotherm.read("c", gab.c);
+    isotherm.read("k", gab.k);
+    isotherm.finish();
+}
+
+void read_diffusion(ObjectReader& object, FibreDiffusion& diffusion)
+{
+    const ProjectJson* value = object.find("fibre_diffusivity_m2_s");
+    if (!value) return;
+    diffusion.two_stage = *value == "two-stage";
+    if (diffusion.two_stage) return;
+    if (!value->is_number())
+        object.refuse("fibre_diffusivity_m2_s", fmt::format("This must be a number or \"two-stage\"; given is {}.", in_words(*value)));
+    diffusion.constant_m2_s = value->get<double>();
+}
+
+Material read_material(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    object.require("name");
+    Material material;
+    std::string name, based_on;
+    object.read("name", name);
+    object.read("based_on", based_on);
+    if (!based_on.empty()) {
+        const Material* base = find_library_material(based_on);
+        if (!base) {
+            std::string all;
+            for (const Material& known : material_library()) all += (all.empty() ? "" : ", ") + known.name;
+            object.refuse("based_on", fmt::format("The library has no material {}. It has: {}.", in_words(based_on), all));
+        }
+        material = *base;
+    }
+    material.name = name;
+    material.based_on = based_on;
+    const auto number = [&](const char* key, double& field) {
+        if (based_on.empty()) object.require(key);
+        object.read(key, field);
+    };
+    number("density_kg_m3", material.density_kg_m3);
+    number("fibre_radius_um", material.fibre_radius_um);
+    number("standard_regain", material.standard_regain);
+    number("saturation_regain", material.saturation_regain);
+    read_isotherm(object, material.gab);
+    if (based_on.empty()) object.require("fibre_diffusivity_m2_s");
+    read_diffusion(object, material.diffusion);
+    number("contact_angle_deg", material.contact_angle_deg);
+    number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
+    number("specific_heat_j_kgk", material.specific_heat_j_kgk);
+    object.finish();
+    return material;
+}
+
+std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    if (value.is_string()) return {{value.get<std::string>(), 1.0}};
+    if (!value.is_array())
+        throw FileError(fmt::format("{}: {}: This must be the name of a material or a list of shares; given is {}.", file, path, in_words(value)));
+    std::vector<MaterialShare> shares;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        ObjectReader object(value[i], file, fmt::format("{}[{}]", path, i));
+        object.require("name");
+        object.require("share");
+        MaterialShare share;
+        object.read("name", share.name);
+        object.read("share", share.share);
+        object.finish();
+        shares.push_back(share);
+    }
+    return shares;
+}
+
+Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Yarn yarn;
+    yarn.material = read_blend(object.require("material"), file, object.path_of("material"));
+    object.read("diameter_mm", yarn.diameter_mm);
+    object.read("linear_density_tex", yarn.linear_density_tex);
+    object.read("packing_factor", yarn.packing_factor);
+    object.read("fibres_per_yarn", yarn.fibres_per_yarn);
+    object.read("twist_per_m", yarn.twist_per_m);
+    std::string direction = "Z";
+    object.read("twist_direction", direction);
+    if (direction != "Z" && direction != "S")
+        object.refuse("twist_direction", fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
+    yarn.twist_direction = direction == "Z" ? TwistDirection::z : TwistDirection::s;
+    object.finish();
+    return yarn;
+}
+
+Weave read_rows(const ObjectReader& object, const ProjectJson& rows)
+{
+    array_in(rows, object.file(), object.path_of("rows"));
+    if (rows.empty() || rows.size() > largest_repeat)
+        object.refuse("rows", fmt::format("A weave has from 1 to {} rows; given are {}.", largest_repeat, rows.size()));
+    const std::size_t picks = rows.size();
+    const std::size_t ends = text_in(rows[0], object.file(), object.path_of("rows[0]")).size();
+    if (ends < 1 || ends > largest_repeat)
+        object.refuse("rows[0]", fmt::format("A row has from 1 to {} crossings; given are {}.", largest_repeat, ends));
+    std::vector<std::uint8_t> up(ends * picks);
+    for (std::size_t row = 0; row < picks; ++row) {
+        const std::string key = fmt::format("rows[{}]", row);
+        const std::string text = text_in(rows[row], object.file(), object.path_of(key));
+        if (text.size() != ends) object.refuse(key, fmt::format("All rows need {} crossings as the first; this one has {}.", ends, text.size()));
+        for (std::size_t end = 0; end < ends; ++end) {
+            if (text[end] != '0' && text[end] != '1') object.refuse(key, fmt::format("A row is made of 0 and 1 (warp up); given is {}.", in_words(rows[row])));
+            up[(picks - 1 - row) * ends + end] = text[end] == '1'; // the top row is the last pick
+        }
+    }
+    return {static_cast<int>(ends), static_cast<int>(picks), std::move(up)};
+}
+
+Weave read_weave(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    const ProjectJson* pattern = object.find("pattern");
+    const ProjectJson* rows = object.find("rows");
+    if (object.find("draft")) object.refuse("draft", "This version does not read drafts; give the weave as rows.");
+    object.finish();
+    if (!pattern == !rows) throw FileError(fmt::format("{}: {}: A weave is given by either \"pattern\" or \"rows\".", file, path));
+    if (rows) return read_rows(object, *rows);
+    try {
+        return weave_from_pattern(text_in(*pattern, file, object.path_of("pattern")));
+    } catch (const FileError&) {
+        throw;
+    } catch (const Error& error) {
+        object.refuse("pattern", error.what());
+    }
+}
+
+Fabric read_fabric(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Fabric fabric;
+    object.require("name");
+    object.read("name", fabric.name);
+    fabric.warp = read_yarn(object.require("warp"), file, object.path_of("warp"));
+    fabric.weft = read_yarn(object.require("weft"), file, object.path_of("weft"));
+    fabric.weave = read_weave(object.require("weave"), file, object.path_of("weave"));
+    object.require("ends_per_cm");
+    object.require("picks_per_cm");
+    object.read("ends_per_cm", fabric.ends_per_cm);
+    object.read("picks_per_cm", fabric.picks_per_cm);
+    object.read("thickness_mm", fabric.thickness_mm);
+    if (const ProjectJson* flyaway = object.find("flyaway")) {
+        ObjectReader fibres(*flyaway, file, object.path_of("flyaway"));
+        fibres.read("loop_density_per_mm", fabric.flyaway.loop_density_per_mm);
+        fibres.read("hair_density_per_mm", fabric.flyaway.hair_density_per_mm);
+        fibres.read("loop_height_mm", fabric.flyaway.loop_height_mm);
+        fibres.read("hair_length_mm", fabric.flyaway.hair_length_mm);
+        fibres.finish();
+    }
+    object.read("contact_angle_deg", fabric.contact_angle_deg);
+    object.read("porosity", fabric.measured.porosity);
+    object.read("areal_density_g_m2", fabric.measured.areal_density_g_m2);
+    object.read("capillary_radius_um", fabric.measured.capillary_radius_um);
+    object.read("tortuosity", fabric.measured.tortuosity);
+    object.read("crimp_percent", fabric.measured.crimp_percent);
+    object.finish();
+    return fabric;
+}
+
+Droplet read_droplet(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Droplet droplet;
+    object.require("volume_ul");
+    object.read("volume_ul", droplet.volume_ul);
+    object.read("time_s", droplet.time_s);
+    object.read("at_mm", droplet.at_mm);
+    object.read("height_mm", droplet.height_mm);
+    object.read("speed_m_s", droplet.speed_m_s);
+    object.finish();
+    return droplet;
+}
+
+void check_type(const ObjectReader& object, const std::string& type)
+{
+    if (type == "droplet") return;
+    const std::vector<std::string> later{"moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat"};
+    if (std::find(later.begin(), later.end(), type) != later.end())
+        object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; \"{}\" is one it cannot run yet.", type));
+    object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; given is {}.", in_words(type)));
+}
+
+Experiment read_experiment(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Experiment experiment;
+    object.require("name");
+    object.read("name", experiment.name);
+    check_type(object, text_in(object.require("type"), file, object.path_of("type")));
+    if (const ProjectJson* climate = object.find("climate")) {
+        if (climate->is_array()) object.refuse("climate", "This version keeps the climate constant; give one object, not a list.");
+        ObjectReader air(*climate, file, object.path_of("climate"));
+        air.read("temperature_c", experiment.climate.temperature_c);
+        air.read("relative_humidity", experiment.climate.relative_humidity);
+        air.read("air_speed_m_s", experiment.climate.air_speed_m_s);
+        air.finish();
+    }
+    object.read("liquid", experiment.liquid);
+    object.read("sample_mm", experiment.sample_mm);
+    object.require("duration_s");
+    object.read("duration_s", experiment.duration_s);
+    const ProjectJson& droplets = array_in(object.require("droplets"), file, object.path_of("droplets"));
+    experiment.droplets.clear();
+    for (std::size_t i = 0; i < droplets.size(); ++i)
+        experiment.droplets.push_back(read_droplet(droplets[i], file, fmt::format("{}[{}]", object.path_of("droplets"), i)));
+    object.finish();
+    return experiment;
+}
+
+int read_version(ObjectReader& object, int newest)
+{
+    const std::string format = text_in(object.require("format"), object.file(), "format");
+    if (format != "hygroloom-project") object.refuse("format", fmt::format("This must be \"hygroloom-project\"; given is {}.", in_words(format)));
+    int version = 0;
+    object.require("version");
+    object.read("version", version);
+    if (version > newest)
+        object.refuse("version", fmt::format("The project was written by a newer Hygroloom (format {}); this one reads up to {}. Use the newer one.", version, newest));
+    if (version < 1) object.refuse("version", fmt::format("Versions begin at 1; given is {}.", version));
+    return version;
+}
+
+} // namespace
+
+Design design_from_json(ProjectJson project, const std::string& file, const std::vector<Migration>& steps)
+{
+    {
+        ObjectReader head(project, file, {});
+        migrate_project(project, read_version(head, static_cast<int>(steps.size()) + 1), steps);
+    }
+    ObjectReader object(project, file, {});
+    object.require("format");
+    object.require("version");
+    Design design;
+    const auto each = [&](const char* key, auto read) {
+        const ProjectJson* list = object.find(key);
+        if (!list) return;
+        array_in(*list, file, key);
+        for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], file, fmt::format("{}[{}]", key, i));
+    };
+    each("materials", [&](const auto&... from) { design.materials.push_back(read_material(from...)); });
+    each("fabrics", [&](const auto&... from) { design.fabrics.push_back(read_fabric(from...)); });
+    each("experiments", [&](const auto&... from) { design.experiments.push_back(read_experiment(from...)); });
+    each("garments", [&](const auto&...) { object.refuse("garments", "This version does not read garments; leave the list empty."); });
+    object.finish();
+    return design;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One value of a project by its path, for --set and for scripts that sweep a parameter.
+#include "core/project/json_reader.h"
+#include "core/project/project_file.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace hygroloom {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& sentence) { throw Error(fmt::format("{}: {}", path, sentence)); }
+
+/// Walks down a path, one piece at a time: keys, [numbers], and names of list members, which may hold dots and spaces.
+class PathWalk {
+public:
+    PathWalk(ProjectJson& root, const std::string& path) : path_(path), rest_(path), at_(&root) {}
+
+    /// Goes down to the object that holds the last key, and returns that key.
+    std::string walk()
+    {
+        while (true) {
+            if (at_->is_array()) {
+                enter(at_->at(index()));
+            } else if (at_->is_object()) {
+                const std::size_t end = std::min(rest_.find_first_of(".["), rest_.size());
+                const std::string key(rest_.substr(0, end));
+                rest_.remove_prefix(end);
+                if (rest_.empty()) return key;
+                if (!at_->contains(key)) make(key);
+                enter((*at_)[key]);
+            } else {
+                refuse(path_, fmt::format("The path goes on after a plain value, at \"{}\".", rest_));
+            }
+            if (rest_.empty()) return {};
+            if (rest_.front() == '.') rest_.remove_prefix(1);
+            if (rest_.empty()) refuse(path_, "The path ends with a dot.");
+        }
+    }
+
+    ProjectJson& here() { return *at_; }
+
+private:
+    void enter(ProjectJson& child) { at_ = &child; }
+
+    void make(const std::string& key)
+    {
+        if (key != "flyaway" && key != "climate") {
+            std::vector<std::string> keys;
+            for (const auto& [known, value] : at_->items()) keys.push_back(known);
+            const std::string near = nearest_word(key, keys);
+            refuse(path_, fmt::format("There is no \"{}\" here{}", key, near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near)));
+        }
+        (*at_)[key] = ProjectJson::object();
+    }
+
+    std::size_t index()
+    {
+        const bool bracketed = !rest_.empty() && rest_.front() == '[';
+        std::string_view text = rest_;
+        if (bracketed) {
+            const std::size_t close = rest_.find(']');
+            if (close == std::string_view::npos) refuse(path_, "A \"]\" is missing.");
+            text = rest_.substr(1, close - 1);
+        }
+        std::size_t number = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (bracketed && failure == std::errc() && end == text.data() + text.size()) {
+            if (number >= at_->size()) refuse(path_, fmt::format("There is no [{}]; the list has {}.", number, at_->size()));
+            rest_.remove_prefix(text.size() + 2);
+            return number;
+        }
+        return named(text, bracketed);
+    }
+
+    /// The member with the longest name that the path goes on with.
+    std::size_t named(std::string_view text, bool bracketed)
+    {
+        std::size_t best = at_->size(), longest = 0;
+        std::string known;
+        for (std::size_t i = 0; i < at_->size(); ++i) {
+            const ProjectJson& member = at_->at(i);
+            if (!member.is_object() || !member.contains("name")) continue;
+            const std::string name = member.at("name").get<std::string>();
+            known += (known.empty() ? "\"" : ", \"") + name + "\"";
+            const bool fits = bracketed ? text == name
+                                        : text.substr(0, name.size()) == name && (text.size() == name.size() || text[name.size()] == '.' || text[name.size()] == '[');
+            if (fits && (best == at_->size() || name.size() > longest)) {
+                best = i;
+                longest = name.size();
+            }
+        }
+        if (best == at_->size())
+            refuse(path_, known.empty() ? fmt::format("A list needs an index such as [0]; given is \"{}\".", text)
+                                        : fmt::format("Nothing in the list is called as \"{}\" begins. There are: {}.", text, known));
+        rest_.remove_prefix(bracketed ? text.size() + 2 : longest);
+        return best;
+    }
+
+    const std::string& path_;
+    std::string_view rest_;
+    ProjectJson* at_;
+};
+
+ProjectJson value_from(const std::string& text, const ProjectJson* old)
+{
+    ProjectJson value;
+    try {
+        value = parse_json(text, {});
+    } catch (const FileError&) {
+        return text; // a bare word
+    }
+    if (old && old->is_string() && value.is_number()) return text; // a name made of digits
+    return value;
+}
+
+} // namespace
+
+Design with_value(const Design& design, const std::string& path, const std::string& value)
+{
+    ProjectJson project = json_from_design(design);
+    if (path.empty()) refuse("--set", "The path is empty; give one such as fabrics[0].contact_angle_deg.");
+    PathWalk walk(project, path);
+    const std::string key = walk.walk();
+    ProjectJson& holder = walk.here();
+    if (key.empty()) {
+        holder = value_from(value, &holder);
+    } else if (value == "null") {
+        holder.erase(key); // back to what the program derives
+    } else {
+        if (key == "pattern" || key == "rows") { // one replaces the other
+            holder.erase("pattern");
+            holder.erase("rows");
+        }
+        const auto old = holder.find(key);
+        ProjectJson fresh = value_from(value, old == holder.end() ? nullptr : &*old);
+        if (fresh.is_string() && old != holder.end() && old->is_number())
+            refuse(path, fmt::format("This must be a number; given is {}.", in_words(fresh)));
+        holder[key] = std::move(fresh);
+    }
+    return parse_project(text_from_json(project), "--set " + path);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A design as the project's JSON, and that as text.
+#include "core/base/error.h"
+#include "core/project/project_file.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+ProjectJson write_material(const Material& material)
+{
+    const Material* base = material.based_on.empty() ? nullptr : find_library_material(material.based_on);
+    ProjectJson json{{"name", material.name}};
+    if (base) json["based_on"] = material.based_on;
+    const auto number = [&](const char* key, double Material::*field) {
+        if (!base || base->*field != material.*field) json[key] = material.*field;
+    };
+    number("density_kg_m3", &Material::density_kg_m3);
+    number("fibre_radius_um", &Material::fibre_radius_um);
+    number("standard_regain", &Material::standard_regain);
+    number("saturation_regain", &Material::saturation_regain);
+    if (base ? base->gab != material.gab : material.gab.given()) {
+        if (material.gab.given())
+            json["isotherm"] = {{"monolayer_regain", material.gab.monolayer_regain}, {"c", material.gab.c}, {"k", material.gab.k}};
+        else
+            json["isotherm"] = "master";
+    }
+    if (material.diffusion.two_stage)
+        json["fibre_diffusivity_m2_s"] = "two-stage";
+    else if (!base || base->diffusion != material.diffusion)
+        json["fibre_diffusivity_m2_s"] = material.diffusion.constant_m2_s;
+    number("contact_angle_deg", &Material::contact_angle_deg);
+    number("thermal_conductivity_w_mk", &Material::thermal_conductivity_w_mk);
+    number("specific_heat_j_kgk", &Material::specific_heat_j_kgk);
+    return json;
+}
+
+void write_if_given(ProjectJson& json, const char* key, const std::optional<double>& value)
+{
+    if (value) json[key] = *value;
+}
+
+ProjectJson write_yarn(const Yarn& yarn)
+{
+    ProjectJson json = ProjectJson::object();
+    if (yarn.material.size() == 1 && yarn.material[0].share == 1.0) {
+        json["material"] = yarn.material[0].name;
+    } else {
+        json["material"] = ProjectJson::array();
+        for (const MaterialShare& part : yarn.material) json["material"].push_back({{"name", part.name}, {"share", part.share}});
+    }
+    write_if_given(json, "diameter_mm", yarn.diameter_mm);
+    write_if_given(json, "linear_density_tex", yarn.linear_density_tex);
+    write_if_given(json, "packing_factor", yarn.packing_factor);
+    json["fibres_per_yarn"] = yarn.fibres_per_yarn;
+    json["twist_per_m"] = yarn.twist_per_m;
+    json["twist_direction"] = yarn.twist_direction == TwistDirection::z ? "Z" : "S";
+    return json;
+}
+
+ProjectJson write_weave(const Weave& weave)
+{
+    if (!weave.pattern().empty()) return {{"pattern", weave.pattern()}};
+    ProjectJson rows = ProjectJson::array();
+    for (int pick = weave.picks() - 1; pick >= 0; --pick) {
+        std::string row;
+        for (int end = 0; end < weave.ends(); ++end) row += weave.warp_up(end, pick) ? '1' : '0';
+        rows.push_back(row);
+    }
+    return {{"rows", rows}};
+}
+
+ProjectJson write_fabric(const Fabric& fabric)
+{
+    ProjectJson json{{"name", fabric.name}};
+    json["warp"] = write_yarn(fabric.warp);
+    json["weft"] = write_yarn(fabric.weft);
+    json["weave"] = write_weave(fabric.weave);
+    json["ends_per_cm"] = fabric.ends_per_cm;
+    json["picks_per_cm"] = fabric.picks_per_cm;
+    write_if_given(json, "thickness_mm", fabric.thickness_mm);
+    json["flyaway"] = {{"loop_density_per_mm", fabric.flyaway.loop_density_per_mm},
+                       {"hair_density_per_mm", fabric.flyaway.hair_density_per_mm},
+                       {"loop_height_mm", fabric.flyaway.loop_height_mm},
+                       {"hair_length_mm", fabric.flyaway.hair_length_mm}};
+    write_if_given(json, "contact_angle_deg", fabric.contact_angle_deg);
+    write_if_given(json, "porosity", fabric.measured.porosity);
+    write_if_given(json, "areal_density_g_m2", fabric.measured.areal_density_g_m2);
+    write_if_given(json, "capillary_radius_um", fabric.measured.capillary_radius_um);
+    write_if_given(json, "tortuosity", fabric.measured.tortuosity);
+    write_if_given(json, "crimp_percent", fabric.measured.crimp_percent);
+    return json;
+}
+
+ProjectJson write_experiment(const Experiment& experiment)
+{
+    ProjectJson json{{"name", experiment.name}, {"type", "droplet"}};
+    json["climate"] = {{"temperature_c", experiment.climate.temperature_c},
+                       {"relative_humidity", experiment.climate.relative_humidity},
+                       {"air_speed_m_s", experiment.climate.air_speed_m_s}};
+    json["liquid"] = experiment.liquid;
+    json["sample_mm"] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
+    json["duration_s"] = experiment.duration_s;
+    json["droplets"] = ProjectJson::array();
+    for (const Droplet& drop : experiment.droplets)
+        json["droplets"].push_back({{"volume_ul", drop.volume_ul},
+                                    {"time_s", drop.time_s},
+                                    {"at_mm", ProjectJson::array({drop.at_mm[0], drop.at_mm[1]})},
+                                    {"height_mm", drop.height_mm},
+                                    {"speed_m_s", drop.speed_m_s}});
+    return json;
+}
+
+void print(std::string& text, const ProjectJson& value, const std::string& indent, const std::string& path)
+{
+    if (value.is_number_float() && !std::isfinite(value.get<double>()))
+        throw Error(fmt::format("{}: The value is {}, which no project can hold; give a number.", path, value.get<double>()));
+    const bool rows = path.size() > 5 && path.compare(path.size() - 5, 5, ".rows") == 0; // one line each: they draw the weave
+    const bool plain = value.is_array() && !rows && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); });
+    if (!value.is_structured() || value.empty()) {
+        text += value.dump();
+        return;
+    }
+    const std::string inner = plain ? "" : "\n" + indent + "  ";
+    const char* separator = plain ? ", " : ",";
+    text += value.is_object() ? '{' : '[';
+    bool first = true;
+    std::size_t index = 0;
+    for (const auto& [key, member] : value.items()) {
+        if (!first) text += separator;
+        first = false;
+        text += inner;
+        if (value.is_object()) text += ProjectJson(key).dump() + ": ";
+        print(text, member, indent + "  ", value.is_object() ? (path.empty() ? key : path + "." + key) : fmt::format("{}[{}]", path, index++));
+    }
+    if (!plain) text += "\n" + indent;
+    text += value.is_object() ? '}' : ']';
+}
+
+} // namespace
+
+ProjectJson json_from_design(const Design& design)
+{
+    ProjectJson json{{"format", "hygroloom-project"}, {"version", project_version}};
+    json["materials"] = ProjectJson::array();
+    for (const Material& material : design.materials) json["materials"].push_back(write_material(material));
+    json["fabrics"] = ProjectJson::array();
+    for (const Fabric& fabric : design.fabrics) json["fabrics"].push_back(write_fabric(fabric));
+    json["experiments"] = ProjectJson::array();
+    for (const Experiment& experiment : design.experiments) json["experiments"].push_back(write_experiment(experiment));
+    return json;
+}
+
+std::string text_from_json(const ProjectJson& project)
+{
+    std::string text;
+    try {
+        print(text, project, {}, {});
+    } catch (const ProjectJson::exception&) {
+        throw Error("A name in the project is not valid UTF-8 text; change it.");
+    }
+    return text + "\n";
+}
+
+} // namespace hygroloom

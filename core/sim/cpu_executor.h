@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs stages on the CPU's threads. Every stage writes only its own element or adds integers, so the number of threads
+// cannot change a result.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace hygroloom {
+
+class CpuExecutor {
+public:
+    /// An array where the stages run.
+    template <typename T> class Buffer {
+    public:
+        void resize(std::size_t count) { values_.resize(count); }
+        void fill(T value) { std::fill(values_.begin(), values_.end(), value); }
+        void upload(const std::vector<T>& values) { values_ = values; }
+        std::vector<T> download() const { return values_; }
+        T read(std::size_t index) const { return values_[index]; }
+        void write(std::size_t index, T value) { values_[index] = value; }
+        T* data() { return values_.data(); }
+        std::size_t size() const { return values_.size(); }
+        void swap(Buffer& other) { values_.swap(other.values_); }
+
+    private:
+        std::vector<T> values_;
+    };
+
+    void set_threads(int threads) { arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : tbb::task_arena::automatic); }
+
+    /// Calls stage(i) for 0 <= i < count; the name is for profilers.
+    template <typename Stage> void for_each(const char*, int count, const Stage& stage)
+    {
+        constexpr int grain = 64;
+        if (count <= grain) {
+            for (int i = 0; i < count; ++i) stage(i);
+            return;
+        }
+        arena_->execute([&] {
+            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& range) {
+                for (int i = range.begin(); i < range.end(); ++i) stage(i);
+            });
+        });
+    }
+
+    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
+    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, int count, int largest)
+    {
+        places_.assign(static_cast<std::size_t>(largest) + 2, 0);
+        for (int i = 0; i < count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
+        std::partial_sum(places_.begin(), places_.end(), places_.begin());
+        sorted_.resize(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) {
+            const int place = places_[static_cast<std::size_t>(keys.data()[i])]++;
+            order.data()[place] = i;
+            sorted_[static_cast<std::size_t>(place)] = keys.data()[i];
+        }
+        std::copy(sorted_.begin(), sorted_.end(), keys.data());
+    }
+
+    void wait() {}
+
+private:
+    std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
+    std::vector<int> places_, sorted_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A drop as particles, and the constants of the pressure loop that follow from their spacing.
+#pragma once
+
+#include "core/base/vec3.h"
+
+#include <vector>
+
+namespace hygroloom {
+
+/// The count places of a cubic lattice nearest to a point between them, about their own middle; a ball. Same count, same places.
+std::vector<Vec3d> droplet_lattice(int count, double spacing);
+
+/// delta x dt^2 of the pressure loop for a particle in a full cubic lattice of this spacing, Pa s2 per kg/m3.
+double pressure_stiffness(double spacing, double support);
+
+} // namespace hygroloom

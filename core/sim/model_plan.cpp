@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Cheap bounds before the run decide what it models. Each bound is a number people can check in the reason.
+#include "core/sim/model_plan.h"
+
+#include "core/base/error.h"
+#include "core/physics/heat_moisture.h"
+#include "core/physics/sorption.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+constexpr const char* part_names[] = {"liquid", "wicking", "sorption", "vapour", "heat"};
+
+/// Points on the ladder of fidelities; each value stands here once.
+struct Level {
+    int particles;
+    int shells;
+    double network_step;       // s
+    double saturation_change;
+    double density_tolerance;
+    double neglected;          // part of the delivered water, or of the wicking rate, below which a part is left out
+};
+
+Level level_of(Fidelity fidelity)
+{
+    switch (fidelity) {
+    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 0.02, 0.01};
+    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 0.01, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 0.01, 0.0};
+    }
+    return {};
+}
+
+/// Quantities that the bounds are made of.
+struct Bounds {
+    double delivered = 0;        // kg
+    double capacity = 0;         // kg/m2 that the fabric's pores hold
+    double wet_area = 0;         // m2 at 20 % of that: what wicks no further
+    double sorbable = 0;         // kg the fibres of that area can take
+    double evaporated = 0;       // kg from both its faces in the duration
+    double temperature_rise = 0; // K if all sorbed at once and nothing escaped
+    bool wicks = false;
+};
+
+constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
+
+Bounds find_bounds(const Textile& textile, const Experiment& experiment)
+{
+    Bounds b;
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    const double humidity = experiment.climate.relative_humidity;
+    for (const Droplet& d : experiment.droplets) b.delivered += cubic_metre_from_ul(d.volume_ul) * water_density(temperature);
+
+    double dry = 0, sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
+    for (const YarnSystem* system : {&textile.warp, &textile.weft}) {
+        const double along = 1.0 / system->pitch; // m of yarn per m2, crimp left out
+        b.capacity += along * system->area * (1.0 - system->packing) * water_density(temperature);
+        const double fibres = along * system->area * system->packing * system->fibre.density_kg_m3;
+        const Isotherm isotherm{system->fibre.standard_regain, system->fibre.saturation_regain, system->fibre.gab.monolayer_regain,
+                                system->fibre.gab.c, system->fibre.gab.k};
+        const double gain = std::max(0.0, equilibrium_regain(isotherm, 1.0, temperature) - equilibrium_regain(isotherm, humidity, temperature));
+        dry += fibres;
+        sorbable += fibres * gain;
+        heat += fibres * gain * heat_of_sorption(humidity);
+        thermal += fibres * system->fibre.specific_heat_j_kgk;
+        b.wicks = b.wicks || std::cos(system->contact_angle) > 1e-12;
+    }
+    const double sample = metre_from_mm(experiment.sample_mm[0]) * metre_from_mm(experiment.sample_mm[1]);
+    b.wet_area = std::min(sample, b.delivered / (least_mobile_saturation * b.capacity));
+    b.sorbable = sorbable * b.wet_area;
+    const double convection = convective_heat_transfer(experiment.climate.air_speed_m_s, metre_from_mm(experiment.sample_mm[0]));
+    b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
+                   saturation_concentration(temperature);
+    b.temperature_rise = heat / (thermal + (b.wet_area > 0 ? b.delivered / b.wet_area : 0.0) * water_specific_heat);
+    return b;
+}
+
+PlannedPart decide(const char* name, bool on, std::string reason, const ForcedParts& forced)
+{
+    PlannedPart part{name, on, false, std::move(reason)};
+    const auto found = forced.find(name);
+    if (found != forced.end()) {
+        part.reason = fmt::format("Forced {} by the user; left to itself it would be {}: {}", found->second ? "on" : "off", on ? "on" : "off",
+                                  part.reason);
+        part.on = found->second;
+        part.forced = true;
+    }
+    return part;
+}
+
+void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
+{
+    const auto& drops = experiment.droplets;
+    plan.parts.push_back(decide("liquid", !drops.empty(),
+                                drops.empty() ? "No drop falls in this experiment." : fmt::format("{} drop(s) bring {:.4g} mg.", drops.size(), 1e6 * b.delivered),
+                                forced));
+    const bool liquid = plan.parts.back().on;
+    plan.parts.push_back(decide("wicking", liquid && b.wicks,
+                                b.wicks ? "At least one yarn's contact angle is below 90 degrees."
+                                        : "Both yarns' contact angles are 90 degrees or more: their pores draw no liquid.",
+                                forced));
+    const bool wicking = plan.parts.back().on;
+    const double delivered = std::max(b.delivered, 1e-30);
+    const auto share_reason = [&](const char* what, double share) {
+        return fmt::format("{} at most {:.3g} % of the water delivered; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
+                           100 * level.neglected);
+    };
+    plan.parts.push_back(decide("sorption", wicking && b.sorbable / delivered > level.neglected,
+                                share_reason("The fibres of the area that can get wet take up", b.sorbable / delivered), forced));
+    const bool sorption = plan.parts.back().on;
+    plan.parts.push_back(decide("vapour", wicking && b.evaporated / delivered > level.neglected,
+                                share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / delivered), forced));
+    const bool vapour = plan.parts.back().on;
+    // Two per cent per kelvin is how the ratio of surface tension to viscosity, and so the wicking rate, follows temperature.
+    const double effect = 0.02 * b.temperature_rise;
+    plan.parts.push_back(decide("heat", (sorption || vapour) && effect > level.neglected,
+                                fmt::format("Sorption warms the wet area by at most {:.3g} K, which changes the wicking rate by {:.3g} %.",
+                                            b.temperature_rise, 100 * effect),
+                                forced));
+}
+
+TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experiment& experiment, const Bounds& b)
+{
+    const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
+    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm2 of its {:.3g} mm2.", sample.ends,
+                                     sample.picks, 1e6 * b.wet_area, experiment.sample_mm[0] * experiment.sample_mm[1]);
+    return sample;
+}
+
+/// What the run will cost. Departs from design.md for now: from unit costs measured on one machine, not from a shipped table.
+void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
+{
+    // Seconds on two cores of an AMD EPYC at 2.5 GHz, 2026-11: per particle and liquid step, per wet segment and network step.
+    constexpr double particle_step = 0.6e-6, segment_step = 0.25e-6;
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(experiment.droplets.size());
+    const double spacing = particles > 0 ? std::cbrt(b.delivered / water_density(temperature) / particles) : 1.0;
+    const double step = 0.25 * std::sqrt(water_density(temperature) * std::pow(2.0 * spacing, 3) / (2.0 * pi * water_surface_tension(temperature)));
+    const double liquid_time = std::min(experiment.duration_s, plan.on("wicking") ? 2.0 : experiment.duration_s);
+    const double wet = std::min<double>(plan.segments, b.wet_area > 0 ? plan.segments * b.wet_area * 1e6 / (experiment.sample_mm[0] * experiment.sample_mm[1]) : 0);
+    plan.expected_seconds = particles * liquid_time / step * particle_step + wet * experiment.duration_s / plan.network_step_limit * segment_step;
+    plan.expected_bytes = 60e6 + plan.segments * (120.0 + 8.0 * plan.fibre_shells) + particles * (4.0 * 96 + 200);
+    plan.expectation_source = "unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric is taken to last 2 s";
+}
+
+} // namespace
+
+const char* name_of(Fidelity fidelity)
+{
+    constexpr const char* names[] = {"draft", "standard", "reference"};
+    return names[static_cast<int>(fidelity)];
+}
+
+Fidelity fidelity_from_name(const std::string& name)
+{
+    for (Fidelity f : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
+        if (name == name_of(f)) return f;
+    throw Error("The fidelity must be draft, standard or reference; \"" + name + "\" was given.");
+}
+
+bool ModelPlan::on(const std::string& part) const
+{
+    return std::any_of(parts.begin(), parts.end(), [&](const PlannedPart& p) { return p.name == part && p.on; });
+}
+
+ForcedParts parse_forced_parts(const std::string& text)
+{
+    ForcedParts forced;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        const std::string item = text.substr(at, comma - at);
+        at = comma + 1;
+        const std::size_t equals = std::min(item.find('='), item.size());
+        const std::string name = item.substr(0, equals), value = equals < item.size() ? item.substr(equals + 1) : "";
+        if (std::find(std::begin(part_names), std::end(part_names), name) == std::end(part_names) || (value != "on" && value != "off"))
+            throw Error("Each part of the physics is given as name=on or name=off, with the names liquid, wicking, sorption, vapour and heat; \"" +
+                        item + "\" was given.");
+        forced[name] = value == "on";
+    }
+    return forced;
+}
+
+ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced)
+{
+    const Level level = level_of(fidelity);
+    const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
+    const Bounds bounds = find_bounds(build_textile(design, fabric, sample), experiment);
+
+    ModelPlan plan;
+    plan.fidelity = fidelity;
+    decide_parts(plan, bounds, experiment, level, forced);
+    plan.region = decide_region(plan, fabric, experiment, bounds);
+    plan.segments = 2 * plan.region.ends * plan.region.picks;
+    plan.particles_per_droplet = plan.on("liquid") ? level.particles : 0;
+    plan.fibre_shells = plan.on("sorption") ? level.shells : 1;
+    plan.network_step_limit = level.network_step;
+    plan.saturation_change = level.saturation_change;
+    plan.density_tolerance = level.density_tolerance;
+    plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
+    plan.resolution_reason = fmt::format("{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
+                                         "most {:.3g} ms that change no saturation by more than about {:.2g}.",
+                                         name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit,
+                                         plan.saturation_change);
+    expect(plan, bounds, experiment);
+    return plan;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Frames are written whole and flushed before the ledger's row that counts them, so a cut recording reads up to its last row.
+#include "core/sim/recording.h"
+
+#include "core/base/error.h"
+#include "core/project/project_file.h"
+#include "core/sim/hdf5_file.h"
+#include "core/sim/plan_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hygroloom {
+
+namespace h5 = hdf5;
+
+namespace {
+
+constexpr int recording_version = 1;
+constexpr const char* ledger_columns =
+    "time_s,water_initial_kg,water_delivered_kg,water_free_kg,water_liquid_kg,water_bound_kg,water_vapour_kg,water_evaporated_kg,"
+    "water_dripped_kg,energy_stored_j,energy_released_j,energy_lost_j,energy_delivered_j";
+
+std::vector<double> row_of(const Ledger& l)
+{
+    return {l.time,          l.water_initial,    l.water_delivered, l.water_free,    l.water_liquid,    l.water_bound,     l.water_vapour,
+            l.water_evaporated, l.water_dripped, l.energy_stored,   l.energy_released, l.energy_lost,   l.energy_delivered};
+}
+
+Ledger ledger_of(const std::vector<double>& r)
+{
+    if (r.size() != 13) throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
+    return {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11], r[12]};
+}
+
+void write_textile(hid_t file, const Textile& textile)
+{
+    const h5::Handle group = h5::create_group(file, "textile");
+    const auto n = static_cast<std::size_t>(textile.segments());
+    std::vector<int> yarn(n), kind(n), end_of(n), pick_of(n);
+    std::vector<double> length(n);
+    std::vector<float> position(3 * n);
+    for (YarnKind k : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                const auto i = static_cast<std::size_t>(textile.segment(k, end, pick));
+                kind[i] = k == YarnKind::weft;
+                yarn[i] = k == YarnKind::warp ? end : pick;
+                end_of[i] = end;
+                pick_of[i] = pick;
+                length[i] = textile.segment_length(k, end, pick);
+                position[3 * i] = static_cast<float>(textile.x_of_end(end));
+                position[3 * i + 1] = static_cast<float>(textile.y_of_pick(pick));
+                position[3 * i + 2] = static_cast<float>(textile.height_at_crossing(k, end, pick));
+            }
+    h5::write_ints(group.get(), "yarn", yarn);
+    h5::write_ints(group.get(), "kind", kind); // 0 warp, 1 weft
+    h5::write_ints(group.get(), "end", end_of);
+    h5::write_ints(group.get(), "pick", pick_of);
+    h5::write_doubles(group.get(), "length", length, "m");
+    h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
+}
+
+std::string frame_name(int index) { return fmt::format("frames/{:06d}", index); }
+
+} // namespace
+
+struct RecordingWriter::File {
+    h5::Handle file;
+    h5::Handle ledger;
+    int frames = 0;
+    std::vector<float> pore_share; ///< pore volume / yarn volume, per yarn system
+};
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>())
+{
+    const h5::Quiet quiet;
+    file_->file = h5::Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                             path.string() + ": the recording cannot be created. Check that the folder exists and can be written to.");
+    const hid_t file = file_->file.get();
+    h5::write_text(file, "format", "hygroloom-recording");
+    h5::write_number(file, "version", recording_version);
+    h5::write_text(file, "design", format_project(run.design));
+    {
+        const h5::Handle provenance = h5::create_group(file, "provenance");
+        h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + HYGROLOOM_VERSION);
+        h5::write_text(provenance.get(), "commit", HYGROLOOM_COMMIT);
+        h5::write_text(provenance.get(), "fabric", run.fabric);
+        h5::write_text(provenance.get(), "experiment", run.experiment);
+        h5::write_text(provenance.get(), "backend", run.backend);
+        h5::write_text(provenance.get(), "device", run.device);
+        h5::write_text(provenance.get(), "fidelity", name_of(run.plan.fidelity));
+        h5::write_text(provenance.get(), "plan", plan_json(run.plan));
+        h5::write_text(provenance.get(), "seed", std::to_string(run.seed));
+        h5::write_number(provenance.get(), "threads", run.threads);
+    }
+    write_textile(file, run.textile);
+    h5::create_group(file, "frames");
+    file_->pore_share = {static_cast<float>(1.0 - run.textile.warp.packing), static_cast<float>(1.0 - run.textile.weft.packing)};
+    file_->ledger = h5::create_table(file, "ledger", 13, ledger_columns);
+    H5Fflush(file, H5F_SCOPE_GLOBAL);
+}
+
+RecordingWriter::~RecordingWriter() = default;
+
+void RecordingWriter::append(const Frame& frame)
+{
+    const h5::Quiet quiet;
+    {
+        const h5::Handle group = h5::create_group(file_->file.get(), frame_name(file_->frames));
+        const hid_t g = group.get();
+        h5::write_number(g, "time_s", frame.time);
+        h5::write_number(g, "water_top_kg", frame.water_top);
+        h5::write_number(g, "water_bottom_kg", frame.water_bottom);
+        const auto n = frame.saturation.size();
+        std::vector<float> fraction(n);
+        for (std::size_t i = 0; i < n; ++i) fraction[i] = frame.saturation[i] * file_->pore_share[i < n / 2 ? 0 : 1];
+        h5::write_floats(g, "liquid_volume_fraction", fraction.data(), n, 1, "1");
+        h5::write_floats(g, "saturation", frame.saturation.data(), n, 1, "1");
+        h5::write_floats(g, "liquid", frame.liquid.data(), n, 1, "kg");
+        h5::write_floats(g, "bound_water", frame.regain.data(), n, 1, "kg/kg");
+        h5::write_floats(g, "vapour_concentration", frame.vapour.data(), n, 1, "kg/m3");
+        h5::write_floats(g, "temperature", frame.temperature.data(), n, 1, "K");
+        const auto particles = frame.positions.size();
+        h5::write_floats(g, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
+        h5::write_floats(g, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
+    }
+    h5::append_row(file_->ledger.get(), row_of(frame.ledger));
+    if (H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL) < 0) throw FileError("The recording cannot be written; the disk may be full.");
+    ++file_->frames;
+}
+
+void RecordingWriter::finish(double wall)
+{
+    const h5::Quiet quiet;
+    h5::write_number(file_->file.get(), "wall_s", wall);
+    file_->ledger.reset();
+    file_->file.reset();
+}
+
+struct Recording::File {
+    h5::Handle file;
+    RunRecord run;
+    bool finished = false;
+    std::vector<Ledger> ledgers;
+};
+
+Recording::Recording(const std::filesystem::path& path)
+try : file_(std::make_unique<File>()) {
+    const h5::Quiet quiet;
+    file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "this is not a recording that can be read.");
+    const hid_t file = file_->file.get();
+    if (!h5::exists(file, "format") || h5::read_text(file, "format") != "hygroloom-recording") throw FileError("this is not a Hygroloom recording.");
+    const double version = h5::read_number(file, "version");
+    if (version > recording_version)
+        throw FileError(fmt::format("the recording has version {:.0f}; this program reads up to {}. Use a newer program.", version, recording_version));
+
+    RunRecord& run = file_->run;
+    run.design = parse_project(h5::read_text(file, "design"), "the recording's design");
+    const h5::Handle provenance = h5::open_group(file, "provenance");
+    run.fabric = h5::read_text(provenance.get(), "fabric");
+    run.experiment = h5::read_text(provenance.get(), "experiment");
+    run.backend = h5::read_text(provenance.get(), "backend");
+    run.device = h5::read_text(provenance.get(), "device");
+    run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
+    run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
+    run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
+    const Fabric* fabric = find_fabric(run.design, run.fabric);
+    if (!fabric || !find_experiment(run.design, run.experiment) || has_error(validate(run.design)))
+        throw FileError("the recording's design is not valid; it is damaged.");
+    run.textile = build_textile(run.design, *fabric, run.plan.region);
+    file_->finished = H5Aexists(file, "wall_s") > 0;
+    if (file_->finished) run.wall = h5::read_number(file, "wall_s");
+    for (const std::vector<double>& row : h5::read_table(file, "ledger")) {
+        if (!h5::exists(file, frame_name(static_cast<int>(file_->ledgers.size())))) break;
+        file_->ledgers.push_back(ledger_of(row));
+    }
+} catch (const FileError& e) {
+    throw FileError(path.string() + ": " + e.what());
+} catch (const std::logic_error&) {
+    throw FileError(path.string() + ": the recording is damaged.");
+}
+
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+
+const RunRecord& Recording::run() const { return file_->run; }
+bool Recording::finished() const { return file_->finished; }
+int Recording::frames() const { return static_cast<int>(file_->ledgers.size()); }
+const std::vector<Ledger>& Recording::ledgers() const { return file_->ledgers; }
+
+Frame Recording::frame(int index) const
+{
+    const h5::Quiet quiet;
+    const h5::Handle group = h5::open_group(file_->file.get(), frame_name(index));
+    const hid_t g = group.get();
+    Frame frame;
+    frame.time = h5::read_number(g, "time_s");
+    frame.water_top = h5::read_number(g, "water_top_kg");
+    frame.water_bottom = h5::read_number(g, "water_bottom_kg");
+    frame.saturation = h5::read_floats(g, "saturation");
+    frame.liquid = h5::read_floats(g, "liquid");
+    frame.regain = h5::read_floats(g, "bound_water");
+    frame.vapour = h5::read_floats(g, "vapour_concentration");
+    frame.temperature = h5::read_floats(g, "temperature");
+    frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];
+    const auto n = static_cast<std::size_t>(file_->run.textile.segments());
+    for (const auto* values : {&frame.saturation, &frame.liquid, &frame.regain, &frame.vapour, &frame.temperature})
+        if (values->size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
+    const std::vector<float> x = h5::read_floats(g, "particle_position"), v = h5::read_floats(g, "particle_velocity");
+    for (std::size_t i = 0; i + 2 < x.size() && i + 2 < v.size(); i += 3) {
+        frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
+        frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
+    }
+    return frame;
+}
+
+} // namespace hygroloom

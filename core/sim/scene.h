@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Everything a backend ever sees of a run: plain numbers and flat arrays in SI units.
+#pragma once
+
+#include "core/geometry/textile.h"
+#include "core/physics/sorption.h"
+#include "core/sim/model_plan.h"
+
+namespace hygroloom {
+
+constexpr int largest_shell_count = 32;
+constexpr double water_quantum = 0x1.0p-64; ///< kg; liquid passes from particles to yarns in whole quanta, so nothing is lost to rounding
+
+/// What the moisture model needs to know of one yarn system.
+struct YarnParameters {
+    double pore_area = 0;            ///< m2, of the section
+    double fibre_area = 0;           ///< m2
+    double fibre_radius = 0;         ///< m
+    double fibre_density = 0;        ///< kg/m3
+    double fibre_specific_heat = 0;  ///< J/(kg K)
+    double fibre_conductivity = 0;   ///< W/(m K)
+    Isotherm isotherm;
+    FibreDiffusivity diffusivity;
+    double liquid_diffusivity = 0;   ///< m2/s at saturation, tortuosity included; 0: does not wick
+    double exponent = 2;             ///< of the saturation in it
+    double vapour_diffusivity = 0;   ///< m2/s in the pores, tortuosity included
+    double suction_radius = 0;       ///< m, pore radius / cos(contact angle): smaller sucks harder; 0: does not wick
+    double intake_flux = 0;          ///< kg/(m2 s) through the skin of a dry yarn
+    double face_area = 0;            ///< m2 of one segment's skin that drinks from drops
+    double wetting = 0;              ///< (1 + cos contact angle) / 2
+    double initial_regain = 0;
+};
+
+/// How warp and weft touch at a crossing.
+struct CrossingParameters {
+    double liquid_conductance = 0;   ///< kg/s for a unit difference of spreading potential
+    double heat_conductance = 0;     ///< W/K
+    double vapour_conductance = 0;   ///< m3/s
+};
+
+/// Air and liquid of a run, constant in time.
+struct ClimateParameters {
+    double temperature = 0;          ///< K
+    double vapour = 0;               ///< kg/m3 far from the fabric
+    double humidity = 0;             ///< 0..1
+    double heat_transfer = 0;        ///< W/(m2 K), radiation included
+    double mass_transfer = 0;        ///< m/s
+    double surface_tension = 0;      ///< N/m
+    double viscosity = 0;            ///< Pa s
+    double density = 0;              ///< kg/m3
+};
+
+/// A yarn system's shape as the liquid meets it.
+struct ContactShape {
+    double pitch = 0;                ///< m, between its yarns
+    double amplitude = 0;            ///< m
+    double half_height = 0;          ///< m, at a crossing
+    double half_width = 0;           ///< m
+    int samples = 0;                 ///< of the profile, from crossing to crossing
+    std::vector<float> profile;      ///< height, slope, half height, half width of every sample
+};
+
+struct SceneDroplet {
+    double time = 0;
+    double volume = 0;               ///< m3
+    Vec3d centre;
+    double speed = 0;                ///< downwards
+};
+
+struct Scene {
+    int ends = 0;
+    int picks = 0;
+    std::vector<double> length;           ///< m, one per segment
+    std::vector<std::uint8_t> warp_up;    ///< one per crossing, end x picks + pick
+    double cell_area = 0;                 ///< m2 of fabric per crossing
+    double half_thickness = 0;            ///< m
+    YarnParameters warp, weft;
+    CrossingParameters crossing;
+    ContactShape warp_shape, weft_shape;
+    ClimateParameters climate;
+    std::vector<SceneDroplet> droplets;   ///< in order of time
+    int particles_per_droplet = 0;
+    int fibre_shells = 1;
+    bool wicking = true, sorption = true, vapour = true, heat = true;
+    double network_step = 0;              ///< s, longest
+    double saturation_change = 0;         ///< largest a step aims at, for the step's length
+    double density_tolerance = 0.01;
+    std::uint64_t seed = 1;
+
+    int crossings() const { return ends * picks; }
+    int segments() const { return 2 * crossings(); }
+};
+
+/// Precondition: plan_model() made the plan for these.
+Scene build_scene(const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);
+
+} // namespace hygroloom

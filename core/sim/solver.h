@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each and sort_by_key.
+// Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
+#pragma once
+
+#include "core/sim/droplet.h"
+#include "core/sim/frame.h"
+#include "core/sim/steps/contact.h"
+#include "core/sim/steps/liquid.h"
+#include "core/sim/steps/yarn_exchange.h"
+
+#include <chrono>
+
+namespace hygroloom {
+
+template <typename Executor> class Solver {
+public:
+    template <typename T> using Buffer = typename Executor::template Buffer<T>;
+
+    Executor& executor() { return exec_; }
+    long liquid_steps() const { return liquid_steps_; }
+    int particles() const { return count_; }
+
+    void load(const Scene& scene)
+    {
+        scene_ = scene;
+        time_ = network_time_ = exchange_time_ = 0;
+        sync_time_ = -1;
+        network_dt_ = std::min(1e-3, scene.network_step);
+        next_droplet_ = 0;
+        count_ = 0;
+        liquid_steps_ = 0;
+        delivered_ = 0;
+        load_segments();
+        load_liquid();
+        initial_ = ledger().water_bound + ledger().water_vapour;
+    }
+
+    /// Towards until, for about the given wall time; what is reached never depends on where a call ends.
+    double advance(double until, double wall_seconds)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        while (time_ < until) {
+            if (sync_time_ < 0) {
+                release_droplets();
+                sync_time_ = std::min(until, time_ + network_dt_);
+                if (next_droplet_ < scene_.droplets.size()) sync_time_ = std::min(sync_time_, scene_.droplets[next_droplet_].time);
+            }
+            while (time_ < sync_time_ && count_ > 0) {
+                const double left = sync_time_ - time_;
+                double dt = std::min(liquid_dt_, left);
+                if (dt < left && left < 2 * dt) dt = 0.5 * left;
+                step_liquid(dt);
+                time_ = dt == left ? sync_time_ : time_ + dt;
+                if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
+            }
+            time_ = sync_time_;
+            sync_time_ = -1;
+            step_network(time_ - network_time_, time_ >= until);
+            network_time_ = time_;
+            if (elapsed(start) > wall_seconds) break;
+        }
+        return time_;
+    }
+
+    Frame frame();
+
+private:
+    static double elapsed(std::chrono::steady_clock::time_point start)
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, scene_.segments(), stage); }
+    template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
+
+    void load_segments();
+    void load_liquid();
+    void release_droplets();
+    void step_network(double dt, bool frame_due);
+    void exchange(double dt);
+    void step_liquid(double dt);
+    void sort_particles();
+    void correct_pressure(Real dt);
+    void choose_liquid_step();
+    Ledger ledger();
+    Segments segments();
+    Particles particle_views();
+    CellGrid grid();
+    TextileShape shape();
+    LiquidParameters liquid() const;
+
+    Executor exec_;
+    Scene scene_;
+    double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
+    double network_dt_ = 0, liquid_dt_ = 0;
+    long liquid_steps_ = 0;
+    std::size_t next_droplet_ = 0;
+    double delivered_ = 0, initial_ = 0;
+
+    // Yarns.
+    Buffer<double> length_, liquid_, vapour_, warmth_, regain_, intake_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
+    Buffer<std::uint8_t> warp_up_;
+    Buffer<std::int64_t> absorbed_;
+    Buffer<int> contact_;
+    Buffer<float> warp_profile_, weft_profile_;
+
+    // Liquid.
+    int count_ = 0;
+    std::int64_t quanta_ = 0;
+    Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
+    double stiffness_ = 0; ///< delta x dt2
+    double capillary_dt_ = 0;
+    Buffer<Vec3> position_, velocity_, predicted_, force_, pressure_force_, colour_gradient_, wall_normal_;
+    Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
+    Buffer<Real> density_, pressure_, wall_distance_, sorted_distance_;
+    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
+    Buffer<std::uint8_t> alive_;
+    Buffer<std::int64_t> sums_;  ///< density error, dripped, drunk
+    Buffer<int> maxima_;         ///< fastest, largest change of saturation
+    CellGrid grid_;
+};
+
+} // namespace hygroloom
+
+#include "core/sim/solver_liquid.h"
+#include "core/sim/solver_yarns.h"

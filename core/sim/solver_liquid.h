@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The liquid's part of Solver: releasing drops and one step of the pressure loop. Included by solver.h.
+#pragma once
+
+#include "core/sim/solver.h"
+
+namespace hygroloom {
+
+constexpr Real support_in_spacings = Real(2.0);
+constexpr Real friction_coefficient = Real(0.2);  // of water sliding on yarn, per normal impulse
+constexpr double drip_distance = 5e-3;            // m below the fabric at which a particle counts as dripped off
+constexpr int fewest_pressure_rounds = 3;
+constexpr int most_pressure_rounds = 12;
+
+template <typename Executor> void Solver<Executor>::load_liquid()
+{
+    double volume = 0, smallest = 1, highest = scene_.half_thickness;
+    for (const SceneDroplet& d : scene_.droplets) {
+        volume += d.volume;
+        smallest = std::min(smallest, d.volume);
+        highest = std::max(highest, d.centre.z + std::cbrt(d.volume));
+    }
+    const std::size_t drops = scene_.droplets.size();
+    if (drops == 0) return;
+    // All particles weigh the same; a drop's number of them goes with its volume.
+    const double particle_volume = volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
+    quanta_ = std::max<std::int64_t>(1, std::llround(particle_volume * scene_.climate.density / water_quantum));
+    particle_mass_ = static_cast<Real>(static_cast<double>(quanta_) * water_quantum);
+    const double spacing = std::cbrt(particle_volume);
+    spacing_ = static_cast<Real>(spacing);
+    support_ = support_in_spacings * spacing_;
+    stiffness_ = pressure_stiffness(spacing, support_);
+    capillary_dt_ = 0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
+    liquid_dt_ = capillary_dt_;
+
+    std::size_t capacity = 0;
+    for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
+    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &colour_gradient_, &wall_normal_, &sorted_position_,
+                    &sorted_velocity_, &sorted_normal_})
+        b->resize(capacity);
+    for (auto* b : {&density_, &pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
+    neighbours_.resize(capacity * largest_neighbour_count);
+    alive_.resize(capacity);
+
+    const double width = scene_.ends * 1.0 * scene_.warp_shape.pitch, height = scene_.picks * 1.0 * scene_.weft_shape.pitch;
+    const double lowest = -scene_.half_thickness - drip_distance;
+    grid_.size = support_;
+    grid_.origin = {static_cast<Real>(-0.5 * width) - 2 * support_, static_cast<Real>(-0.5 * height) - 2 * support_, static_cast<Real>(lowest)};
+    const auto cells = [&](double extent) { return std::max(1, static_cast<int>(extent / static_cast<double>(support_)) + 5); };
+    grid_.nx = cells(width);
+    grid_.ny = cells(height);
+    grid_.nz = cells(highest - lowest);
+    cell_start_.resize(static_cast<std::size_t>(grid_.cells()) + 2);
+}
+
+template <typename Executor> void Solver<Executor>::release_droplets()
+{
+    while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
+        const SceneDroplet& drop = scene_.droplets[next_droplet_++];
+        const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
+        const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
+        const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
+        for (int i = 0; i < added; ++i) {
+            const Vec3d x = drop.centre + places[static_cast<std::size_t>(i)];
+            const auto at = static_cast<std::size_t>(count_ + i);
+            position_.write(at, {static_cast<Real>(x.x), static_cast<Real>(x.y), static_cast<Real>(x.z)});
+            velocity_.write(at, {0, 0, static_cast<Real>(-drop.speed)});
+            wall_normal_.write(at, {});
+            wall_distance_.write(at, support_);
+            wall_segment_.write(at, -1);
+            alive_.write(at, 1);
+        }
+        count_ += added;
+        delivered_ += static_cast<double>(added) * static_cast<double>(quanta_) * water_quantum;
+        liquid_dt_ = std::min(capillary_dt_, 0.4 * static_cast<double>(spacing_) / std::max(1e-3, drop.speed));
+    }
+}
+
+template <typename Executor> void Solver<Executor>::sort_particles()
+{
+    each_particle("find cell", FindCell{particle_views(), grid()});
+    exec_.sort_by_key(key_, order_, count_, grid_.cells());
+    Particles to = particle_views();
+    to.position = sorted_position_.data();
+    to.velocity = sorted_velocity_.data();
+    to.wall_normal = sorted_normal_.data();
+    to.wall_distance = sorted_distance_.data();
+    to.wall_segment = sorted_segment_.data();
+    each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
+                                     wall_segment_.data(), key_.data(), grid_.cells(), to});
+    position_.swap(sorted_position_);
+    velocity_.swap(sorted_velocity_);
+    wall_normal_.swap(sorted_normal_);
+    wall_distance_.swap(sorted_distance_);
+    wall_segment_.swap(sorted_segment_);
+    exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
+    count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
+}
+
+template <typename Executor> void Solver<Executor>::correct_pressure(Real dt)
+{
+    const Real stiffness = static_cast<Real>(stiffness_ / (static_cast<double>(dt) * static_cast<double>(dt)));
+    for (int round = 0; round < most_pressure_rounds; ++round) {
+        sums_.write(0, 0);
+        each_particle("predict", PredictPosition{particle_views(), dt});
+        each_particle("pressure", CorrectPressure{particle_views(), liquid(), stiffness, sums_.data()});
+        each_particle("pressure force", FindPressureForce{particle_views(), liquid()});
+        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(sums_.read(0)) * 1e-6 < scene_.density_tolerance * count_) break;
+    }
+}
+
+template <typename Executor> void Solver<Executor>::step_liquid(double dt)
+{
+    sort_particles();
+    if (count_ == 0) return;
+    const Real step = static_cast<Real>(dt);
+    each_particle("neighbours", FindNeighbours{particle_views(), grid()});
+    each_particle("colour gradient", FindColourGradient{particle_views(), liquid()});
+    each_particle("forces", FindForces{particle_views(), liquid()});
+    correct_pressure(step);
+    maxima_.write(0, 0);
+    each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
+    const Real touching = Real(0.5) * spacing_;
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), support_, touching, friction_coefficient,
+                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
+    each_particle("touch", TouchSegments{particle_views(), contact_.data(), Real(1.2) * touching});
+    each_segment("drink", DrinkParticles{particle_views(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt, quanta_,
+                                         sums_.data() + 2});
+    choose_liquid_step();
+    ++liquid_steps_;
+}
+
+/// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
+template <typename Executor> void Solver<Executor>::choose_liquid_step()
+{
+    union {
+        float speed;
+        int bits;
+    } fast;
+    fast.bits = maxima_.read(0);
+    const double thin = std::min(scene_.warp_shape.half_height, scene_.weft_shape.half_height);
+    const double advective = 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, static_cast<double>(fast.speed));
+    const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
+    liquid_dt_ = std::min({capillary_dt_, advective, viscous});
+}
+
+template <typename Executor> Particles Solver<Executor>::particle_views()
+{
+    Particles p;
+    p.count = count_;
+    p.mass = particle_mass_;
+    p.support = support_;
+    p.spacing = spacing_;
+    p.position = position_.data();
+    p.velocity = velocity_.data();
+    p.predicted = predicted_.data();
+    p.force = force_.data();
+    p.pressure_force = pressure_force_.data();
+    p.colour_gradient = colour_gradient_.data();
+    p.wall_normal = wall_normal_.data();
+    p.wall_distance = wall_distance_.data();
+    p.wall_segment = wall_segment_.data();
+    p.density = density_.data();
+    p.pressure = pressure_.data();
+    p.alive = alive_.data();
+    p.neighbours = neighbours_.data();
+    p.neighbour_count = neighbour_count_.data();
+    return p;
+}
+
+template <typename Executor> CellGrid Solver<Executor>::grid()
+{
+    CellGrid g = grid_;
+    g.key = key_.data();
+    g.start = cell_start_.data();
+    return g;
+}
+
+template <typename Executor> TextileShape Solver<Executor>::shape()
+{
+    const auto yarn = [](const ContactShape& c, const float* profile) {
+        return YarnShape{static_cast<Real>(c.pitch), static_cast<Real>(c.amplitude), static_cast<Real>(c.half_height),
+                         static_cast<Real>(c.half_width), c.samples, profile};
+    };
+    return {scene_.ends, scene_.picks, static_cast<Real>(scene_.half_thickness), yarn(scene_.warp_shape, warp_profile_.data()),
+            yarn(scene_.weft_shape, weft_profile_.data()), warp_up_.data()};
+}
+
+template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
+{
+    LiquidParameters l;
+    l.density = static_cast<Real>(scene_.climate.density);
+    l.kinematic_viscosity = static_cast<Real>(scene_.climate.viscosity / scene_.climate.density);
+    l.cohesion = static_cast<Real>(49.0 * scene_.climate.surface_tension) * support_;
+    l.gravity = static_cast<Real>(gravity_acceleration);
+    l.wetting_warp = static_cast<Real>(scene_.warp.wetting);
+    l.wetting_weft = static_cast<Real>(scene_.weft.wetting);
+    l.crossings = scene_.crossings();
+    return l;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Views of a running scene's arrays: pointers and counts, on whichever machine holds them. A stage is a functor over such views.
+#pragma once
+
+#include "core/sim/scene.h"
+
+namespace hygroloom {
+
+/// One value per segment unless said. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
+struct Segments {
+    int ends = 0;
+    int picks = 0;
+    int shells = 0;
+    const double* length = nullptr;
+    const std::uint8_t* warp_up = nullptr; ///< per crossing
+    double* liquid = nullptr;        ///< kg
+    double* vapour = nullptr;        ///< kg
+    double* warmth = nullptr;        ///< K over the climate
+    double* regain = nullptr;        ///< per shell, from the fibre's middle outwards
+    std::int64_t* absorbed = nullptr;///< quanta taken from particles since the last network step
+    int* contact = nullptr;          ///< lowest particle that touches, or none
+    double* intake = nullptr;        ///< kg the segment could still have drunk
+    double* evaporated = nullptr;    ///< kg to the air since the start
+    double* released = nullptr;      ///< J by phase change since the start
+    double* lost = nullptr;          ///< J to the air since the start
+    double* work0 = nullptr;         ///< scratch of the line solves
+    double* work1 = nullptr;
+    double* work2 = nullptr;
+    double* flux = nullptr;          ///< kg that crossed to the next segment along the yarn in this step
+
+    HL_FN int crossings() const { return ends * picks; }
+    HL_FN bool is_warp(int segment) const { return segment < crossings(); }
+    HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
+    HL_FN int crossing_of(int segment) const
+    {
+        if (segment < crossings()) return segment;
+        const int weft = segment - crossings();
+        return (weft % ends) * picks + weft / ends;
+    }
+};
+
+constexpr int no_particle = 0x7fffffff;
+
+/// One value per particle.
+struct Particles {
+    int count = 0;
+    Real mass = 0;                   ///< kg, of each
+    Real support = 0;                ///< m, of the kernel
+    Real spacing = 0;                ///< m
+    Vec3* position = nullptr;
+    Vec3* velocity = nullptr;
+    Vec3* predicted = nullptr;
+    Vec3* force = nullptr;           ///< acceleration by all but pressure
+    Vec3* pressure_force = nullptr;  ///< acceleration
+    Vec3* colour_gradient = nullptr; ///< 1/m
+    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
+    Real* wall_distance = nullptr;   ///< to its skin
+    int* wall_segment = nullptr;     ///< or -1
+    Real* density = nullptr;         ///< kg/m3, predicted
+    Real* pressure = nullptr;        ///< Pa
+    std::uint8_t* alive = nullptr;
+    int* neighbours = nullptr;       ///< largest_neighbour_count slots each
+    int* neighbour_count = nullptr;
+};
+
+constexpr int largest_neighbour_count = 96;
+
+/// Cells of one kernel support, for finding neighbours.
+struct CellGrid {
+    Vec3 origin;
+    Real size = 0;
+    int nx = 0, ny = 0, nz = 0;
+    int* key = nullptr;              ///< per particle
+    int* start = nullptr;            ///< per cell, first particle; count of cells + 1
+
+    HL_FN int cells() const { return nx * ny * nz; }
+    HL_FN int clamped(Real value, int count) const { return value < 0 ? 0 : value >= Real(count) ? count - 1 : static_cast<int>(value); }
+    HL_FN int cell_x(Real x) const { return clamped((x - origin.x) / size, nx); }
+    HL_FN int cell_y(Real y) const { return clamped((y - origin.y) / size, ny); }
+    HL_FN int cell_z(Real z) const { return clamped((z - origin.z) / size, nz); }
+};
+
+} // namespace hygroloom

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Where the liquid meets the yarns: the nearest skin through the box hierarchy (fabric, crossing, yarn), contact, and drinking.
+#pragma once
+
+#include "core/sim/state.h"
+
+namespace hygroloom {
+
+/// One yarn system as stages see it.
+struct YarnShape {
+    Real pitch = 0;        ///< between its yarns
+    Real amplitude = 0;
+    Real half_height = 0;
+    Real half_width = 0;
+    int samples = 0;
+    const float* profile = nullptr; ///< height, slope, half height, half width per sample
+};
+
+struct TextileShape {
+    int ends = 0;
+    int picks = 0;
+    Real half_thickness = 0;
+    YarnShape warp;
+    YarnShape weft;
+    const std::uint8_t* warp_up = nullptr;
+
+    HL_FN bool is_warp_up(int end, int pick) const { return warp_up[end * picks + pick] != 0; }
+};
+
+/// The skin nearest to a point.
+struct NearestSkin {
+    Real distance = 0;  ///< less than 0 inside
+    Vec3 normal;        ///< out of the yarn
+    int segment = -1;   ///< -1: none within reach
+};
+
+/// Tests one yarn at one of its crossings; keeps the nearer. along and across are measured from the crossing's middle.
+HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach, NearestSkin& nearest)
+{
+    const YarnShape& yarn = is_warp ? t.warp : t.weft;
+    const Real pitch = is_warp ? t.weft.pitch : t.warp.pitch; // from crossing to crossing
+    const Real near = reach < nearest.distance ? reach : nearest.distance;
+    if (across > yarn.half_width + near + pitch || -across > yarn.half_width + near + pitch) return;
+
+    const bool up = t.is_warp_up(end, pick);
+    const int step = along < 0 ? -1 : 1;
+    const int next_end = is_warp ? end : end + step, next_pick = is_warp ? pick + step : pick;
+    const bool inside = next_end >= 0 && next_end < t.ends && next_pick >= 0 && next_pick < t.picks;
+    const bool changes = inside && t.is_warp_up(next_end, next_pick) != up;
+    const Real side = up == is_warp ? Real(1) : Real(-1);
+
+    Real height = side * yarn.amplitude, slope = 0, half_height = yarn.half_height, half_width = yarn.half_width;
+    if (changes) {
+        const Real position = step * along / pitch * Real(yarn.samples - 1);
+        const int low = position >= Real(yarn.samples - 2) ? yarn.samples - 2 : static_cast<int>(position);
+        const Real part = position - Real(low);
+        const float* a = yarn.profile + 4 * low;
+        const float* b = a + 4;
+        height = side * (Real(a[0]) + part * (Real(b[0]) - Real(a[0])));
+        slope = side * Real(step) * (Real(a[1]) + part * (Real(b[1]) - Real(a[1])));
+        half_height = Real(a[2]) + part * (Real(b[2]) - Real(a[2]));
+        half_width = Real(a[3]) + part * (Real(b[3]) - Real(a[3]));
+    }
+    const Real cosine = Real(1) / std::sqrt(Real(1) + slope * slope);
+    const Real up_from_axis = (z - height) * cosine;
+    const Real flat = half_width > half_height ? half_width - half_height : Real(0);
+    const Real sideways = across > flat ? across - flat : across < -flat ? across + flat : Real(0);
+    const Real from_core = std::sqrt(sideways * sideways + up_from_axis * up_from_axis);
+    const Real distance = from_core - half_height;
+    if (distance >= near) return;
+
+    nearest.distance = distance;
+    nearest.segment = is_warp ? end * t.picks + pick : t.ends * t.picks + pick * t.ends + end;
+    const Real inverse = from_core > Real(1e-12) ? Real(1) / from_core : Real(0);
+    const Real n_side = from_core > Real(1e-12) ? sideways * inverse : Real(0);
+    const Real n_up = from_core > Real(1e-12) ? up_from_axis * inverse : side;
+    const Real n_along = -n_up * slope * cosine;
+    const Real n_z = n_up * cosine;
+    nearest.normal = is_warp ? Vec3{n_side, n_along, n_z} : Vec3{n_along, n_side, n_z};
+}
+
+/// The nearest skin within reach: the fabric's box, then the crossing the point is over, then the yarns through it and beside it.
+HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
+{
+    NearestSkin nearest;
+    nearest.distance = reach;
+    if (p.z > t.half_thickness + reach || p.z < -t.half_thickness - reach) return nearest;
+    const Real u = p.x / t.warp.pitch + Real(0.5) * Real(t.ends - 1);
+    const Real v = p.y / t.weft.pitch + Real(0.5) * Real(t.picks - 1);
+    const int end = static_cast<int>(std::floor(u + Real(0.5)));
+    const int pick = static_cast<int>(std::floor(v + Real(0.5)));
+    if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
+    for (int beside = -1; beside <= 1; ++beside) {
+        const int e = end + beside, k = pick + beside;
+        if (e >= 0 && e < t.ends)
+            try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft.pitch, (u - Real(e)) * t.warp.pitch, p.z, reach, nearest);
+        if (k >= 0 && k < t.picks)
+            try_yarn(t, false, end, k, (u - Real(end)) * t.warp.pitch, (v - Real(k)) * t.weft.pitch, p.z, reach, nearest);
+    }
+    return nearest;
+}
+
+/// Moves a particle that came too close back to the skin; it loses what it had towards the yarn and slides with friction.
+struct MeetYarns {
+    Particles p;
+    TextileShape textile;
+    Real reach;            ///< how far the wall is felt
+    Real touching;         ///< distance at which a particle rests on a skin
+    Real friction;
+    Real lowest;           ///< below it a particle has dripped off
+    std::int64_t* dripped; ///< particles
+
+    HL_FN void operator()(int i) const
+    {
+        Vec3& x = p.position[i];
+        Vec3& v = p.velocity[i];
+        NearestSkin skin = nearest_skin(textile, x, reach);
+        if (skin.segment >= 0 && skin.distance < touching) {
+            const Real approach = dot(v, skin.normal);
+            if (approach < 0) {
+                v -= approach * skin.normal;
+                const Real slide = length(v);
+                const Real held = -friction * approach;
+                v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
+            }
+            x += (touching - skin.distance) * skin.normal;
+            skin.distance = touching;
+        }
+        p.wall_distance[i] = skin.distance;
+        p.wall_normal[i] = skin.normal;
+        p.wall_segment[i] = skin.segment;
+        if (x.z < lowest) {
+            p.alive[i] = 0;
+            atomic_add(dripped, 1);
+        }
+    }
+};
+
+/// Every segment notes the first particle that touches it.
+struct TouchSegments {
+    Particles p;
+    int* contact;
+    Real within;
+
+    HL_FN void operator()(int i) const
+    {
+        if (p.alive[i] && p.wall_segment[i] >= 0 && p.wall_distance[i] < within) atomic_min(contact + p.wall_segment[i], i);
+    }
+};
+
+/// A touched segment drinks what its suction lets through its skin, a whole particle at a time, never more than its pores hold.
+struct DrinkParticles {
+    Particles p;
+    Segments s;
+    YarnParameters warp;
+    YarnParameters weft;
+    double density;
+    double dt;
+    std::int64_t quanta;     ///< of one particle
+    std::int64_t* drunk;     ///< particles
+
+    HL_FN void operator()(int i) const
+    {
+        const int particle = s.contact[i];
+        if (particle == no_particle) return;
+        s.contact[i] = no_particle;
+        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
+        const double mass = static_cast<double>(quanta) * water_quantum;
+        const double capacity = density * yarn.pore_area * s.length[i];
+        const double held = s.liquid[i] + static_cast<double>(s.absorbed[i]) * water_quantum;
+        const double empty = 1.0 - held / capacity;
+        if (empty <= 0) return;
+        double could = s.intake[i] + dt * yarn.intake_flux * yarn.face_area * empty;
+        if (could >= mass && held + mass <= capacity) {
+            could -= mass;
+            s.absorbed[i] += quanta;
+            p.alive[particle] = 0;
+            atomic_add(drunk, 1);
+        }
+        s.intake[i] = could < mass ? could : mass;
+    }
+};
+
+} // namespace hygroloom

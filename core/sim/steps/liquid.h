@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The free liquid: predictive-corrective incompressible SPH (Solenthaler and Pajarola 2009), gathered, one functor per pass.
+#pragma once
+
+#include "core/physics/sph_kernels.h"
+#include "core/sim/state.h"
+
+namespace hygroloom {
+
+struct LiquidParameters {
+    Real density = 0;            ///< kg/m3, at rest
+    Real kinematic_viscosity = 0;///< m2/s
+    Real cohesion = 0;           ///< kappa of eq. 5, J/m: 49 x surface tension x support, physics/README.md
+    Real gravity = 0;            ///< m/s2, downwards
+    Real wetting_warp = 0;       ///< (1 + cos contact angle) / 2
+    Real wetting_weft = 0;
+    int crossings = 0;           ///< segments below this are warp
+
+    HL_FN Real wetting(int segment) const { return segment < 0 ? Real(0) : segment < crossings ? wetting_warp : wetting_weft; }
+};
+
+struct FindCell {
+    Particles p;
+    CellGrid g;
+    HL_FN void operator()(int i) const
+    {
+        const Vec3& x = p.position[i];
+        g.key[i] = p.alive[i] ? (g.cell_z(x.z) * g.ny + g.cell_y(x.y)) * g.nx + g.cell_x(x.x) : g.cells();
+    }
+};
+
+/// After sorting by cell: the first particle of each cell, for every cell up to and including the dead's.
+struct FindCellStarts {
+    CellGrid g;
+    int count;
+    HL_FN void operator()(int i) const
+    {
+        const int before = i == 0 ? -1 : g.key[i - 1];
+        const int own = i == count ? g.cells() : g.key[i];
+        for (int cell = before + 1; cell <= own; ++cell) g.start[cell] = i;
+    }
+};
+
+/// Brings particles into cell order.
+struct Reorder {
+    const int* order;
+    const Vec3* position;
+    const Vec3* velocity;
+    const Vec3* wall_normal;
+    const Real* wall_distance;
+    const int* wall_segment;
+    const int* key;
+    int dead_key;
+    Particles to;
+    HL_FN void operator()(int i) const
+    {
+        const int from = order[i];
+        to.position[i] = position[from];
+        to.velocity[i] = velocity[from];
+        to.wall_normal[i] = wall_normal[from];
+        to.wall_distance[i] = wall_distance[from];
+        to.wall_segment[i] = wall_segment[from];
+        to.alive[i] = key[i] != dead_key;
+    }
+};
+
+struct FindNeighbours {
+    Particles p;
+    CellGrid g;
+    HL_FN void operator()(int i) const
+    {
+        const Vec3 x = p.position[i];
+        const Real reach = p.support * p.support;
+        const int cx = g.cell_x(x.x), cy = g.cell_y(x.y), cz = g.cell_z(x.z);
+        int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
+        int found = 0;
+        for (int z = cz > 0 ? cz - 1 : 0; z <= cz + 1 && z < g.nz; ++z)
+            for (int y = cy > 0 ? cy - 1 : 0; y <= cy + 1 && y < g.ny; ++y) {
+                const int row = (z * g.ny + y) * g.nx;
+                const int last = cx + 1 < g.nx ? cx + 1 : g.nx - 1;
+                // Cells along x lie side by side, and so do their particles.
+                for (int j = g.start[row + (cx > 0 ? cx - 1 : 0)]; j < g.start[row + last + 1]; ++j) {
+                    const Vec3 d = x - p.position[j];
+                    if (j != i && dot(d, d) < reach && found < largest_neighbour_count) slots[found++] = j;
+                }
+            }
+        p.neighbour_count[i] = found;
+    }
+};
+
+/// Runs a sum over the neighbours of i.
+template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& add)
+{
+    const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
+    for (int k = 0; k < p.neighbour_count[i]; ++k) add(slots[k]);
+}
+
+/// Gradient of the colour function, the wall counted as liquid in the share that it is wetted.
+struct FindColourGradient {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        Vec3 gradient;
+        for_neighbours(p, i, [&](int j) {
+            const Vec3 d = p.position[i] - p.position[j];
+            gradient += (volume * spline_gradient_factor(length(d), p.support)) * d;
+        });
+        const Real wall = liquid.wetting(p.wall_segment[i]) * spline_plane_integral(p.wall_distance[i], p.support);
+        p.colour_gradient[i] = gradient - wall * p.wall_normal[i];
+    }
+};
+
+/// Accelerations by gravity, viscosity (Monaghan's pair form) and surface tension (eq. 5 with the volume it lacks), and by the wall's
+/// share of it. Departs from the paper: eq. 5 as printed is a force density.
+struct FindForces {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Vec3 x = p.position[i], v = p.velocity[i];
+        const Real own = dot(p.colour_gradient[i], p.colour_gradient[i]);
+        const Real smallest = Real(0.01) * p.support * p.support;
+        Vec3 a{0, 0, -liquid.gravity};
+        for_neighbours(p, i, [&](int j) {
+            const Vec3 d = x - p.position[j];
+            const Real r2 = dot(d, d);
+            const Real gradient = spline_gradient_factor(std::sqrt(r2), p.support);
+            const Real pull = Real(0.25) * liquid.cohesion / liquid.density * volume * (own + dot(p.colour_gradient[j], p.colour_gradient[j]));
+            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest);
+            a += ((pull + drag) * gradient) * d;
+        });
+        const Real wall = liquid.wetting(p.wall_segment[i]) * spline_plane_integral(p.wall_distance[i], p.support);
+        a -= (Real(0.25) * liquid.cohesion / liquid.density * own * wall) * p.wall_normal[i];
+        p.force[i] = a;
+        p.pressure[i] = 0;
+        p.pressure_force[i] = Vec3{};
+    }
+};
+
+struct PredictPosition {
+    Particles p;
+    Real dt;
+    HL_FN void operator()(int i) const
+    {
+        const Vec3 v = p.velocity[i] + dt * (p.force[i] + p.pressure_force[i]);
+        p.predicted[i] = p.position[i] + dt * v;
+    }
+};
+
+/// Density at the predicted places raises the pressure; errors are summed in millionths so that the sum has no order.
+struct CorrectPressure {
+    Particles p;
+    LiquidParameters liquid;
+    Real stiffness;           ///< Pa per kg/m3, delta of the method
+    std::int64_t* error_sum;  ///< millionths of the rest density
+    HL_FN void operator()(int i) const
+    {
+        Real sum = spline_kernel(0, p.support);
+        for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(p.predicted[i] - p.predicted[j]), p.support); });
+        const Real density = p.mass * sum;
+        const Real excess = density - liquid.density;
+        p.density[i] = density;
+        const Real pressure = p.pressure[i] + stiffness * excess;
+        p.pressure[i] = pressure > 0 ? pressure : Real(0);
+        if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
+    }
+};
+
+struct FindPressureForce {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real scale = p.mass / (liquid.density * liquid.density);
+        Vec3 a;
+        for_neighbours(p, i, [&](int j) {
+            const Vec3 d = p.position[i] - p.position[j];
+            a += (scale * (p.pressure[i] + p.pressure[j]) * spline_gradient_factor(length(d), p.support)) * d;
+        });
+        p.pressure_force[i] = -a;
+    }
+};
+
+struct MoveParticles {
+    Particles p;
+    Real dt;
+    int* fastest; ///< bits of the greatest speed; speeds are positive, so their bits order like integers
+    HL_FN void operator()(int i) const
+    {
+        p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
+        p.position[i] += dt * p.velocity[i];
+        union {
+            float speed;
+            int bits;
+        } fast;
+        fast.speed = static_cast<float>(length(p.velocity[i]));
+        atomic_max(fastest, fast.bits);
+    }
+};
+
+} // namespace hygroloom

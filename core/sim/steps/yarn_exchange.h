@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What passes between crossing yarns, and between a yarn, its fibres and the air: implicit solves local to a crossing or a segment.
+#pragma once
+
+#include "core/sim/steps/yarn_lines.h"
+
+namespace hygroloom {
+
+/// Liquid, heat and vapour between the two segments of a crossing, each an implicit step of its own.
+struct ExchangeAtCrossing {
+    Segments s;
+    YarnParameters warp;
+    YarnParameters weft;
+    CrossingParameters crossing;
+    ClimateParameters climate;
+    double dt;
+    bool move_liquid;
+    bool move_heat;
+    bool move_vapour;
+
+    HL_FN void operator()(int index) const
+    {
+        const int a = index;
+        const int b = s.weft_of(index / s.picks, index % s.picks);
+        const double capacity_a = heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a));
+        const double capacity_b = heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b));
+        double moved = 0;
+        if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b);
+        if (move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0)) conduct(a, b, capacity_a, capacity_b, moved);
+        if (move_vapour) diffuse(a, b);
+    }
+
+    /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
+    /// better wetted pores suck harder: saturations are compared after scaling with the pore a pressure fills (radius ~ s^(1/3)).
+    HL_FN double wick(int a, int b) const
+    {
+        if (crossing.liquid_conductance <= 0) return 0;
+        const double cap_a = climate.density * warp.pore_area * s.length[a];
+        const double cap_b = climate.density * weft.pore_area * s.length[b];
+        const double finest = warp.suction_radius < weft.suction_radius ? warp.suction_radius : weft.suction_radius;
+        const double ratio_a = warp.suction_radius / finest, ratio_b = weft.suction_radius / finest;
+        const double scale_a = ratio_a * ratio_a * ratio_a / cap_a, scale_b = ratio_b * ratio_b * ratio_b / cap_b;
+        const double conductance = dt * crossing.liquid_conductance;
+        const double exponent = warp.exponent;
+
+        double low = -(s.liquid[b] < cap_a - s.liquid[a] ? s.liquid[b] : cap_a - s.liquid[a]);
+        double high = s.liquid[a] < cap_b - s.liquid[b] ? s.liquid[a] : cap_b - s.liquid[b];
+        if (low > 0) low = 0;
+        if (high < 0) high = 0;
+        double x = 0;
+        for (int round = 0; round < 60; ++round) {
+            const double sa = (s.liquid[a] - x) * scale_a, sb = (s.liquid[b] + x) * scale_b;
+            const double residual = x - conductance * (spreading_potential(sa, exponent) - spreading_potential(sb, exponent));
+            if (residual > 0) high = x; else low = x;
+            const double slope = 1.0 + conductance * (saturation_power(sa, exponent) * scale_a + saturation_power(sb, exponent) * scale_b);
+            double next = x - residual / slope;
+            if (!(next > low && next < high)) next = 0.5 * (low + high);
+            const double change = next > x ? next - x : x - next;
+            x = next;
+            if (change <= 1e-13 * (cap_a + cap_b)) break;
+        }
+        s.liquid[a] -= x;
+        s.liquid[b] += x;
+        return x;
+    }
+
+    HL_FN void conduct(int a, int b, double capacity_a, double capacity_b, double moved) const
+    {
+        // The liquid carries its warmth, then both sides share heat.
+        const double carried = water_specific_heat * moved * (moved > 0 ? s.warmth[a] : s.warmth[b]);
+        const double new_a = capacity_a - water_specific_heat * moved, new_b = capacity_b + water_specific_heat * moved;
+        double heat_a = capacity_a * s.warmth[a] - carried, heat_b = capacity_b * s.warmth[b] + carried;
+        const double conductance = dt * crossing.heat_conductance;
+        const double passed =
+            conductance * (heat_a / new_a - heat_b / new_b) / (1.0 + conductance * (1.0 / new_a + 1.0 / new_b));
+        s.warmth[a] = (heat_a - passed) / new_a;
+        s.warmth[b] = (heat_b + passed) / new_b;
+    }
+
+    HL_FN void diffuse(int a, int b) const
+    {
+        const double air_a = pore_air(warp, s.length[a], s.liquid[a], climate.density);
+        const double air_b = pore_air(weft, s.length[b], s.liquid[b], climate.density);
+        const double conductance = dt * crossing.vapour_conductance;
+        const double passed = conductance * (s.vapour[a] / air_a - s.vapour[b] / air_b) / (1.0 + conductance * (1.0 / air_a + 1.0 / air_b));
+        s.vapour[a] -= passed;
+        s.vapour[b] += passed;
+    }
+};
+
+/// A segment's fibres, pores and face, solved together: sorption into the fibre on annuli, evaporation or condensation in the
+/// pores, vapour and heat to the air. Unknowns are the pore vapour and the temperature; both balances rise monotonically, so a
+/// bracketed search always ends.
+struct ExchangeInSegment {
+    Segments s;
+    YarnParameters warp;
+    YarnParameters weft;
+    ClimateParameters climate;
+    double face_area; ///< m2 of fabric face that a segment answers for
+    double dt;
+    bool sorption;
+    bool vapour;
+    bool heat;
+
+    /// What one trial of temperature and pore vapour leads to.
+    struct Outcome {
+        double pore_vapour, evaporated, bound, from_liquid, to_air;
+    };
+    /// The fibre's answer to this step: bound water at the end = base + slope x equilibrium regain at its skin.
+    struct Fibre {
+        double dry_mass, bound, base, slope;
+    };
+
+    HL_FN void operator()(int i) const
+    {
+        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
+        const double air = pore_air(yarn, s.length[i], s.liquid[i], climate.density);
+        if (at_rest(i, yarn, air)) return;
+        if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
+
+        double base[largest_shell_count], response[largest_shell_count];
+        const Fibre fibre = prepare_fibre(i, yarn, base, response);
+        const double wet = s.liquid[i] / (climate.density * yarn.pore_area * s.length[i]);
+        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound);
+
+        double warmth = s.warmth[i];
+        Outcome outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
+        if (heat) {
+            warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
+            outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
+        }
+        accept(i, yarn, fibre, base, response, air, wet, warmth, outcome, capacity);
+    }
+
+    HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
+    {
+        const double background = climate.humidity * saturation_concentration(climate.temperature);
+        const double off = s.vapour[i] / air - background;
+        const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.initial_regain;
+        return s.liquid[i] <= 0 && s.warmth[i] < 1e-7 && s.warmth[i] > -1e-7 && off < 1e-8 * (background + 1e-6) &&
+               off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
+    }
+
+    /// Implicit Euler on cell-centred annuli with the skin held at a regain: two right-hand sides, one elimination.
+    HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, double* base, double* response) const
+    {
+        const int n = s.shells;
+        const double* regain = s.regain + i * n;
+        Fibre fibre{s.length[i] * yarn.fibre_area * yarn.fibre_density, 0, 0, 0};
+        fibre.bound = bound_water(s, yarn, i);
+        if (!sorption) {
+            fibre.base = fibre.bound;
+            return fibre;
+        }
+        const double temperature = climate.temperature + s.warmth[i];
+        const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius) * n * n;
+        double upper[largest_shell_count];
+        double inner = 0; // conductance of the annulus's inner face, in units of its volume share (2k + 1)
+        for (int k = 0; k < n; ++k) {
+            const double at_face = k < n - 1 ? 0.5 * (regain[k] + regain[k + 1]) : regain[k];
+            const double diffusivity = fibre_diffusivity(yarn.diffusivity, at_face, temperature);
+            // Flux through the face at (k + 1) dr is D (k + 1) x difference / distance; the skin is half a cell away.
+            const double outer = scale * diffusivity * 2.0 * (k + 1) * (k < n - 1 ? 1.0 : 2.0);
+            const double lower = -inner;
+            const double pivot = (2 * k + 1) + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0);
+            upper[k] = k < n - 1 ? -outer / pivot : 0.0;
+            base[k] = ((2 * k + 1) * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) / pivot;
+            response[k] = ((k < n - 1 ? 0.0 : outer) - (k > 0 ? lower * response[k - 1] : 0.0)) / pivot;
+            inner = outer;
+        }
+        for (int k = n - 2; k >= 0; --k) {
+            base[k] -= upper[k] * base[k + 1];
+            response[k] -= upper[k] * response[k + 1];
+        }
+        for (int k = 0; k < n; ++k) {
+            fibre.base += base[k] * (2 * k + 1);
+            fibre.slope += response[k] * (2 * k + 1);
+        }
+        fibre.base *= fibre.dry_mass / (n * n);
+        fibre.slope *= fibre.dry_mass / (n * n);
+        return fibre;
+    }
+
+    /// Equilibrium regain at the fibre's skin: the wet share sees liquid, the rest the pore's vapour.
+    HL_FN double skin_regain(const YarnParameters& yarn, double wet, double pore_vapour, double temperature) const
+    {
+        const double humidity = wet + (1.0 - wet) * fmin_(1.0, pore_vapour / saturation_concentration(temperature));
+        return equilibrium_regain(yarn.isotherm, humidity, temperature);
+    }
+    HL_FN static double fmin_(double a, double b) { return a < b ? a : b; }
+    HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
+
+    /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; the return of balance() is what is missing, kg.
+    HL_FN Outcome try_vapour(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double temperature,
+                             double pore_vapour) const
+    {
+        Outcome o{pore_vapour, 0, fibre.base, 0, 0};
+        if (sorption) o.bound = fibre.base + fibre.slope * skin_regain(yarn, wet, pore_vapour, temperature);
+        const double taken = o.bound - fibre.bound;
+        const double room = climate.density * yarn.pore_area * s.length[i] - s.liquid[i];
+        o.from_liquid = fmax_(fmin_(vapour ? wet * taken : taken, s.liquid[i]), -room);
+        if (vapour) {
+            const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
+            const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
+            const double excess = saturation_concentration(temperature) - pore_vapour;
+            const double share = excess > 0 ? wet_share(wet) : 1.0;
+            o.evaporated = fmax_(fmin_(air * rate * dt * share * excess, s.liquid[i] - o.from_liquid), -room - o.from_liquid);
+            o.to_air = dt * climate.mass_transfer * face_area * (pore_vapour - climate.vapour);
+        }
+        return o;
+    }
+    HL_FN double missing(int i, const Fibre& fibre, double air, const Outcome& o) const
+    {
+        return air * o.pore_vapour - s.vapour[i] - o.evaporated + o.to_air + (o.bound - fibre.bound - o.from_liquid);
+    }
+
+    HL_FN Outcome pore_balance(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double warmth) const
+    {
+        const double temperature = climate.temperature + warmth;
+        if (!vapour) return try_vapour(i, yarn, fibre, air, wet, temperature, s.vapour[i] / air);
+        // Rising in the trial: more vapour means less evaporation, more sorption, more loss.
+        double low = 0, high = fmax_(saturation_concentration(temperature), fmax_(climate.vapour, s.vapour[i] / air)) * 1.0001;
+        double low_missing = missing(i, fibre, air, try_vapour(i, yarn, fibre, air, wet, temperature, low));
+        Outcome o = try_vapour(i, yarn, fibre, air, wet, temperature, high);
+        double high_missing = missing(i, fibre, air, o);
+        while (high_missing < 0 && high < 1e3) { // a drying fibre may push its pore over saturation
+            high *= 2;
+            o = try_vapour(i, yarn, fibre, air, wet, temperature, high);
+            high_missing = missing(i, fibre, air, o);
+        }
+        if (low_missing >= 0) return try_vapour(i, yarn, fibre, air, wet, temperature, 0.0);
+        int side = 0;
+        for (int round = 0; round < 80 && high - low > 1e-14 * high; ++round) { // Illinois
+            double trial = (low * high_missing - high * low_missing) / (high_missing - low_missing);
+            if (!(trial > low && trial < high)) trial = 0.5 * (low + high);
+            o = try_vapour(i, yarn, fibre, air, wet, temperature, trial);
+            const double m = missing(i, fibre, air, o);
+            if (m > -1e-9 * air * high && m < 1e-9 * air * high) break;
+            if (m > 0) {
+                high = trial;
+                high_missing = m;
+                if (side == 1) low_missing *= 0.5;
+                side = 1;
+            } else {
+                low = trial;
+                low_missing = m;
+                if (side == -1) high_missing *= 0.5;
+                side = -1;
+            }
+        }
+        return o;
+    }
+
+    /// Heat released by the outcome, J.
+    HL_FN double phase_heat(const YarnParameters& yarn, const Fibre& fibre, const Outcome& o, double temperature) const
+    {
+        const double taken = o.bound - fibre.bound;
+        double released = 0;
+        if (taken != 0) released += taken * heat_of_sorption(humidity_of(yarn.isotherm, o.bound / fibre.dry_mass));
+        released += heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
+        return released;
+    }
+    /// The humidity at 20 C that a fibre of this regain is in equilibrium with.
+    HL_FN static double humidity_of(const Isotherm& isotherm, double regain)
+    {
+        double low = 0, high = 1;
+        for (int round = 0; round < 30; ++round) {
+            const double middle = 0.5 * (low + high);
+            if (regain_at_reference(isotherm, middle) < regain) low = middle; else high = middle;
+        }
+        return 0.5 * (low + high);
+    }
+
+    HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double warmth) const
+    {
+        const Outcome o = pore_balance(i, yarn, fibre, air, wet, warmth);
+        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        return capacity * (warmth - s.warmth[i]) + lost - phase_heat(yarn, fibre, o, climate.temperature + warmth);
+    }
+
+    /// The warmth at which the heat balance closes; it rises with warmth.
+    HL_FN double find_warmth(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity) const
+    {
+        double width = 0.05;
+        double low = s.warmth[i], high = s.warmth[i];
+        double low_surplus = surplus(i, yarn, fibre, air, wet, capacity, low);
+        double high_surplus = low_surplus;
+        while (low_surplus > 0 && low > -80) {
+            high = low;
+            high_surplus = low_surplus;
+            low -= width;
+            width *= 3;
+            low_surplus = surplus(i, yarn, fibre, air, wet, capacity, low);
+        }
+        while (high_surplus < 0 && high < 80) {
+            low = high;
+            low_surplus = high_surplus;
+            high += width;
+            width *= 3;
+            high_surplus = surplus(i, yarn, fibre, air, wet, capacity, high);
+        }
+        int side = 0;
+        double trial = high_surplus == low_surplus ? low : low - low_surplus * (high - low) / (high_surplus - low_surplus);
+        for (int round = 0; round < 40 && high - low > 1e-7; ++round) {
+            if (!(trial >= low && trial <= high)) trial = 0.5 * (low + high);
+            const double m = surplus(i, yarn, fibre, air, wet, capacity, trial);
+            if (m > -1e-7 * capacity && m < 1e-7 * capacity) break;
+            if (m > 0) {
+                high = trial;
+                high_surplus = m;
+                if (side == 1) low_surplus *= 0.5;
+                side = 1;
+            } else {
+                low = trial;
+                low_surplus = m;
+                if (side == -1) high_surplus *= 0.5;
+                side = -1;
+            }
+            trial = low - low_surplus * (high - low) / (high_surplus - low_surplus);
+        }
+        return trial;
+    }
+
+    /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
+    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double air,
+                      double wet, double warmth, const Outcome& o, double capacity) const
+    {
+        const double temperature = climate.temperature + warmth;
+        double taken = 0;
+        if (sorption) {
+            // A yarn that holds neither liquid nor vapour enough gives its fibres what there is.
+            const double offered = s.liquid[i] + (vapour ? s.vapour[i] + fmax_(0.0, -o.to_air) : 0.0);
+            const double wanted = o.bound - fibre.bound;
+            const double share = wanted > offered ? offered / wanted : 1.0;
+            const double skin = skin_regain(yarn, wet, o.pore_vapour, temperature);
+            for (int k = 0; k < s.shells; ++k) {
+                double& regain = s.regain[i * s.shells + k];
+                regain += share * (base[k] + response[k] * skin - regain);
+            }
+            taken = bound_water(s, yarn, i) - fibre.bound;
+        }
+        double from_liquid = fmin_(o.from_liquid, s.liquid[i]);
+        double evaporated = vapour ? fmin_(o.evaporated, s.liquid[i] - from_liquid) : 0.0;
+        double pore = s.vapour[i] + evaporated - o.to_air - (taken - from_liquid);
+        if (pore < 0) { // rounding, or a fibre that drank the pore dry: the liquid makes up for it
+            const double made_up = fmin_(-pore, s.liquid[i] - from_liquid - evaporated);
+            evaporated += made_up;
+            pore += made_up;
+        }
+        const double to_air = o.to_air + (pore < 0 ? pore : 0.0); // with no liquid left the air gives it
+        if (pore < 0) pore = 0;
+        s.liquid[i] = fmax_(0.0, s.liquid[i] - from_liquid - evaporated);
+        s.vapour[i] = pore;
+        s.evaporated[i] += to_air;
+        if (!heat) return;
+        Outcome final = o;
+        final.bound = fibre.bound + taken;
+        final.from_liquid = from_liquid;
+        final.evaporated = evaporated;
+        const double released = phase_heat(yarn, fibre, final, temperature);
+        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        const double reached = s.warmth[i] + (released - lost) / capacity;
+        const double water_change = taken - from_liquid - evaporated; // of liquid and bound water together
+        s.released[i] += released;
+        s.lost[i] += lost - water_specific_heat * water_change * reached;
+        s.warmth[i] = reached;
+        (void)air;
+    }
+};
+
+/// Liquid that particles gave since the last step joins the yarn, at the climate's temperature.
+struct TakeAbsorbed {
+    Segments s;
+    YarnParameters warp;
+    YarnParameters weft;
+
+    HL_FN void operator()(int i) const
+    {
+        if (s.absorbed[i] == 0) return;
+        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
+        const double added = static_cast<double>(s.absorbed[i]) * water_quantum;
+        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
+        s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
+        s.liquid[i] += added;
+        s.absorbed[i] = 0;
+    }
+};
+
+} // namespace hygroloom

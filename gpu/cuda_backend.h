@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The CUDA backend; cuda_absent.cpp answers where the program was built without CUDA.
+#pragma once
+
+#include "core/sim/backend.h"
+
+namespace hygroloom {
+
+/// At least one entry: every GPU, or one that says why there is none.
+std::vector<BackendInfo> find_cuda_devices();
+
+/// Throws DeviceError.
+std::unique_ptr<Backend> make_cuda_backend();
+
+} // namespace hygroloom
