@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   analysis/cell_map.cpp
   analysis/enclosing_circle.cpp
+  analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
 )

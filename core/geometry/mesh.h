@@ -52,12 +52,12 @@ struct YarnLine {
 /// All ends, then all picks; the same points along each yarn as mesh_yarns() has rings.
 std::vector<YarnLine> yarn_lines(const Textile& textile, int samples_per_crossing);
 
-/// The vertices for one ring of a yarn's skin, sides + 1 of them (the first again at the end, for its own v), written as
-/// offsets from the centre along the across direction and along the yarn's upward normal. Used by mesh_yarns() and by the window.
+/// A point of a section's skin, angle from the yarn's upward direction towards its across direction (+x of the warp, -y of the weft).
+/// The middles of a racetrack's two flats stand at angle 0 and pi; its half circles at the angles between.
 struct SectionPoint {
-    double across = 0;        ///< m
+    double across = 0;        ///< m, from the centre
     double up = 0;            ///< m
-    double normal_across = 0; ///< of the skin
+    double normal_across = 0; ///< of the skin, unit
     double normal_up = 0;
 };
 SectionPoint section_point(double half_width, double half_height, double angle);

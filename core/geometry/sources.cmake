@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  geometry/mesh.cpp
   geometry/textile.cpp
 )

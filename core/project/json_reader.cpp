@@ -141,7 +141,7 @@ ObjectReader::ObjectReader(const ProjectJson& value, std::string file, std::stri
 
 const ProjectJson* ObjectReader::find(const std::string& key)
 {
-    known_.push_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
     const auto at = value_.find(key);
     return at == value_.end() ? nullptr : &*at;
 }

@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   project/atomic_file.cpp
   project/json_reader.cpp
+  project/mesh_file.cpp
   project/migrations.cpp
   project/project_file.cpp
   project/project_read.cpp

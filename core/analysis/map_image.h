@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A water map as a picture for people without the window: cells in blue, scale bar, colour bar, wetted circle.
+#pragma once
+
+#include "core/analysis/cell_map.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb; ///< rows from the top, three bytes per pixel
+};
+
+struct MapImageOptions {
+    std::vector<std::string> captions; ///< lines over the map; ASCII, other characters become spaces
+    std::optional<Circle> circle;      ///< from the sample's middle, m
+    double most = 0;                   ///< kg/m2 at the colour bar's end; 0: the map's own maximum
+};
+
+/// width and height: of the sample, m (cells at the far edges may reach over it). Cells below 1 % of the bar's end count as dry.
+Image draw_map(const CellMap& map, double width, double height, const MapImageOptions& options);
+
+/// Throws FileError.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+} // namespace hygroloom

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+#include "core/project/project_file.h"
+#include "core/project/project_json.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <csignal>
+#include <fstream>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace hygroloom;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string examples = std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/";
+
+std::string bytes_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+    const auto at = text.find(from);
+    if (at == std::string::npos) qFatal("no %s", from.c_str());
+    return text.replace(at, from.size(), to);
+}
+
+template <typename Act>
+std::string message_of(Act act)
+{
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+int files_in(const fs::path& folder) { return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
+
+/// Every optional thing in use.
+Design rich()
+{
+    Design design = read_project(examples + "one-drop-on-cotton.hygro");
+    Material own = *find_library_material("cotton");
+    own.name = "my cotton \"β\"";
+    own.based_on = "cotton";
+    own.contact_angle_deg = 31.25;
+    own.diffusion.two_stage = true;
+    Material free = *find_library_material("polyester");
+    free.name = "free";
+    free.density_kg_m3 = 1401.0 / 3.0;
+    design.materials = {own, free};
+    Fabric fabric = design.fabrics[0];
+    fabric.name = "satin";
+    fabric.warp.material = {{own.name, 0.1 + 0.2}, {"free", 0.7}};
+    fabric.warp.linear_density_tex = 24.3;
+    fabric.warp.packing_factor = 0.1 + 0.7;
+    fabric.weft.twist_direction = TwistDirection::s;
+    fabric.weave = weave_from_pattern("satin 5/2").toggled(1, 0);
+    fabric.contact_angle_deg = 1e-7;
+    fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
+    fabric.thickness_mm.reset();
+    design.fabrics.push_back(fabric);
+    design.experiments[0].droplets.resize(3);
+    return design;
+}
+
+} // namespace
+
+class TestProjectFile : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    fs::path path(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
+
+private Q_SLOTS:
+    void examplesAreWrittenBackByteForByte()
+    {
+        int count = 0;
+        for (const auto& entry : fs::directory_iterator(examples)) {
+            QCOMPARE(QString::fromStdString(format_project(read_project(entry.path()))), QString::fromStdString(bytes_of(entry.path())));
+            ++count;
+        }
+        QVERIFY(count >= 8);
+    }
+    void everythingSurvivesARoundTrip()
+    {
+        const Design design = rich();
+        const std::string text = format_project(design);
+        QVERIFY(parse_project(text, "text") == design);
+        QCOMPARE(format_project(parse_project(text, "text")), text);
+    }
+    void theContractsExampleIsRead()
+    {
+        const Design design = parse_project(bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/tests/data/contract.hygro"), "contract");
+        QCOMPARE(design.materials.at(0).density_kg_m3, 1550.0);
+        QCOMPARE(design.materials.at(0).contact_angle_deg, 35.0);
+        QCOMPARE(*design.fabrics.at(0).weft.linear_density_tex, 18.0);
+        QCOMPARE(*design.fabrics.at(0).contact_angle_deg, 30.0);
+        QCOMPARE(design.fabrics.at(0).flyaway.hair_density_per_mm, 10.0);
+        QCOMPARE(design.experiments.at(0).droplets.at(0).volume_ul, 15.0);
+    }
+    void rowsDrawTheWeaveWithTheLastPickOnTop()
+    {
+        const std::string text = replaced(bytes_of(examples + "textile-F.hygro"), "\"pattern\": \"plain\"", "\"rows\": [\"001\", \"110\"]");
+        const Weave weave = parse_project(text, "text").fabrics[0].weave;
+        QCOMPARE(weave.ends(), 3);
+        QVERIFY(weave.warp_up(2, 1) && !weave.warp_up(0, 1) && weave.warp_up(0, 0) && !weave.warp_up(2, 0));
+    }
+    void numbersKeepTheirPointInAnyLocale()
+    {
+        const std::string before = std::setlocale(LC_ALL, nullptr);
+        for (const char* locale : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, locale);
+        const std::string text = format_project(rich());
+        const bool same = parse_project(text, "text") == rich();
+        std::setlocale(LC_ALL, before.c_str());
+        QVERIFY(same);
+        QVERIFY(has(text, "0.635"));
+    }
+
+    void badTextIsRefusedWithItsPlace_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("says");
+        const std::string good = bytes_of(examples + "textile-F.hygro");
+        const auto row = [](const char* name, const std::string& text, const char* says) {
+            QTest::newRow(name) << QByteArray(text.data(), static_cast<qsizetype>(text.size())) << QString(says);
+        };
+        row("empty", "", "empty");
+        row("blank", " \n\t ", "empty");
+        row("truncated", good.substr(0, 200), "line 11, column 8");
+        row("comma too many", replaced(good, "0.2,", "0.2,,"), "line 10, column 28");
+        row("two documents", good + "{}", "not valid JSON");
+        row("not utf-8", replaced(good, "Textile F", "Textile \xff"), "line 7, column");
+        row("a number too large", replaced(good, "0.635", "1e999"), "not valid JSON");
+        row("NaN", replaced(good, "0.635", "NaN"), "line");
+        row("a list", "[1, 2]", "must be an object");
+        row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""), "fabrics[0].warp: The key \"diametr_mm\" is not known here; did you mean \"diameter_mm\"?");
+        row("unknown key far from all", replaced(good, "\"thickness_mm\"", "\"q\""), "Known are: name, warp, weft");
+        row("twice", replaced(good, "\"ends_per_cm\"", "\"picks_per_cm\""), "stands twice");
+        row("text for number", replaced(good, "0.635", "\"0.635\""), "fabrics[0].thickness_mm: This must be a number; given is \"0.635\"");
+        row("null for number", replaced(good, "0.635", "null"), "given is null");
+        row("number for text", replaced(good, "\"Textile F\"", "12"), "fabrics[0].name");
+        row("fraction for count", replaced(good, "\"fibres_per_yarn\": 30", "\"fibres_per_yarn\": 30.5"), "whole number");
+        row("huge count", replaced(good, "\"fibres_per_yarn\": 30", "\"fibres_per_yarn\": 1e300"), "whole number");
+        row("three coordinates", replaced(good, "[0.0, 0.0]", "[0, 0, 0]"), "list of 2 numbers");
+        row("missing name", replaced(good, "\"name\": \"Textile F\",", ""), "fabrics[0]: The key \"name\" is missing");
+        row("missing weave", replaced(replaced(good, "\"weave\": {", ""), "\"pattern\": \"plain\"\n      },", ""), "\"weave\" is missing");
+        row("missing format", replaced(good, "\"format\": \"hygroloom-project\",", ""), "\"format\" is missing");
+        row("missing version", replaced(good, "\"version\": 1,", ""), "\"version\" is missing");
+        row("other format", replaced(good, "hygroloom-project", "something"), "must be \"hygroloom-project\"");
+        row("newer version", replaced(good, "\"version\": 1", "\"version\": 2"), "newer Hygroloom (format 2)");
+        row("version zero", replaced(good, "\"version\": 1", "\"version\": 0"), "Versions begin at 1");
+        row("bad pattern", replaced(good, "\"plain\"", "\"satin 8/2\""), "fabrics[0].weave.pattern");
+        row("no pattern", replaced(good, "\"pattern\": \"plain\"", ""), "either \"pattern\" or \"rows\"");
+        row("ragged rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": [\"01\", \"1\"]"), "rows[1]");
+        row("rows of letters", replaced(good, "\"pattern\": \"plain\"", "\"rows\": [\"0x\", \"10\"]"), "0 and 1");
+        row("no rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": []"), "from 1 to 2000");
+        row("a draft", replaced(good, "\"pattern\": \"plain\"", "\"draft\": {}"), "does not read drafts");
+        row("twist direction", replaced(good, "\"Z\"", "\"X\""), "\"Z\" or \"S\"");
+        row("experiment of later", replaced(good, "\"type\": \"droplet\"", "\"type\": \"drying\""), "This version runs experiments of type \"droplet\"; \"drying\"");
+        row("experiment of never", replaced(good, "\"type\": \"droplet\"", "\"type\": \"x\""), "This version runs experiments of type \"droplet\"");
+        row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"), "has no material \"coton\"");
+        row("material of nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\"}]"), "\"density_kg_m3\" is missing");
+        row("garments", replaced(good, "\"materials\": []", "\"garments\": [{}]"), "does not read garments");
+        row("deep", std::string(100000, '['), "deeper than 32");
+        row("deep objects", "{\"materials\": " + std::string(5000, '[') , "deeper than 32");
+        row("binary", std::string("\x89HDF\r\n\x1a\n\0\0\0", 11), "line 1, column 1");
+    }
+    void badTextIsRefusedWithItsPlace()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, says);
+        const std::string message = message_of([&] { parse_project({text.data(), static_cast<std::size_t>(text.size())}, "cloth.hygro"); });
+        QVERIFY2(has(message, says.toStdString()), message.c_str());
+        QVERIFY2(message.rfind("cloth.hygro: ", 0) == 0, message.c_str());
+        QVERIFY2(QString::fromStdString(message).toUtf8() == QByteArray::fromStdString(message), "the message is not UTF-8");
+        QVERIFY(message.size() < 1000);
+    }
+    void filesThatCannotBeReadAreRefused()
+    {
+        QVERIFY(has(message_of([&] { read_project(path("none.hygro")); }), "cannot be opened"));
+        QVERIFY(has(message_of([&] { read_project(path(".")); }), "folder"));
+        QVERIFY(has(message_of([&] { read_project("/dev/null"); }), "not a regular file"));
+        std::ofstream(path("empty.hygro")).close();
+        QVERIFY(has(message_of([&] { read_project(path("empty.hygro")); }), "empty"));
+        std::ofstream(path("large.hygro")).close();
+        fs::resize_file(path("large.hygro"), largest_project_bytes + 1); // sparse: refused before it is read
+        QVERIFY(has(message_of([&] { read_project(path("large.hygro")); }), "at most 64 MiB"));
+        fs::remove(path("large.hygro"));
+        if (geteuid() == 0) return; // root may read everything
+        write_project(rich(), path("secret.hygro"));
+        fs::permissions(path("secret.hygro"), fs::perms::none);
+        QVERIFY(has(message_of([&] { read_project(path("secret.hygro")); }), "Permission denied"));
+    }
+
+    void savingKeepsThePreviousVersion()
+    {
+        const fs::path file = path("save.hygro");
+        Design design = rich();
+        write_project(design, file);
+        QVERIFY(!fs::exists(file.string() + "~"));
+        const std::string first = bytes_of(file);
+        design.fabrics[0].ends_per_cm = 12.5;
+        write_project(design, file);
+        QVERIFY(read_project(file) == design);
+        QCOMPARE(bytes_of(file.string() + "~"), first);
+        write_project(design, file);
+        QCOMPARE(bytes_of(file.string() + "~"), bytes_of(file));
+    }
+    void savingKeepsPermissionsAndLinks()
+    {
+        fs::create_directory(path("links"));
+        const fs::path file = path("links/real.hygro"), link = path("links/link.hygro");
+        write_project(rich(), file);
+        fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+        fs::create_symlink("real.hygro", link);
+        write_project(rich(), link);
+        QVERIFY(fs::is_symlink(link));
+        QCOMPARE(int(fs::status(file).permissions()), 0600);
+        QVERIFY(read_project(file) == rich());
+    }
+    void failedSaveLeavesEverythingAsItWas()
+    {
+        fs::create_directory(path("full"));
+        const fs::path file = path("full/cloth.hygro");
+        write_project(rich(), file);
+        const std::string before = bytes_of(file);
+        Design larger = rich();
+        larger.fabrics.resize(20, larger.fabrics[0]);
+
+        // A disk that is full after 1 kB.
+        rlimit old{};
+        getrlimit(RLIMIT_FSIZE, &old);
+        const rlimit tight{1024, old.rlim_max};
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        setrlimit(RLIMIT_FSIZE, &tight);
+        const std::string message = message_of([&] { write_project(larger, file); });
+        setrlimit(RLIMIT_FSIZE, &old);
+        std::signal(SIGXFSZ, handler);
+
+        QVERIFY2(has(message, "cannot be written"), message.c_str());
+        QCOMPARE(bytes_of(file), before);
+        QCOMPARE(files_in(path("full")), 1); // no temporary file, no backup
+    }
+    void designsNoFileCanHoldAreNotWritten()
+    {
+        fs::create_directory(path("nan"));
+        const fs::path file = path("nan/cloth.hygro");
+        Design design = rich();
+        design.fabrics[1].warp.twist_per_m = std::nan("");
+        QVERIFY(has(message_of([&] { write_project(design, file); }), "fabrics[1].warp.twist_per_m"));
+        design = rich();
+        design.fabrics[1].name = "\xff";
+        QVERIFY(has(message_of([&] { write_project(design, file); }), "UTF-8"));
+        QCOMPARE(files_in(path("nan")), 0);
+    }
+    void savingIntoNowhereSaysSo()
+    {
+        QVERIFY(has(message_of([&] { write_project(rich(), path("nowhere/cloth.hygro")); }), "cannot be written"));
+        QVERIFY(has(message_of([&] { write_project(rich(), path(".")); }), "folder"));
+        QVERIFY(has(message_of([&] { write_project(rich(), "/dev/full"); }), "not a regular file"));
+    }
+
+    void olderVersionsMigrateStepByStep()
+    {
+        // As if version 2 had renamed a key and version 3 changed a unit.
+        const std::vector<Migration> steps{
+            [](ProjectJson& project) {
+                project["fabrics"] = project.at("cloths");
+                project.erase("cloths");
+            },
+            [](ProjectJson& project) {
+                for (auto& fabric : project["fabrics"]) fabric["ends_per_cm"] = fabric["ends_per_cm"].get<double>() / 2;
+            }};
+        ProjectJson old = json_from_design(read_project(examples + "textile-F.hygro"));
+        old["cloths"] = old["fabrics"];
+        old.erase("fabrics");
+        QCOMPARE(design_from_json(old, "old", steps).fabrics.at(0).ends_per_cm, 17.5);
+        ProjectJson newer = json_from_design(read_project(examples + "textile-F.hygro"));
+        newer["version"] = 2;
+        QCOMPARE(design_from_json(newer, "newer", steps).fabrics.at(0).ends_per_cm, 17.5);
+        newer["version"] = 4;
+        QVERIFY(has(message_of([&] { design_from_json(newer, "newest", steps); }), "newer Hygroloom"));
+    }
+    void everyVersionHasItsMigration() { QCOMPARE(int(project_migrations().size()), project_version - 1); }
+
+    void oneValueIsSetByItsPath()
+    {
+        const Design design = rich();
+        QCOMPARE(*with_value(design, "fabrics[0].contact_angle_deg", "60").fabrics[0].contact_angle_deg, 60.0);
+        QCOMPARE(with_value(design, "experiments.one drop.duration_s", "5").experiments[0].duration_s, 5.0);
+        QCOMPARE(with_value(design, "experiments[one drop].duration_s", "5").experiments[0].duration_s, 5.0);
+        QCOMPARE(with_value(design, "fabrics.Textile F.weave.pattern", "twill 2/1 S").fabrics[0].weave.pattern(), std::string("twill 2/1 S"));
+        QCOMPARE(with_value(design, "fabrics.satin.weave.pattern", "plain").fabrics[1].weave, Weave());
+        QCOMPARE(with_value(design, "fabrics[0].name", "60").fabrics[0].name, std::string("60"));
+        QCOMPARE(with_value(design, "experiments[0].droplets[1].at_mm", "[1, -2]").experiments[0].droplets[1].at_mm[1], -2.0);
+        QCOMPARE(with_value(design, "experiments[0].droplets[1].at_mm[0]", "3").experiments[0].droplets[1].at_mm[0], 3.0);
+        QCOMPARE(with_value(design, "materials.free.density_kg_m3", "1400").materials[1].density_kg_m3, 1400.0);
+        QVERIFY(!with_value(design, "fabrics[0].thickness_mm", "null").fabrics[0].thickness_mm);
+        QCOMPARE(with_value(design, "fabrics[0].warp.material", "wool").fabrics[0].warp.material.at(0).name, std::string("wool"));
+    }
+    void namesMayHoldDots()
+    {
+        Design design = rich();
+        design.fabrics[0].name = "nylon 6.6";
+        design.fabrics[1].name = "nylon 6";
+        QCOMPARE(with_value(design, "fabrics.nylon 6.6.ends_per_cm", "9").fabrics[0].ends_per_cm, 9.0);
+        QCOMPARE(with_value(design, "fabrics.nylon 6.ends_per_cm", "9").fabrics[1].ends_per_cm, 9.0);
+    }
+    void wrongPathsAndValuesAreRefused()
+    {
+        const Design design = rich();
+        const auto says = [&](const char* path, const char* value, const char* part) {
+            const std::string message = message_of([&] { with_value(design, path, value); });
+            return has(message, part) || (qWarning("%s", message.c_str()), false);
+        };
+        QVERIFY(says("", "1", "empty"));
+        QVERIFY(says("fabrics[9].ends_per_cm", "1", "There is no [9]"));
+        QVERIFY(says("fabrics[0.ends_per_cm", "1", "\"]\" is missing"));
+        QVERIFY(says("fabrics.no.ends_per_cm", "1", "\"Textile F\""));
+        QVERIFY(says("fabrics[0].ends_per_cmm", "1", "did you mean \"ends_per_cm\""));
+        QVERIFY(says("fabrics[0].wrap.diameter_mm", "1", "did you mean \"warp\""));
+        QVERIFY(says("fabrics[0].ends_per_cm", "many", "must be a number"));
+        QVERIFY(says("fabrics[0].ends_per_cm", "nan", "must be a number"));
+        QVERIFY(says("fabrics[0].ends_per_cm", "1e999", "must be a number"));
+        QVERIFY(says("fabrics[0].ends_per_cm.x", "1", "plain value"));
+        QVERIFY(says("fabrics[0].ends_per_cm", "null", "missing"));
+        QVERIFY(says("fabrics[0].weave.pattern", "twil", "Forms:"));
+        QVERIFY(says("fabrics[0].warp.fibres_per_yarn", "2.5", "whole number"));
+        QVERIFY(says("version", "9", "newer"));
+        QVERIFY(says("fabrics", "1", "list"));
+        QVERIFY(says("fabrics[0].contact_angle_deg", std::string(50000, '[').c_str(), "must be a number"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProjectFile)
+#include "tst_project_file.moc"

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/units.h"
+#include "core/design/fabric_quantities.h"
+#include "core/design/yarn_sections.h"
+#include "core/project/project_file.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace hygroloom;
+
+namespace {
+
+bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+Yarn yarn(const char* material, double diameter_mm)
+{
+    Yarn made;
+    made.material = {{material, 1.0}};
+    made.diameter_mm = diameter_mm;
+    return made;
+}
+
+Fabric square_cloth(const Yarn& both, double per_cm)
+{
+    Fabric fabric;
+    fabric.name = "cloth";
+    fabric.warp = fabric.weft = both;
+    fabric.ends_per_cm = fabric.picks_per_cm = per_cm;
+    return fabric;
+}
+
+Design example(const std::string& file) { return read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + file); }
+
+} // namespace
+
+class TestQuantities : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aCottonYarnOfAFifthMillimetreIsTwentyFourTex()
+    {
+        // 0.5 x 1550 kg/m3 x pi/4 x 0.04 mm2 = 24.347 g/km
+        const FreeYarn free = free_yarn(yarn("cotton", 0.2), 1550);
+        QVERIFY(near(free.linear_density_tex, 24.347, 0.001));
+        QCOMPARE(free.packing_factor, 0.5);
+    }
+    void peircesDiameterFollowsFromHisSpecificVolume()
+    {
+        // d[mm] = 0.0375 sqrt(tex) is a specific volume of 1.1 cm3/g: a packing of 1/(1.1 x 1.55).
+        for (double tex : {10.0, 29.525, 100.0}) {
+            Yarn given;
+            given.linear_density_tex = tex;
+            given.packing_factor = 1 / (1.1 * 1.55);
+            QVERIFY(near(free_yarn(given, 1550).diameter, 0.0375 * std::sqrt(tex), 0.003 * 0.0375 * std::sqrt(tex)));
+        }
+    }
+    void countTwentyIsAFifthMillimetre()
+    {
+        Yarn given;
+        given.linear_density_tex = tex_from_ne(20);
+        given.packing_factor = 0.6;
+        QVERIFY(near(free_yarn(given, 1520).diameter, 0.203, 0.001));
+    }
+    void diameterAndLinearDensityGiveThePacking()
+    {
+        Yarn given = yarn("cotton", 0.2);
+        given.linear_density_tex = 0.6 * 48.694;
+        QVERIFY(near(free_yarn(given, 1550).packing_factor, 0.6, 1e-4));
+    }
+    void arealDensityIsMassOfBothSystemsWithCrimp()
+    {
+        const Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        const FabricQuantities q = derive_quantities({}, fabric);
+        // tex per cm is 0.1 g/m2: 2 x 20 x 24.347 / 10 = 97.39 before crimp.
+        QVERIFY(near(q.areal_density_g_m2, 97.388 * (1 + 0.01 * q.warp.crimp_percent), 0.01));
+        QVERIFY(near(q.warp.crimp_percent, q.weft.crimp_percent, 1e-9));
+        QVERIFY(q.warp.crimp_percent > 5 && q.warp.crimp_percent < 15);
+        QVERIFY(!q.jammed);
+    }
+    void squareJammedClothHasTheTextbooksCrimp()
+    {
+        // Round yarns just jammed: pitch / (d1 + d2) = 0.866, crimp 20.9 %.
+        const double pitch = 0.5 * std::sqrt(3.0) * 0.4;
+        const FabricQuantities q = derive_quantities({}, square_cloth(yarn("cotton", 0.2), 10 / (pitch * 1.000001)));
+        QVERIFY(near(q.warp.crimp_percent, 20.9, 0.1));
+        QVERIFY(derive_quantities({}, square_cloth(yarn("cotton", 0.2), 10 / (0.99 * pitch))).jammed);
+    }
+    void coverAndGapsFollowFromSettAndDiameter()
+    {
+        const FabricQuantities q = derive_quantities({}, square_cloth(yarn("cotton", 0.2), 25));
+        QVERIFY(near(q.warp.cover, 0.5, 1e-12));
+        QVERIFY(near(q.cover_factor, 0.75, 1e-12));
+        QVERIFY(near(q.gap_warp_mm, 0.2, 1e-12));
+        QVERIFY(near(q.inter_yarn_pore_radius_um, 100, 1e-9)); // 2A/P of a square hole is half its side
+    }
+    void poresBetweenFibresFollowThePacking()
+    {
+        // r (1 - phi)/phi: 8 um at 0.5, 5.33 um at 0.6
+        QVERIFY(near(derive_quantities({}, square_cloth(yarn("cotton", 0.2), 25)).warp.pore_radius_um, 8, 1e-9));
+        Yarn compact = yarn("cotton", 0.2);
+        compact.packing_factor = 0.6;
+        QVERIFY(near(derive_quantities({}, square_cloth(compact, 25)).warp.pore_radius_um, 16.0 / 3, 1e-9));
+    }
+    void porosityIsTheShareWithoutFibre()
+    {
+        const Fabric fabric = square_cloth(yarn("wool", 0.2), 25);
+        const FabricQuantities q = derive_quantities({}, fabric);
+        QVERIFY(near(q.thickness_mm, 0.4, 1e-12));
+        QVERIFY(near(q.porosity, 1 - q.areal_density_g_m2 / (0.4e-3 * 1300e3), 1e-12));
+        QVERIFY(near(q.porosity, 1 - q.fibre_volume_fraction, 1e-12));
+    }
+    void loopsAddToTheThickness()
+    {
+        Fabric fabric = square_cloth(yarn("wool", 0.2), 25);
+        fabric.flyaway.loop_height_mm = 0.1;
+        QVERIFY(near(derive_quantities({}, fabric).thickness_mm, 0.6, 1e-12));
+    }
+    void thicknessBeyondTheYarnsIsHair()
+    {
+        const Design design = example("textile-E.hygro");
+        const FabricQuantities q = derive_quantities(design, design.fabrics[0]);
+        QCOMPARE(q.yarn_layer_thickness_mm, 0.4);
+        QCOMPARE(q.thickness_mm, 1.46);
+        QVERIFY(!q.warp.flattened);
+        QVERIFY(q.notes.at(0).find("1.06 mm of the given thickness are flyaway fibres") != std::string::npos);
+    }
+    void thinFabricFlattensItsYarnsAndKeepsTheirArea()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        fabric.thickness_mm = 0.3;
+        const FabricQuantities q = derive_quantities({}, fabric);
+        QVERIFY(q.warp.flattened);
+        QVERIFY(near(q.warp.section_mm.height, 0.15, 1e-12));
+        QVERIFY(near(section_area(q.warp.section_mm), 0.25 * pi * 0.04, 1e-12));
+        QVERIFY(near(q.warp.packing_factor_in_fabric, 0.5, 1e-12));
+        QVERIFY(near(q.yarn_layer_thickness_mm, 0.3, 1e-12));
+    }
+    void textileDOfThePaperIsFlattenedAndNarrowed()
+    {
+        const Design design = example("textile-D.hygro");
+        const FabricQuantities q = derive_quantities(design, design.fabrics[0]);
+        // 0.30 x 1480 x pi/4 x 0.16 = 55.8 tex; b = 0.215 mm; a = 0.98 of 0.3030 and of 0.3571 mm.
+        QVERIFY(near(q.warp.linear_density_tex, 55.79, 0.01));
+        QVERIFY(near(q.warp.section_mm.height, 0.215, 1e-9));
+        QVERIFY(near(q.warp.section_mm.width, 0.29697, 1e-4));
+        QVERIFY(near(q.weft.section_mm.width, 0.35, 1e-4));
+        // Racetrack of 0.297 x 0.215: pi/4 x 0.215^2 + 0.082 x 0.215 = 0.05393 mm2; 0.0377/0.05393 = 0.699.
+        QVERIFY(near(q.warp.packing_factor_in_fabric, 0.699, 0.001));
+        QVERIFY(q.warp.packing_factor_in_fabric <= densest_packing);
+        QVERIFY(q.porosity > 0);
+        QVERIFY(q.notes.size() >= 4);
+    }
+    void linearDensityIsKeptWhateverTheSection()
+    {
+        for (const char* file : {"textile-A.hygro", "textile-C.hygro", "textile-D.hygro", "textile-G.hygro"}) {
+            const Design design = example(file);
+            const FabricQuantities q = derive_quantities(design, design.fabrics[0]);
+            const double density = find_material(design, design.fabrics[0].warp.material[0].name)->density_kg_m3;
+            QVERIFY(near(q.warp.packing_factor_in_fabric * density * section_area(q.warp.section_mm), q.warp.linear_density_tex, 1e-9));
+        }
+    }
+    void yarnsWiderThanTheirPitchAreSqueezedWithoutAThickness()
+    {
+        const FabricQuantities q = derive_quantities({}, square_cloth(yarn("cotton", 0.2), 55)); // pitch 0.1818 mm
+        QVERIFY(near(q.warp.section_mm.width, 0.98 * 10 / 55, 1e-12));
+        QVERIFY(q.warp.packing_factor_in_fabric > 0.5);
+        QVERIFY(q.warp.section_mm.height <= q.warp.section_mm.width + 1e-12);
+    }
+    void crimpIsOnlyWhereAYarnChangesSides()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        const double plain = derive_quantities({}, fabric).warp.crimp_percent;
+        fabric.weave = weave_from_pattern("twill 2/2 Z");
+        QVERIFY(near(derive_quantities({}, fabric).warp.crimp_percent, 0.5 * plain, 1e-12));
+        fabric.weave = weave_from_pattern("satin 5/2");
+        QVERIFY(near(derive_quantities({}, fabric).warp.crimp_percent, 0.4 * plain, 1e-12));
+    }
+    void theFabricsContactAngleReplacesTheFibres()
+    {
+        Fabric fabric = square_cloth(yarn("wool", 0.2), 20);
+        QCOMPARE(derive_quantities({}, fabric).warp.contact_angle_deg, 55.0);
+        fabric.contact_angle_deg = 20;
+        QCOMPARE(derive_quantities({}, fabric).warp.contact_angle_deg, 20.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestQuantities)
+#include "tst_quantities.moc"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/design/validate.h"
+#include "core/project/project_file.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace hygroloom;
+
+namespace {
+
+using Change = std::function<void(Design&)>;
+
+Design sound()
+{
+    Design design;
+    Fabric fabric;
+    fabric.name = "cloth";
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
+    design.fabrics.push_back(fabric);
+    Experiment experiment;
+    experiment.name = "one drop";
+    design.experiments.push_back(experiment);
+    return design;
+}
+
+const Issue* find(const std::vector<Issue>& issues, const std::string& code)
+{
+    for (const Issue& issue : issues)
+        if (issue.code == code) return &issue;
+    return nullptr;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Change)
+
+class TestValidate : public QObject {
+    Q_OBJECT
+
+    void row(const char* where, const char* code, Change change) { QTest::newRow(where) << QString(where) << QString(code) << change; }
+
+private Q_SLOTS:
+    void aSoundDesignHasNoIssues() { QVERIFY(validate(sound()).empty()); }
+
+    void everyWrongValueIsAnErrorAtItsPlace_data()
+    {
+        QTest::addColumn<QString>("where");
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<Change>("change");
+        const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+        row("fabrics[0].name", "empty_name", [](Design& d) { d.fabrics[0].name.clear(); });
+        row("fabrics[0].warp.diameter_mm", "range", [](Design& d) { d.fabrics[0].warp.diameter_mm = 0; });
+        row("fabrics[0].weft.diameter_mm", "range", [nan](Design& d) { d.fabrics[0].weft.diameter_mm = nan; });
+        row("fabrics[0].warp.linear_density_tex", "range", [inf](Design& d) { d.fabrics[0].warp.linear_density_tex = inf; });
+        row("fabrics[0].warp.packing_factor", "range", [](Design& d) { d.fabrics[0].warp.packing_factor = 0.95; });
+        row("fabrics[0].warp", "no_size", [](Design& d) { d.fabrics[0].warp.diameter_mm.reset(); });
+        row("fabrics[0].weft.fibres_per_yarn", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 501; });
+        row("fabrics[0].weft.fibres_per_yarn ", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 0; });
+        row("fabrics[0].weft.twist_per_m", "range", [](Design& d) { d.fabrics[0].weft.twist_per_m = -1; });
+        row("fabrics[0].warp.material", "no_material", [](Design& d) { d.fabrics[0].warp.material.clear(); });
+        row("fabrics[0].warp.material ", "unknown_material", [](Design& d) { d.fabrics[0].warp.material = {{"stone", 1.0}}; });
+        row("fabrics[0].warp.material  ", "shares", [](Design& d) { d.fabrics[0].warp.material = {{"cotton", 0.5}, {"wool", 0.4}}; });
+        row("fabrics[0].warp.material[1]", "duplicate_name", [](Design& d) { d.fabrics[0].warp.material = {{"wool", 0.5}, {"wool", 0.5}}; });
+        row("fabrics[0].warp.material[1].share", "range", [nan](Design& d) { d.fabrics[0].warp.material = {{"wool", 0.5}, {"cotton", nan}}; });
+        row("fabrics[0].ends_per_cm", "range", [nan](Design& d) { d.fabrics[0].ends_per_cm = nan; });
+        row("fabrics[0].picks_per_cm", "range", [](Design& d) { d.fabrics[0].picks_per_cm = 0; });
+        row("fabrics[0].ends_per_cm ", "ends_do_not_fit", [](Design& d) { d.fabrics[0].ends_per_cm = 100; });
+        row("fabrics[0].thickness_mm", "range", [](Design& d) { d.fabrics[0].thickness_mm = -1; });
+        row("fabrics[0].thickness_mm ", "thickness_too_small", [](Design& d) { d.fabrics[0].thickness_mm = 0.02; });
+        row("fabrics[0].flyaway.loop_height_mm", "range", [inf](Design& d) { d.fabrics[0].flyaway.loop_height_mm = inf; });
+        row("fabrics[0].flyaway.hair_length_mm", "range", [](Design& d) { d.fabrics[0].flyaway.hair_length_mm = -0.1; });
+        row("fabrics[0].flyaway.loop_density_per_mm", "range", [nan](Design& d) { d.fabrics[0].flyaway.loop_density_per_mm = nan; });
+        row("fabrics[0].flyaway.hair_density_per_mm", "range", [](Design& d) { d.fabrics[0].flyaway.hair_density_per_mm = 1e9; });
+        row("fabrics[0].contact_angle_deg", "range", [](Design& d) { d.fabrics[0].contact_angle_deg = 181; });
+        row("fabrics[0].porosity", "range", [](Design& d) { d.fabrics[0].measured.porosity = 1; });
+        row("fabrics[0].areal_density_g_m2", "range", [nan](Design& d) { d.fabrics[0].measured.areal_density_g_m2 = nan; });
+        row("fabrics[0].capillary_radius_um", "range", [](Design& d) { d.fabrics[0].measured.capillary_radius_um = 0; });
+        row("fabrics[0].tortuosity", "range", [](Design& d) { d.fabrics[0].measured.tortuosity = 0.9; });
+        row("fabrics[0].crimp_percent", "range", [](Design& d) { d.fabrics[0].measured.crimp_percent = -1; });
+        row("fabrics[1].name", "duplicate_name", [](Design& d) { d.fabrics.push_back(d.fabrics[0]); });
+        row("fabrics[0].weave", "range", [](Design& d) { d.fabrics[0].weave = Weave(2001, 1, std::vector<std::uint8_t>(2001)); });
+        row("experiments[0].climate.temperature_c", "range", [](Design& d) { d.experiments[0].climate.temperature_c = 61; });
+        row("experiments[0].climate.relative_humidity", "range", [nan](Design& d) { d.experiments[0].climate.relative_humidity = nan; });
+        row("experiments[0].climate.air_speed_m_s", "range", [](Design& d) { d.experiments[0].climate.air_speed_m_s = 21; });
+        row("experiments[0].liquid", "unknown_liquid", [](Design& d) { d.experiments[0].liquid = "mercury"; });
+        row("experiments[0].sample_mm[1]", "range", [nan](Design& d) { d.experiments[0].sample_mm[1] = nan; });
+        row("experiments[0].sample_mm", "sample_too_large", [](Design& d) { d.experiments[0].sample_mm = {2000, 2000}; d.fabrics[0].ends_per_cm = 40; d.fabrics[0].picks_per_cm = 40; });
+        row("experiments[0].duration_s", "range", [](Design& d) { d.experiments[0].duration_s = 0; });
+        row("experiments[0].duration_s ", "range", [inf](Design& d) { d.experiments[0].duration_s = inf; });
+        row("experiments[0].droplets[0].volume_ul", "range", [](Design& d) { d.experiments[0].droplets[0].volume_ul = 0; });
+        row("experiments[0].droplets[0].volume_ul ", "range", [](Design& d) { d.experiments[0].droplets[0].volume_ul = 5001; });
+        row("experiments[0].droplets[0].at_mm[0]", "droplet_off_sample", [](Design& d) { d.experiments[0].droplets[0].at_mm[0] = 11; });
+        row("experiments[0].droplets[0].at_mm[1]", "droplet_off_sample", [nan](Design& d) { d.experiments[0].droplets[0].at_mm[1] = nan; });
+        row("experiments[0].droplets[0].time_s", "range", [](Design& d) { d.experiments[0].droplets[0].time_s = -1; });
+        row("experiments[0].droplets[0].time_s ", "droplet_after_end", [](Design& d) { d.experiments[0].droplets[0].time_s = 11; });
+        row("experiments[0].droplets[0].height_mm", "range", [nan](Design& d) { d.experiments[0].droplets[0].height_mm = nan; });
+        row("experiments[0].droplets[0].speed_m_s", "range", [](Design& d) { d.experiments[0].droplets[0].speed_m_s = 6; });
+        row("experiments[0].droplets[1]", "droplets_overlap", [](Design& d) { d.experiments[0].droplets.resize(2); });
+        row("materials[0].density_kg_m3", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].density_kg_m3 = 0; });
+        row("materials[0].based_on", "unknown_material", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].based_on = "stone"; });
+        row("materials[0].isotherm.k", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].gab.k = 1; });
+        row("materials[0].saturation_regain", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].saturation_regain = 0.01; });
+        row("materials[0].fibre_diffusivity_m2_s", "no_two_stage_law", [](Design& d) { d.materials.push_back(*find_library_material("silk")); d.materials[0].diffusion.two_stage = true; });
+        row("materials[0].specific_heat_j_kgk", "range", [nan](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].specific_heat_j_kgk = nan; });
+    }
+    void everyWrongValueIsAnErrorAtItsPlace()
+    {
+        QFETCH(QString, where);
+        QFETCH(QString, code);
+        QFETCH(Change, change);
+        Design design = sound();
+        change(design);
+        const auto issues = validate(design);
+        QVERIFY(has_error(issues));
+        const Issue* issue = find(issues, code.toStdString());
+        QVERIFY2(issue, issues[0].text.c_str());
+        QCOMPARE(QString::fromStdString(issue->where), where.trimmed());
+        QVERIFY(issue->severity == Severity::error);
+        QVERIFY(issue->text.size() > 20 && issue->text.back() == '.');
+    }
+    void disagreeingYarnIsRefusedWithTheNumbers()
+    {
+        Design design = sound();
+        design.fabrics[0].warp.linear_density_tex = 30;
+        design.fabrics[0].warp.packing_factor = 0.5;
+        const auto issues = validate(design);
+        const Issue* issue = find(issues, "yarn_disagrees");
+        QVERIFY(issue);
+        QVERIFY2(issue->text.find("24.35 tex") != std::string::npos && issue->text.find("30") != std::string::npos, issue->text.c_str());
+        design.fabrics[0].warp.linear_density_tex = 24.5; // within 1 %
+        QVERIFY(!has_error(validate(design)));
+        design.fabrics[0].warp.linear_density_tex = 24.7;
+        QVERIFY(has_error(validate(design)));
+    }
+    void textGivesRangeAndValue()
+    {
+        Design design = sound();
+        design.experiments[0].climate.temperature_c = 99;
+        QCOMPARE(QString::fromStdString(validate(design)[0].text), QString("The temperature must be from -10 to 60 C; given is 99."));
+    }
+    void belowFreezingIsAWarning()
+    {
+        Design design = sound();
+        design.experiments[0].climate.temperature_c = -5;
+        const auto issues = validate(design);
+        QVERIFY(!has_error(issues));
+        QVERIFY(find(issues, "supercooled")->severity == Severity::warning);
+    }
+    void looseThreadsAreAWarning()
+    {
+        Design design = sound();
+        design.fabrics[0].weave = Weave(2, 2, {1, 0, 1, 1}); // end 0 is always up, pick 1 is all up
+        const auto issues = validate(design);
+        QVERIFY(!has_error(issues));
+        QCOMPARE(std::count_if(issues.begin(), issues.end(), [](const Issue& i) { return i.code == "unbound_thread"; }), 2);
+    }
+    void waterRepellentFabricIsNoted()
+    {
+        Design design = sound();
+        design.fabrics[0].contact_angle_deg = 110;
+        const auto issues = validate(design);
+        QVERIFY(find(issues, "no_wicking") && find(issues, "no_wicking")->severity == Severity::note);
+    }
+    void dropletOverTheEdgeIsAWarning()
+    {
+        Design design = sound();
+        design.experiments[0].droplets[0].at_mm = {9.5, 0};
+        const auto issues = validate(design);
+        QVERIFY(!has_error(issues));
+        QVERIFY(find(issues, "droplet_over_edge"));
+    }
+    void everyExampleIsSound()
+    {
+        for (const char* file : {"one-drop-on-cotton", "textile-A", "textile-B", "textile-C", "textile-D", "textile-E", "textile-F", "textile-G"}) {
+            const Design design = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + file + ".hygro");
+            for (const Issue& issue : validate(design)) QVERIFY2(issue.severity == Severity::note, issue.text.c_str());
+        }
+    }
+    void issuesComeInTheOrderOfTheFile()
+    {
+        Design design = sound();
+        design.fabrics[0].warp.twist_per_m = -1;
+        design.fabrics[0].picks_per_cm = -1;
+        design.experiments[0].duration_s = -1;
+        const auto issues = validate(design);
+        QCOMPARE(issues.size(), std::size_t(3));
+        QCOMPARE(issues[0].where, std::string("fabrics[0].warp.twist_per_m"));
+        QCOMPARE(issues[1].where, std::string("fabrics[0].picks_per_cm"));
+        QCOMPARE(issues[2].where, std::string("experiments[0].duration_s"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestValidate)
+#include "tst_validate.moc"
