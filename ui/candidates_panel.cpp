@@ -2,6 +2,7 @@
 #include "ui/candidates_panel.h"
 
 #include "ui/appearance.h"
+#include "ui/quantity.h"
 
 #include <QAction>
 #include <QHBoxLayout>

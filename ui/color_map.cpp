@@ -49,7 +49,7 @@ double roundedUp(double value)
         return 1;
     }
     const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
+    for (const double factor : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0}) {
         if (factor * power >= value * (1 - 1e-9)) {
             return factor * power;
         }

@@ -19,7 +19,7 @@ QColor waterColor(double share, WaterColors colors = WaterColors::blue);
 /// One row of 256, for a texture.
 QImage waterRamp(WaterColors colors = WaterColors::blue);
 
-/// A number to put at the end of a range: 1, 2 or 5 times a power of ten, not below value.
+/// A number to put at the end of a range: short, and not below value.
 double roundedUp(double value);
 
 /// A bar from zero to maximum with its unit; right of the bar the numbers.

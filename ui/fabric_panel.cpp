@@ -67,15 +67,15 @@ DesignField FabricPanel::field(const QString& label, const QString& undo, const 
 void FabricPanel::addConstruction()
 {
     form_->addSection(tr("Construction"));
-    QuantityEdit* ends = form_->addQuantity(Quantity::sett(1, 200), field(tr("Ends"), tr("ends per cm"), "ends_per_cm",
+    QuantityEdit* ends = form_->addQuantity(Quantity::sett(0.5, 500), field(tr("Ends"), tr("ends per cm"), "ends_per_cm",
         [](const Fabric& f) { return std::optional(f.ends_per_cm); }, [](Fabric& f, std::optional<double> v) { f.ends_per_cm = v.value_or(f.ends_per_cm); },
         tr("Warp yarns per centimetre. “89 epi” may be typed.")));
     QLabel* endsNote = form_->noteBeside(ends);
-    QuantityEdit* picks = form_->addQuantity(Quantity::sett(1, 200), field(tr("Picks"), tr("picks per cm"), "picks_per_cm",
+    QuantityEdit* picks = form_->addQuantity(Quantity::sett(0.5, 500), field(tr("Picks"), tr("picks per cm"), "picks_per_cm",
         [](const Fabric& f) { return std::optional(f.picks_per_cm); }, [](Fabric& f, std::optional<double> v) { f.picks_per_cm = v.value_or(f.picks_per_cm); },
         tr("Weft yarns per centimetre. “89 ppi” may be typed.")));
     QLabel* picksNote = form_->noteBeside(picks);
-    QuantityEdit* thickness = form_->addQuantity(Quantity::length(0.02, 10), field(tr("Thickness"), tr("thickness"), "thickness_mm",
+    QuantityEdit* thickness = form_->addQuantity(Quantity::length(0.01, 50), field(tr("Thickness"), tr("thickness"), "thickness_mm",
         [](const Fabric& f) { return f.thickness_mm; }, [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; },
         tr("Empty: worked out from the yarns.")), true);
     QuantityEdit* angle = form_->addQuantity(Quantity::angle(0, 180), field(tr("Contact angle"), tr("contact angle"), "contact_angle_deg",
@@ -159,10 +159,10 @@ void FabricPanel::addFlyaway()
         form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
                                            [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
     };
-    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(100));
-    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(100));
-    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 10));
-    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 20));
+    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20));
+    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50));
 }
 
 void FabricPanel::addMeasured()
@@ -175,21 +175,21 @@ void FabricPanel::addMeasured()
                                                   tr("Replaces the derived value. Empty: the derived one is used.")),
                                   true);
     };
-    Quantity weight = Quantity::fraction(1, 5000);
+    Quantity weight = Quantity::fraction(1, 10000);
     weight.unit = "g/m²";
     weight.units = {{{"g/m²", "g/m2", "gsm"}, [](double v) { return v; }}, {{"oz/yd²", "oz/yd2", "oz"}, [](double v) { return v * 33.906; }}};
     weight.step = 1;
-    Quantity radius = Quantity::length(0.1, 1000);
+    Quantity radius = Quantity::length(0.05, 1000);
     radius.unit = "µm";
     radius.units = {{{"µm", "um"}, [](double v) { return v; }}, {{"mm"}, [](double v) { return v * 1000; }}};
     Quantity crimp = Quantity::fraction(0, 100);
     crimp.unit = "%";
     crimp.units = {{{"%"}, [](double v) { return v; }}};
     crimp.step = 0.5;
-    QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.99));
+    QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.999));
     QuantityEdit* areal = add(tr("Weight"), tr("measured weight"), "areal_density_g_m2", &Measured::areal_density_g_m2, weight);
     QuantityEdit* capillary = add(tr("Pore radius"), tr("measured pore radius"), "capillary_radius_um", &Measured::capillary_radius_um, radius);
-    add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 10));
+    add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 20));
     QuantityEdit* measuredCrimp = add(tr("Crimp"), tr("measured crimp"), "crimp_percent", &Measured::crimp_percent, crimp);
     form_->onRefresh([=, this] {
         const auto& q = document_.quantities();

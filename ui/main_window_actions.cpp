@@ -23,7 +23,7 @@ namespace hygroloom {
 
 namespace {
 
-QAction* addAction(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut, const QString& tip)
+QAction* addCommand(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut, const QString& tip)
 {
     auto* action = icon.isEmpty() ? menu->addAction(text) : menu->addAction(themedIcon(icon), text);
     action->setShortcut(shortcut);
@@ -68,9 +68,9 @@ void MainWindow::buildActions()
 void MainWindow::buildFileMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
-    connect(addAction(menu, {}, tr("&New Project"), QKeySequence::New, tr("Begin with a plain fabric and one drop.")), &QAction::triggered, this,
+    connect(addCommand(menu, {}, tr("&New Project"), QKeySequence::New, tr("Begin with a plain fabric and one drop.")), &QAction::triggered, this,
             &MainWindow::newProject);
-    open_ = addAction(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a project or a recording."));
+    open_ = addCommand(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a project or a recording."));
     connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
     recent_ = menu->addMenu(tr("Open &Recent"));
     recent_->setToolTipsVisible(true);
@@ -87,16 +87,16 @@ void MainWindow::buildFileMenu()
     }
     examples->setEnabled(!files.isEmpty());
     menu->addSeparator();
-    save_ = addAction(menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the project."));
+    save_ = addCommand(menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the project."));
     connect(save_, &QAction::triggered, this, &MainWindow::save);
-    connect(addAction(menu, {}, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), tr("Save the project in another place.")), &QAction::triggered, this,
+    connect(addCommand(menu, {}, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), tr("Save the project in another place.")), &QAction::triggered, this,
             &MainWindow::saveAs);
-    save_recording_ = addAction(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
+    save_recording_ = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
     connect(save_recording_, &QAction::triggered, this, &MainWindow::saveRecordingAs);
-    screenshot_ = addAction(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"), tr("Save the picture of the fabric as PNG."));
+    screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"), tr("Save the picture of the fabric as PNG."));
     connect(screenshot_, &QAction::triggered, this, &MainWindow::saveScreenshot);
     menu->addSeparator();
-    connect(addAction(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the window.")), &QAction::triggered, this, &QWidget::close);
+    connect(addCommand(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the window.")), &QAction::triggered, this, &QWidget::close);
 }
 
 void MainWindow::buildEditMenu()
@@ -115,8 +115,8 @@ void MainWindow::buildViewMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&View"));
     workspaces_ = new QActionGroup(this);
-    QAction* design = addAction(menu, {}, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."));
-    QAction* simulate = addAction(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
+    QAction* design = addCommand(menu, {}, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."));
+    QAction* simulate = addCommand(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
     for (QAction* action : {design, simulate}) {
         action->setCheckable(true);
         workspaces_->addAction(action);
@@ -126,12 +126,12 @@ void MainWindow::buildViewMenu()
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
     menu->addSeparator();
     // Single keys reach the window only when no field takes them, so they are no shortcuts of the actions.
-    fit_ = addAction(menu, "fit", tr("&Fit") + "\tF", {}, tr("Show the whole fabric."));
+    fit_ = addCommand(menu, "fit", tr("&Fit") + "\tF", {}, tr("Show the whole fabric."));
     connect(fit_, &QAction::triggered, this, [this] { viewport_->fit(); });
-    connect(addAction(menu, {}, tr("F&ront") + "\t1", {}, tr("Look along the warp.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 0); });
-    connect(addAction(menu, {}, tr("Ri&ght") + "\t3", {}, tr("Look along the weft.")), &QAction::triggered, this, [this] { viewport_->lookFrom(90, 0); });
-    connect(addAction(menu, {}, tr("&Top") + "\t7", {}, tr("Look down on the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 90); });
-    connect(addAction(menu, {}, tr("&Bottom"), {}, tr("Look up at the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, -90); });
+    connect(addCommand(menu, {}, tr("F&ront") + "\t1", {}, tr("Look along the warp.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 0); });
+    connect(addCommand(menu, {}, tr("Ri&ght") + "\t3", {}, tr("Look along the weft.")), &QAction::triggered, this, [this] { viewport_->lookFrom(90, 0); });
+    connect(addCommand(menu, {}, tr("&Top") + "\t7", {}, tr("Look down on the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 90); });
+    connect(addCommand(menu, {}, tr("&Bottom"), {}, tr("Look up at the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, -90); });
     menu->addSeparator();
     addChoices(menu->addMenu(tr("Colour &Range")), "view/range", {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the moment")},
                [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
@@ -158,7 +158,7 @@ void MainWindow::buildViewMenu()
     for (QDockWidget* dock : {candidates_dock_, weave_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_, issues_dock_}) {
         docks->addAction(dock->toggleViewAction());
     }
-    connect(addAction(menu, {}, tr("R&eset Layout"), {}, tr("Put the panels back where they were at first.")), &QAction::triggered, this,
+    connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Put the panels back where they were at first.")), &QAction::triggered, this,
             &MainWindow::resetLayout);
 }
 
@@ -171,35 +171,35 @@ void MainWindow::buildFabricMenu()
 void MainWindow::buildExperimentMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("E&xperiment"));
-    start_ = addAction(menu, "run", tr("&Run"), QKeySequence("Ctrl+R"), tr("Run the experiment on the chosen fabric."));
+    start_ = addCommand(menu, "run", tr("&Run"), QKeySequence("Ctrl+R"), tr("Run the experiment on the chosen fabric."));
     connect(start_, &QAction::triggered, this, &MainWindow::startRun);
-    pause_ = addAction(menu, "pause", tr("&Pause"), {}, tr("Hold the run, or let it go on."));
+    pause_ = addCommand(menu, "pause", tr("&Pause"), {}, tr("Hold the run, or let it go on."));
     connect(pause_, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
-    stop_ = addAction(menu, "stop", tr("S&top"), {}, tr("Stop the run; what was simulated so far stays."));
+    stop_ = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run; what was simulated so far stays."));
     connect(stop_, &QAction::triggered, &run_, &SimulationRun::cancel);
-    plan_ = addAction(menu, "plan", tr("&What Is Modelled, and Why…"), {}, tr("Which physics the run takes into account, and for what reason."));
+    plan_ = addCommand(menu, "plan", tr("&What Is Modelled, and Why…"), {}, tr("Which physics the run takes into account, and for what reason."));
     connect(plan_, &QAction::triggered, simulation_panel_, &SimulationPanel::showPlan);
     menu->addSeparator();
-    play_ = addAction(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Show the run as it went."));
+    play_ = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Show the run as it went."));
     connect(play_, &QAction::triggered, timeline_, &Timeline::togglePlaying);
-    take_design_ = addAction(menu, {}, tr("Open the &Design of the Recording"), {}, tr("Edit the design that the shown run was made from."));
+    take_design_ = addCommand(menu, {}, tr("Open the &Design of the Recording"), {}, tr("Edit the design that the shown run was made from."));
     connect(take_design_, &QAction::triggered, this, [this] {
         if (playback_.run() && mayDiscard()) {
             document_.take(playback_.run()->design, tr("Design of the recording"));
         }
     });
     menu->addSeparator();
-    connect(addAction(menu, "add", tr("&Add Droplet"), {}, tr("Add a droplet to the experiment.")), &QAction::triggered, experiment_panel_,
+    connect(addCommand(menu, "add", tr("&Add Droplet"), {}, tr("Add a droplet to the experiment.")), &QAction::triggered, experiment_panel_,
             &ExperimentPanel::addDroplet);
-    connect(addAction(menu, {}, tr("Add &Experiment"), {}, tr("Add a copy of the experiment.")), &QAction::triggered, experiment_panel_,
+    connect(addCommand(menu, {}, tr("Add &Experiment"), {}, tr("Add a copy of the experiment.")), &QAction::triggered, experiment_panel_,
             &ExperimentPanel::addExperiment);
 }
 
 void MainWindow::buildHelpMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
-    connect(addAction(menu, {}, tr("&About Hygroloom"), {}, tr("Version and licence.")), &QAction::triggered, this, &MainWindow::about);
-    connect(addAction(menu, {}, tr("About &Qt"), {}, tr("The toolkit of this window.")), &QAction::triggered, qApp, &QApplication::aboutQt);
+    connect(addCommand(menu, {}, tr("&About Hygroloom"), {}, tr("Version and licence.")), &QAction::triggered, this, &MainWindow::about);
+    connect(addCommand(menu, {}, tr("About &Qt"), {}, tr("The toolkit of this window.")), &QAction::triggered, qApp, &QApplication::aboutQt);
 }
 
 void MainWindow::buildToolBar()

@@ -59,8 +59,7 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
               .arg(plan.particles_per_droplet)
               .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.network_step_limit, 4))
         + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
-        + tr("%1 on this machine, %2 of memory; wetted radius within %3 % of the reference.")
-              .arg(roughDuration(plan.expected_seconds), roughBytes(plan.expected_bytes), shownNumber(100 * plan.expected_error, 1))
+        + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), roughBytes(plan.expected_bytes))
         + " " + text(plan.expectation_source) + "</p>";
     auto* browser = new QTextBrowser;
     browser->setHtml(html);

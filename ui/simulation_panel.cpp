@@ -209,12 +209,10 @@ void SimulationPanel::showExpectations()
 {
     for (std::size_t i = 0; i < plans_.size(); ++i) {
         const auto& plan = plans_[i].plan;
-        expected_[i]->setText(!plan                       ? QString()
-                                  : plan->expected_error > 0 ? tr("%1, %2 % off").arg(roughDuration(plan->expected_seconds), shownNumber(100 * plan->expected_error, 0))
-                                                             : roughDuration(plan->expected_seconds));
-        expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1, %2 of memory; the wetted radius may differ by %3 % from the reference. %4")
+        expected_[i]->setText(plan ? roughDuration(plan->expected_seconds) : QString());
+        expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1, %2 of memory. %3")
                                                     .arg(roughDuration(plan->expected_seconds), roughBytes(plan->expected_bytes),
-                                                         shownNumber(100 * plan->expected_error, 1), QString::fromStdString(plan->expectation_source).toHtmlEscaped())
+                                                         QString::fromStdString(plan->expectation_source).toHtmlEscaped())
                                             + "</p>"
                                       : QString());
     }

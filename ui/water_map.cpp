@@ -21,8 +21,9 @@ WaterMap::WaterMap(const QString& title, QWidget* parent)
     setAccessibleName(title);
 }
 
-void WaterMap::setMap(const CellMap& map, const Circle& circle)
+void WaterMap::setMap(const CellMap& map, const Circle& circle, const QSizeF& size)
 {
+    size_ = size;
     map_ = map;
     circle_ = circle;
     render();
@@ -69,7 +70,7 @@ QRectF WaterMap::mapArea() const
 {
     const double line = fontMetrics().height() + 4;
     const QRectF room(8, line, width() - 16, height() - line - 6);
-    const double w = map_.columns * map_.cell_width, h = map_.rows * map_.cell_height;
+    const double w = size_.width(), h = size_.height();
     if (!(w > 0 && h > 0)) {
         return room;
     }
@@ -99,8 +100,11 @@ void WaterMap::paintEvent(QPaintEvent*)
     const QString radius = circle_.radius > 0 ? tr("wet radius %1 mm").arg(shownNumber(mm_from_metre(circle_.radius), 2)) : tr("dry");
     painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignRight | Qt::AlignVCenter, radius);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-    painter.drawImage(area, image_);
-    const double pixelsPerMetre = area.width() / (map_.columns * map_.cell_width);
+    const double pixelsPerMetre = area.width() / size_.width();
+    const QSizeF cells(map_.columns * map_.cell_width * pixelsPerMetre, map_.rows * map_.cell_height * pixelsPerMetre);
+    painter.setClipRect(area);
+    painter.drawImage(QRectF(QPointF(area.left(), area.bottom() - cells.height()), cells), image_);
+    painter.setClipping(false);
     if (circle_.radius > 0) {
         const QPointF centre(area.center().x() + circle_.x * pixelsPerMetre, area.center().y() - circle_.y * pixelsPerMetre);
         painter.setClipRect(area);
@@ -115,6 +119,7 @@ void WaterMap::paintEvent(QPaintEvent*)
     if (cell_.x() >= 0) {
         const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+        painter.setClipRect(area);
         painter.drawRect(QRectF(QPointF(area.left() + cell_.x() * cell.width(), area.bottom() - (cell_.y() + 1) * cell.height()), cell));
     }
 }
@@ -125,10 +130,11 @@ void WaterMap::mouseMoveEvent(QMouseEvent* event)
     QPoint cell(-1, -1);
     QString text;
     if (!image_.isNull() && area.contains(event->position())) {
-        cell = {std::min(map_.columns - 1, static_cast<int>((event->position().x() - area.left()) / area.width() * map_.columns)),
-                std::min(map_.rows - 1, static_cast<int>((area.bottom() - event->position().y()) / area.height() * map_.rows))};
-        const double x = (cell.x() + 0.5 - 0.5 * map_.columns) * map_.cell_width;
-        const double y = (cell.y() + 0.5 - 0.5 * map_.rows) * map_.cell_height;
+        const double metre = size_.width() / area.width();
+        cell = {std::min(map_.columns - 1, static_cast<int>((event->position().x() - area.left()) * metre / map_.cell_width)),
+                std::min(map_.rows - 1, static_cast<int>((area.bottom() - event->position().y()) * metre / map_.cell_height))};
+        const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
+        const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
         text = tr("%1: %2 g/m² at %3, %4 mm")
                    .arg(title_, shownNumber(1000 * map_.at(cell.x(), cell.y()), 1), QLocale().toString(mm_from_metre(x), 'f', 1),
                         QLocale().toString(mm_from_metre(y), 'f', 1));

@@ -15,7 +15,8 @@ class WaterMap : public QWidget {
 public:
     explicit WaterMap(const QString& title, QWidget* parent = nullptr);
 
-    void setMap(const CellMap& map, const Circle& circle);
+    /// size: of the fabric, m; cells at the far edges may reach beyond it.
+    void setMap(const CellMap& map, const Circle& circle, const QSizeF& size);
     void clear();
     void setRange(double maximum, WaterColors colors);
     const CellMap& map() const { return map_; }
@@ -39,6 +40,7 @@ private:
     QString title_;
     CellMap map_;
     Circle circle_;
+    QSizeF size_;
     QImage image_;
     double maximum_ = 1;
     WaterColors colors_ = WaterColors::blue;

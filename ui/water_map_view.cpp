@@ -110,8 +110,9 @@ void WaterMapView::refresh()
             const double range = roundedUp(maximum_);
             top_->setRange(range, colors_);
             bottom_->setRange(range, colors_);
-            top_->setMap(top, topCircle);
-            bottom_->setMap(bottom, bottomCircle);
+            const QSizeF size(run->textile.ends() * run->textile.warp.pitch, run->textile.picks() * run->textile.weft.pitch);
+            top_->setMap(top, topCircle, size);
+            bottom_->setMap(bottom, bottomCircle, size);
             update();
             Q_EMIT mapChanged();
         });

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "ui/appearance.h"
 #include "ui/point_paper.h"
+#include "ui/quantity.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -14,16 +15,19 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hygroloom {
 
 namespace {
 
-constexpr int largest_repeat = 64;
+constexpr int largest_drawn_repeat = 64; // larger ones come from files
+
 
 QSpinBox* countBox(const QString& name)
 {
     auto* box = new QSpinBox;
-    box->setRange(1, largest_repeat);
+    box->setRange(1, largest_drawn_repeat);
     box->setKeyboardTracking(false);
     box->setAccessibleName(name);
     box->setToolTip(name);
@@ -107,6 +111,8 @@ void WeaveEditor::refresh()
     const QSignalBlocker quietPicks(picks_);
     const Weave& weave = fabric->weave;
     paper_->setWeave(weave);
+    ends_->setMaximum(std::max(largest_drawn_repeat, weave.ends()));
+    picks_->setMaximum(std::max(largest_drawn_repeat, weave.picks()));
     ends_->setValue(weave.ends());
     picks_->setValue(weave.picks());
     pattern_->setCurrentIndex(pattern_->findText(QString::fromStdString(weave.pattern())));

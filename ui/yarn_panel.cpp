@@ -2,6 +2,7 @@
 #include "ui/yarn_panel.h"
 
 #include "core/base/units.h"
+#include "core/design/yarn_sections.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -58,7 +59,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                            [this, read] { return yarn() ? read(*yarn()) : std::nullopt; }, writing(std::move(write)), help};
     };
     // Diameter, linear density and packing factor determine one another: the third gives way.
-    diameter_ = form.addQuantity(Quantity::length(0.01, 5),
+    diameter_ = form.addQuantity(Quantity::length(0.01, 10),
                                  field(tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
                                        [](Yarn& y, std::optional<double> v) {
                                            y.diameter_mm = v;
@@ -80,7 +81,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                                       tr("Grams per kilometre. Ne, Nm and denier may be typed: “30 Ne”.")),
                                 true);
     density_note_ = form.noteBeside(density_);
-    packing_ = form.addQuantity(Quantity::fraction(0.05, 0.9),
+    packing_ = form.addQuantity(Quantity::fraction(0.02, densest_packing),
                                 field(tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
                                       [](Yarn& y, std::optional<double> v) {
                                           y.packing_factor = v;
@@ -101,7 +102,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                  [index](Yarn& y) { y.twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
     });
     QuantityEdit* fibres = form.addQuantity(
-        Quantity::count(1, 1000), field(tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
+        Quantity::count(1, 500), field(tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
                                         [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
                                         [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
                                         tr("Bundles of real fibres, as drawn and exported.")));
