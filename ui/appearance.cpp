@@ -12,6 +12,12 @@
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
+// Q_INIT_RESOURCE works outside of namespaces only.
+static void initializeResources()
+{
+    Q_INIT_RESOURCE(resources);
+}
+
 namespace hygroloom {
 
 namespace {
@@ -56,6 +62,7 @@ private:
 
 QIcon paletteIcon(const QString& name, std::optional<Severity> severity)
 {
+    useResources();
     QFile file(":/icons/" + name + ".svg");
     if (!file.open(QIODevice::ReadOnly)) {
         return {};
@@ -120,6 +127,11 @@ bool desktopIsDark()
 }
 
 } // namespace
+
+void useResources()
+{
+    initializeResources();
+}
 
 void applyAppearance(Appearance appearance)
 {

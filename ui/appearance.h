@@ -11,6 +11,9 @@ namespace hygroloom {
 
 enum class Appearance { desktop, light, dark };
 
+/// Makes icons, shaders and the built-in example available; a static library does not do so by itself.
+void useResources();
+
 /// Sets the application's style and palette. desktop asks the desktop portal, and is light where nobody answers.
 void applyAppearance(Appearance appearance);
 Appearance savedAppearance();

@@ -51,6 +51,7 @@ std::string dependence(const Design& design, const std::string& fabric, const st
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
 {
+    useResources();
     setObjectName("main window");
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
