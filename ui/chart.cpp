@@ -102,7 +102,7 @@ void Chart::fill(Plot& plot, const std::vector<double>& time, const std::vector<
         }
         plot.lines[i]->replace(points);
     }
-    plot.time->setRange(0, std::max(1e-3, playback_.duration()));
+    plot.time->setRange(0, playback_.duration() > 0 ? playback_.duration() : 10);
     // Round ends and three even steps.
     plot.value->setRange(0, highest > 0 ? highest * 1.08 : 1);
     plot.value->applyNiceNumbers();

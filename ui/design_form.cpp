@@ -59,6 +59,7 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     button->setCheckable(true);
     button->setChecked(open);
     button->setAutoRaise(true);
+    button->setStyleSheet("QToolButton { border: none; padding: 2px 0; }");
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     QFont font = button->font();
     font.setBold(true);

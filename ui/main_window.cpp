@@ -20,6 +20,7 @@
 #include <QFile>
 #include <QKeyEvent>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -59,7 +60,9 @@ MainWindow::MainWindow(QWidget* parent)
     buildPanels();
     buildActions();
     connectParts();
-    resize(1280, 800);
+    // With its frame the window fits the screen it opens on.
+    const QSize room = screen()->availableSize() - QSize(16, 48);
+    resize(QSize(1360, 860).boundedTo(room));
     for (const Workspace workspace : {Workspace::simulate, Workspace::design}) {
         arrange(workspace);
         first_states_[static_cast<int>(workspace)] = saveState(layout_version);
@@ -97,6 +100,7 @@ void MainWindow::buildPanels()
     middle->addWidget(maps_);
     middle->setStretchFactor(0, 3);
     middle->setStretchFactor(1, 2);
+    middle->setSizes({600, 400});
     setCentralWidget(middle);
 
     const auto dock = [this](const char* name, const QString& title, QWidget* widget) {
@@ -301,15 +305,14 @@ void MainWindow::refreshIssueCount()
         ++counts[static_cast<int>(issue.severity)];
     }
     QStringList parts;
-    if (const int errors = counts[static_cast<int>(Severity::error)]) {
-        parts << tr("%n error(s)", nullptr, errors);
-    }
-    if (const int warnings = counts[static_cast<int>(Severity::warning)]) {
-        parts << tr("%n warning(s)", nullptr, warnings);
-    }
-    if (const int notes = counts[static_cast<int>(Severity::note)]) {
-        parts << tr("%n note(s)", nullptr, notes);
-    }
+    const auto count = [&](Severity severity, const QString& one, const QString& many) {
+        if (const int found = counts[static_cast<int>(severity)]) {
+            parts << (found == 1 ? one : many.arg(found));
+        }
+    };
+    count(Severity::error, tr("1 error"), tr("%1 errors"));
+    count(Severity::warning, tr("1 warning"), tr("%1 warnings"));
+    count(Severity::note, tr("1 note"), tr("%1 notes"));
     const Severity worst = counts[2] ? Severity::error : counts[1] ? Severity::warning : Severity::note;
     issue_count_->setText(parts.isEmpty() ? tr("No issues") : parts.join(", "));
     issue_count_->setIcon(parts.isEmpty() ? QIcon() : severityIcon(worst));

@@ -5,6 +5,7 @@
 #include "core/sim/recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace hygroloom {
@@ -105,6 +106,12 @@ double Playback::duration() const
         }
     }
     return times_.empty() ? 0 : times_.back();
+}
+
+int Playback::expectedFrames() const
+{
+    const double interval = run_ && live_ ? run_->plan.frame_interval : 0;
+    return interval > 0 ? std::max(frames(), static_cast<int>(std::lround(duration() / interval)) + 1) : frames();
 }
 
 int Playback::frameAt(double time) const

@@ -35,6 +35,8 @@ public:
     int frames() const { return static_cast<int>(times_.size()); }
     double timeOf(int index) const { return times_[static_cast<std::size_t>(index)]; }
     double duration() const;
+    /// How many frames there will be when a live run has ended; frames() otherwise.
+    int expectedFrames() const;
     /// The last frame not after the time; -1 without frames.
     int frameAt(double time) const;
     int current() const { return current_; }

@@ -6,26 +6,15 @@
 #include "ui/textile_canvas.h"
 
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
 namespace {
 
 constexpr double margin = 16;
-
-/// Text that stays readable on any background.
-void drawHaloed(QPainter& painter, const QPointF& at, const QString& text, const QColor& ink, const QColor& halo)
-{
-    QPainterPath path;
-    path.addText(at, painter.font(), text);
-    QColor soft = halo;
-    soft.setAlphaF(0.8F);
-    painter.strokePath(path, QPen(soft, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, ink);
-}
 
 void drawPlate(QPainter& painter, const QRectF& area, const QPalette& palette)
 {
@@ -52,7 +41,8 @@ void TextileCanvas::drawOverlay(QPainter& painter)
     }
     drawHighlight(painter);
     const QFontMetricsF metrics(painter.font());
-    drawHaloed(painter, {margin, margin + metrics.ascent()}, caption_.title, ink, paper);
+    painter.setPen(ink);
+    painter.drawText(QPointF(margin, margin + metrics.ascent()), caption_.title);
     if (!caption_.notice.isEmpty()) {
         const double width = metrics.horizontalAdvance(caption_.notice) + 20;
         const QRectF plate(margin, margin + metrics.height() + 6, std::min(width, this->width() - 2 * margin), metrics.height() + 10);
@@ -75,21 +65,25 @@ void TextileCanvas::drawOverlay(QPainter& painter)
 
 void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
 {
-    // A small cross of the two directions, in the lower right corner.
+    // A small cross of the fabric's directions, in the lower right corner.
     const QPointF centre(width() - margin - 46, height() - margin - 40);
     const QMatrix4x4 view = camera_.view();
+    const QFontMetricsF metrics(painter.font());
     const auto arm = [&](const QVector3D& axis, const QString& text) {
         const QVector3D turned = view.mapVector(axis);
-        const QPointF end = centre + 30 * QPointF(turned.x(), -turned.y());
+        const QPointF direction(turned.x(), -turned.y());
         painter.setPen(QPen(ink, 1.5));
-        painter.drawLine(centre, end);
-        const QFontMetricsF metrics(painter.font());
-        const QPointF label = centre + 42 * QPointF(turned.x(), -turned.y());
-        drawHaloed(painter, label - QPointF(0.5 * metrics.horizontalAdvance(text), -0.35 * metrics.ascent()), text, ink, colors().background);
+        painter.drawLine(centre, centre + 28 * direction);
+        // Looked along, an arm is a point and needs no name.
+        if (std::hypot(direction.x(), direction.y()) < 0.25 || text.isEmpty()) {
+            return;
+        }
+        const QPointF label = centre + 28 * direction + 14 * direction / std::hypot(direction.x(), direction.y());
+        painter.drawText(label - QPointF(0.5 * metrics.horizontalAdvance(text), -0.35 * metrics.ascent()), text);
     };
+    arm({0, 0, 0.6F}, {});
     arm({0, 1, 0}, tr("warp"));
     arm({1, 0, 0}, tr("weft"));
-    arm({0, 0, 1}, tr("up"));
 }
 
 void TextileCanvas::drawHover(QPainter& painter, const QColor& ink)

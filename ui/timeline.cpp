@@ -67,7 +67,7 @@ Timeline::Timeline(Playback& playback, QWidget* parent)
     connect(play_, &QToolButton::clicked, this, &Timeline::togglePlaying);
     connect(slider_, &QSlider::valueChanged, this, [this](int value) {
         setPlaying(false);
-        playback_.show(value);
+        playback_.show(std::min(value, playback_.frames() - 1));
     });
     for (const auto signal : {&Playback::framesChanged, &Playback::frameShown, &Playback::metricsChanged}) {
         connect(&playback_, signal, this, &Timeline::refresh);
@@ -123,9 +123,11 @@ void Timeline::refresh()
         widget->setEnabled(frames > 1);
     }
     const QSignalBlocker quiet(slider_);
-    slider_->setRange(0, std::max(0, frames - 1));
+    slider_->setRange(0, std::max(0, playback_.expectedFrames() - 1));
     slider_->setPageStep(std::max(1, frames / 10));
-    slider_->setValue(std::max(0, playback_.current()));
+    if (!slider_->isSliderDown()) {
+        slider_->setValue(std::max(0, playback_.current()));
+    }
     if (frames == 0 || playback_.current() < 0) {
         time_->setText(QStringLiteral("–"));
         event_->clear();

@@ -28,6 +28,7 @@ void main()
     float blur = clamp(1.0 - 1.6 * fwidth(phase), 0.0, 1.0);
     float wave = 6.2831853 * phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+    blur *= 1.0 - smoothstep(0.8, 0.95, abs(dot(n, along))); // none on cut ends
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
     vec3 bent = normalize(n + 0.22 * blur * cos(wave) * around);
     float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave));
