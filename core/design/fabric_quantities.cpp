@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/fabric_quantities.h"
 
+#include "core/base/units.h"
 #include "core/design/yarn_sections.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -24,6 +27,15 @@ YarnQuantities describe(const FreeYarn& free, const FittedYarn& fitted, const Ma
     yarn.contact_angle_deg = fabric.contact_angle_deg.value_or(fibre.contact_angle_deg);
     yarn.flattened = fitted.flattened || fitted.narrowed;
     return yarn;
+}
+
+/// Volume of loops and hairs on both yarns, mm3 per mm2 of fabric; a loop is half a circle as high as it is.
+double flyaway_volume(const Fabric& fabric, const Material& warp_fibre, const Material& weft_fibre)
+{
+    const Flyaway& flyaway = fabric.flyaway;
+    const double per_mm = flyaway.loop_density_per_mm * pi * flyaway.loop_height_mm + flyaway.hair_density_per_mm * flyaway.hair_length_mm;
+    const auto fibre_area = [](const Material& fibre) { return pi * 1e-6 * fibre.fibre_radius_um * fibre.fibre_radius_um; };
+    return per_mm * 0.1 * (fabric.ends_per_cm * fibre_area(warp_fibre) + fabric.picks_per_cm * fibre_area(weft_fibre));
 }
 
 void note_section(std::vector<std::string>& notes, const char* name, const FreeYarn& free, const FittedYarn& fitted, double pitch)
@@ -75,6 +87,7 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     const double fibre_mm = warp_mass / warp_fibre.density_kg_m3 + weft_mass / weft_fibre.density_kg_m3;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;
+    q.smoothness = std::max(0.0, 1 - flyaway_volume(fabric, warp_fibre, weft_fibre) / q.thickness_mm);
     q.gap_warp_mm = q.warp.pitch_mm - q.warp.section_mm.width;
     q.gap_weft_mm = q.weft.pitch_mm - q.weft.section_mm.width;
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);

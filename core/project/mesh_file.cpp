@@ -138,7 +138,7 @@ MeshFileSize mesh_file_size(const Textile& textile, MeshFormat format, const Mes
     size.triangles = mesh.triangles;
     const auto v = static_cast<double>(mesh.vertices), t = static_cast<double>(mesh.triangles);
     switch (format) {
-    case MeshFormat::obj: size.bytes = 75 * v + 45 * t; break;
+    case MeshFormat::obj: size.bytes = 55 * v + 40 * t; break;
     case MeshFormat::ply: size.bytes = 32 * v + 13 * t; break;
     case MeshFormat::stl: size.bytes = 50 * t + 84; break;
     case MeshFormat::glb: size.bytes = 32 * v + 12 * t + 1500.0 * static_cast<double>(size.yarns); break;

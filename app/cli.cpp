@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// hygroloom-cli: one verb per arrow of the pipeline. Results go to stdout, everything else to stderr.
+#include "app/cli.h"
+
+#include "core/project/project_file.h"
+#include "gpu/backends.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace hygroloom {
+
+void add_common_options(CLI::App& verb, CommonOptions& options)
+{
+    verb.add_flag("--json", options.json, "Print one JSON object on stdout");
+    verb.add_flag("-q,--quiet", options.quiet, "No progress bar and no notes");
+}
+
+void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_experiment)
+{
+    verb.add_option("project", options.project, "Project file (.hygro)")->required();
+    verb.add_option("--fabric", options.fabric, "Name of the fabric; may be left out when there is only one");
+    if (with_experiment) verb.add_option("--experiment", options.experiment, "Name of the experiment; may be left out when there is only one");
+    verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60")->type_name("PATH=VALUE")->allow_extra_args(false);
+    add_common_options(verb, options);
+}
+
+Design load_project(const ProjectOptions& options)
+{
+    Design design;
+    try {
+        design = read_project(options.project);
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+    for (const std::string& set : options.sets) {
+        const std::size_t sign = set.find('=');
+        if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a path, =, and a value.");
+        try {
+            design = with_value(design, set.substr(0, sign), set.substr(sign + 1));
+        } catch (const Error& error) {
+            throw Stop(exit_usage, error.what());
+        }
+    }
+    return design;
+}
+
+void print_issue(const std::string& file, const Issue& issue)
+{
+    constexpr const char* severities[] = {"note", "warning", "error"};
+    fmt::print(stderr, "{}: {}: {}: {}\n", file, issue.where, severities[static_cast<int>(issue.severity)], issue.text);
+}
+
+void require_valid(const Design& design, const ProjectOptions& options)
+{
+    const std::vector<Issue> issues = validate(design);
+    for (const Issue& issue : issues)
+        if (issue.severity == Severity::error || (issue.severity == Severity::warning && !options.quiet)) print_issue(options.project, issue);
+    if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was done.");
+}
+
+namespace {
+
+template <typename Item>
+const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
+{
+    std::string names;
+    for (const Item& item : items) {
+        if (item.name == name || (name.empty() && items.size() == 1)) return item;
+        names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
+    }
+    if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}.", what));
+    if (name.empty()) throw Stop(exit_usage, fmt::format("The project has more than one {}; name one with --{}: {}.", what, what, names));
+    throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"; there are: {}.", what, name, names));
+}
+
+struct DevicesOptions : CommonOptions {};
+
+int devices(const DevicesOptions& options)
+{
+    const std::vector<BackendInfo> backends = find_backends();
+    if (options.json) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const BackendInfo& info : backends) {
+            list.push_back({{"backend", info.name}, {"device", info.device}, {"usable", info.usable}});
+            if (!info.usable) list.back()["reason"] = info.reason;
+        }
+        fmt::print("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2));
+        return exit_ok;
+    }
+    for (const BackendInfo& info : backends)
+        fmt::print("{:<5} {:<10} {}\n", info.name, info.usable ? "usable" : "not usable", info.usable ? info.device : (info.device.empty() ? "" : info.device + ": ") + info.reason);
+    return exit_ok;
+}
+
+/// "--set a=1 b=2" becomes "--set=a=1 --set=b=2", so that a project's name after it is not taken for a value.
+std::vector<std::string> arguments(int count, char** values)
+{
+    std::vector<std::string> given;
+    for (int i = 1; i < count; ++i) {
+        if (std::string(values[i]) != "--set") {
+            given.emplace_back(values[i]);
+            continue;
+        }
+        const int first = i + 1;
+        while (i + 1 < count && values[i + 1][0] != '-' && (i + 1 == first || std::string(values[i + 1]).find('=') != std::string::npos))
+            given.push_back(std::string("--set=") + values[++i]);
+        if (i + 1 == first) given.emplace_back("--set");
+    }
+    return given;
+}
+
+int told(bool json, ExitCode code, const std::string& sentence)
+{
+    if (json) fmt::print("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print(stderr, "{}\n", sentence);
+    return code;
+}
+
+int run(int count, char** values)
+{
+    CLI::App app("Simulates how woven fabric takes up water.", "hygroloom-cli");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "Hygroloom " HYGROLOOM_VERSION);
+    app.footer("Example: hygroloom-cli simulate cloth.hygro -o cloth.hygrorec\nEvery verb explains itself: hygroloom-cli simulate --help");
+    app.option_defaults()->always_capture_default();
+    Verb verb;
+    add_check(app, verb);
+    add_plan(app, verb);
+    add_simulate(app, verb);
+    add_measure(app, verb);
+    add_export(app, verb);
+    add_devices(app, verb);
+
+    std::vector<std::string> given = arguments(count, values);
+    const bool json = std::find(given.begin(), given.end(), "--json") != given.end();
+    std::reverse(given.begin(), given.end());
+    try {
+        app.parse(given);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
+    }
+    try {
+        return verb();
+    } catch (const Stop& stop) {
+        return told(json, stop.code, stop.what());
+    } catch (const std::bad_alloc&) {
+        return told(json, exit_failed, "The memory does not suffice; take a smaller sample or a lower fidelity.");
+    } catch (const std::exception& error) {
+        return told(json, exit_failed, error.what());
+    }
+}
+
+} // namespace
+
+const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options) { return chosen(design.fabrics, options.fabric, "fabric"); }
+
+const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options)
+{
+    return chosen(design.experiments, options.experiment, "experiment");
+}
+
+void add_devices(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<DevicesOptions>();
+    CLI::App& devices_verb = *app.add_subcommand("devices", "Backends and GPUs found, and why one cannot be used");
+    devices_verb.footer("Example: hygroloom-cli devices --json");
+    add_common_options(devices_verb, *options);
+    devices_verb.callback([&verb, options] { verb = [options] { return devices(*options); }; });
+}
+
+} // namespace hygroloom
+
+int main(int count, char** values) { return hygroloom::run(count, values); }

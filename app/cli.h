@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the verbs of hygroloom-cli share: options, exit codes, how a project is loaded and problems are told.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/design/validate.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_invalid = 3, exit_no_device = 4, exit_cancelled = 130 };
+
+/// Ends the program with a code and a sentence on stderr.
+struct Stop : Error {
+    Stop(ExitCode exit_code, const std::string& sentence) : Error(sentence), code(exit_code) {}
+    ExitCode code;
+};
+
+struct CommonOptions {
+    bool json = false;  ///< one JSON object on stdout, nothing else there
+    bool quiet = false; ///< no progress bar, no notes
+};
+
+struct ProjectOptions : CommonOptions {
+    std::string project;
+    std::string fabric;             ///< empty: the only one
+    std::string experiment;         ///< empty: the only one
+    std::vector<std::string> sets;  ///< "path=value"
+};
+
+/// A verb fills this in when the command line names it.
+using Verb = std::function<int()>;
+
+void add_common_options(CLI::App& verb, CommonOptions& options);
+void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_experiment);
+
+/// Reads the project and applies --set. Throws Stop.
+Design load_project(const ProjectOptions& options);
+
+/// Prints issues on stderr as "file: path: sentence"; notes only when asked for. Throws Stop when one is an error.
+void require_valid(const Design& design, const ProjectOptions& options);
+void print_issue(const std::string& file, const Issue& issue);
+
+/// The one named, or the only one when no name is given. Throws Stop with the names there are.
+const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options);
+const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options);
+
+/// Each adds its verb to the program; when the command line names it, chosen is set.
+void add_check(CLI::App& app, Verb& chosen);
+void add_plan(CLI::App& app, Verb& chosen);
+void add_simulate(CLI::App& app, Verb& chosen);
+void add_measure(CLI::App& app, Verb& chosen);
+void add_export(CLI::App& app, Verb& chosen);
+void add_devices(CLI::App& app, Verb& chosen);
+
+} // namespace hygroloom

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// check: what is wrong with a project, and the numbers that follow from it beside those a laboratory measured.
+#include "app/cli.h"
+
+#include "core/base/units.h"
+#include "core/design/fabric_quantities.h"
+#include "core/project/project_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json yarn_json(const YarnQuantities& yarn)
+{
+    return {{"linear_density_tex", yarn.linear_density_tex},
+            {"count_ne", ne_from_tex(yarn.linear_density_tex)},
+            {"diameter_mm", yarn.diameter_mm},
+            {"packing_factor", yarn.packing_factor},
+            {"section_width_mm", yarn.section_mm.width},
+            {"section_height_mm", yarn.section_mm.height},
+            {"packing_factor_in_fabric", yarn.packing_factor_in_fabric},
+            {"pitch_mm", yarn.pitch_mm},
+            {"crimp_percent", yarn.crimp_percent},
+            {"cover", yarn.cover},
+            {"pore_radius_um", yarn.pore_radius_um},
+            {"contact_angle_deg", yarn.contact_angle_deg},
+            {"flattened", yarn.flattened}};
+}
+
+Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
+{
+    Json measured = Json::object();
+    const auto add = [&](const char* key, const std::optional<double>& value) {
+        if (value) measured[key] = *value;
+    };
+    add("thickness_mm", fabric.thickness_mm);
+    add("porosity", fabric.measured.porosity);
+    add("areal_density_g_m2", fabric.measured.areal_density_g_m2);
+    add("capillary_radius_um", fabric.measured.capillary_radius_um);
+    add("tortuosity", fabric.measured.tortuosity);
+    add("crimp_percent", fabric.measured.crimp_percent);
+    return {{"name", fabric.name},
+            {"derived",
+             {{"warp", yarn_json(q.warp)},
+              {"weft", yarn_json(q.weft)},
+              {"cover_factor", q.cover_factor},
+              {"areal_density_g_m2", q.areal_density_g_m2},
+              {"yarn_layer_thickness_mm", q.yarn_layer_thickness_mm},
+              {"thickness_mm", q.thickness_mm},
+              {"porosity", q.porosity},
+              {"fibre_volume_fraction", q.fibre_volume_fraction},
+              {"gap_warp_mm", q.gap_warp_mm},
+              {"gap_weft_mm", q.gap_weft_mm},
+              {"inter_yarn_pore_radius_um", q.inter_yarn_pore_radius_um},
+              {"smoothness", q.smoothness},
+              {"jammed", q.jammed}}},
+            {"measured", measured},
+            {"notes", q.notes}};
+}
+
+std::string text(double value) { return fmt::format("{:.4g}", value); }
+std::string text(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : std::string(); }
+
+void print_fabric(const Fabric& fabric, const FabricQuantities& q)
+{
+    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit, const std::string& measured = {}) {
+        fmt::print("  {:<26} {:>10} {:>10} {:<6} {:>10}\n", name, warp, weft, unit, measured);
+    };
+    const YarnQuantities &a = q.warp, &b = q.weft;
+    fmt::print("{}\n", fabric.name);
+    row("", "warp", "weft", "", "measured");
+    row("linear density", text(a.linear_density_tex), text(b.linear_density_tex), "tex");
+    row("cotton count", text(ne_from_tex(a.linear_density_tex)), text(ne_from_tex(b.linear_density_tex)), "Ne");
+    row("diameter, free", text(a.diameter_mm), text(b.diameter_mm), "mm");
+    row("section, width", text(a.section_mm.width), text(b.section_mm.width), "mm");
+    row("section, height", text(a.section_mm.height), text(b.section_mm.height), "mm");
+    row("packing factor, free", text(a.packing_factor), text(b.packing_factor), "");
+    row("packing factor, in fabric", text(a.packing_factor_in_fabric), text(b.packing_factor_in_fabric), "");
+    row("crimp", text(a.crimp_percent), text(b.crimp_percent), "%", text(fabric.measured.crimp_percent));
+    row("cover", text(a.cover), text(b.cover), "");
+    row("gap between yarns", text(q.gap_warp_mm), text(q.gap_weft_mm), "mm");
+    row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), "um", text(fabric.measured.capillary_radius_um));
+    row("contact angle", text(a.contact_angle_deg), text(b.contact_angle_deg), "deg");
+    row("pore radius between yarns", text(q.inter_yarn_pore_radius_um), "", "um");
+    row("cover factor", text(q.cover_factor), "", "");
+    row("areal density", text(q.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
+    row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", "mm");
+    row("thickness", text(q.thickness_mm), "", "mm", text(fabric.thickness_mm));
+    row("porosity", text(q.porosity), "", "", text(fabric.measured.porosity));
+    if (fabric.measured.tortuosity) row("tortuosity", "", "", "", text(fabric.measured.tortuosity));
+    row("smoothness", text(q.smoothness), "", "");
+    for (const std::string& note : q.notes) fmt::print("  {}\n", note);
+}
+
+int check(const ProjectOptions& options)
+{
+    const Design design = load_project(options);
+    const std::vector<Issue> issues = validate(design);
+    if (!options.fabric.empty()) chosen_fabric(design, options); // tells when there is none of that name
+
+    constexpr const char* severities[] = {"note", "warning", "error"};
+    Json json{{"format", "hygroloom-check"}, {"version", 1}, {"project", options.project}, {"valid", !has_error(issues)}};
+    json["issues"] = Json::array();
+    for (const Issue& issue : issues) {
+        json["issues"].push_back({{"severity", severities[static_cast<int>(issue.severity)]}, {"code", issue.code}, {"where", issue.where}, {"text", issue.text}});
+        const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
+        if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
+    }
+    json["fabrics"] = Json::array();
+    for (const Fabric& fabric : design.fabrics) {
+        if (has_error(issues)) break; // numbers that follow from wrong ones help nobody
+        if (!options.fabric.empty() && fabric.name != options.fabric) continue;
+        const FabricQuantities quantities = derive_quantities(design, fabric);
+        json["fabrics"].push_back(fabric_json(fabric, quantities));
+        if (!options.json) print_fabric(fabric, quantities);
+    }
+    if (options.json) fmt::print("{}\n", json.dump(2));
+    return has_error(issues) ? exit_invalid : exit_ok;
+}
+
+} // namespace
+
+void add_check(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<ProjectOptions>();
+    CLI::App& check_verb = *app.add_subcommand("check", "What is wrong with a project, and the numbers that follow from it");
+    check_verb.footer("Example: hygroloom-cli check cloth.hygro --json");
+    add_project_options(check_verb, *options, false);
+    check_verb.callback([&verb, options] { verb = [options] { return check(*options); }; });
+}
+
+} // namespace hygroloom

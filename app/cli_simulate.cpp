@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// plan and simulate: what a run would do, and the run.
+#include "app/cli.h"
+#include "app/cli_metrics.h"
+
+#include "core/sim/plan_json.h"
+#include "gpu/backends.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <unistd.h>
+
+namespace hygroloom {
+namespace {
+
+struct RunVerbOptions : ProjectOptions {
+    std::string fidelity = "standard";
+    std::string physics;
+    std::string backend = "auto";
+    int threads = 0;
+    std::uint64_t seed = 1;
+    std::string output;
+};
+
+template <typename Act>
+auto as_usage(Act act)
+{
+    try {
+        return act();
+    } catch (const Error& error) {
+        throw Stop(exit_usage, error.what());
+    }
+}
+
+std::string human_bytes(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes); }
+
+void print_plan(const ModelPlan& plan)
+{
+    fmt::print("fidelity     {}\n", name_of(plan.fidelity));
+    for (const PlannedPart& part : plan.parts) fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
+    fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
+    fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet, plan.fibre_shells,
+               plan.frame_interval, plan.resolution_reason);
+    fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, human_bytes(plan.expected_bytes), plan.expectation_source);
+}
+
+int plan(const RunVerbOptions& options)
+{
+    const auto fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    const Design design = load_project(options);
+    require_valid(design, options);
+    const ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced);
+    if (options.json)
+        fmt::print("{}\n", plan_json(plan));
+    else
+        print_plan(plan);
+    return exit_ok;
+}
+
+std::atomic<bool>* cancel_flag = nullptr;
+
+extern "C" void on_interrupt(int) { cancel_flag->store(true); }
+
+/// Ctrl-C and a polite kill cancel the run; a second one ends the program at once.
+struct InterruptCancels {
+    explicit InterruptCancels(RunControl& control)
+    {
+        static_assert(std::atomic<bool>::is_always_lock_free);
+        cancel_flag = &control.cancel;
+        struct sigaction action {};
+        action.sa_handler = on_interrupt;
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigaction(SIGINT, &action, nullptr);
+        sigaction(SIGTERM, &action, nullptr);
+    }
+    ~InterruptCancels()
+    {
+        std::signal(SIGINT, SIG_DFL);
+        std::signal(SIGTERM, SIG_DFL);
+    }
+};
+
+void draw_progress(const RunProgress& progress)
+{
+    constexpr int width = 30;
+    const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
+    const int full = static_cast<int>(share * width);
+    const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", progress.wall * (1 - share) / share) : std::string();
+    fmt::print(stderr, "\r\033[K[{}{}] {:.3g} of {:.3g} s, {:.0f} s taken{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
+               std::string(static_cast<std::size_t>(width - full), '.'), progress.simulated, progress.duration, progress.wall, left, progress.particles);
+    std::fflush(stderr);
+}
+
+int simulate(const RunVerbOptions& options)
+{
+    RunOptions run_options;
+    run_options.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    run_options.forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    run_options.seed = options.seed;
+    run_options.threads = options.threads;
+    run_options.recording = options.output;
+    const Design design = load_project(options);
+    require_valid(design, options);
+    const std::string fabric = chosen_fabric(design, options).name, experiment = chosen_experiment(design, options).name;
+
+    std::unique_ptr<Backend> backend;
+    try {
+        backend = make_backend(options.backend);
+    } catch (const DeviceError& error) {
+        throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
+    }
+
+    RunControl control;
+    const InterruptCancels cancels(control);
+    const bool bar = !options.quiet && isatty(STDERR_FILENO);
+    MetricsCollector collector;
+    RunCallbacks callbacks;
+    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
+    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { collector.add(*frame); };
+    if (bar) callbacks.progress = draw_progress;
+    const auto clear_bar = [&] {
+        if (bar) fmt::print(stderr, "\r\033[K");
+    };
+    RunRecord run;
+    try {
+        run = run_experiment(design, fabric, experiment, run_options, *backend, control, callbacks);
+    } catch (const Cancelled&) {
+        clear_bar();
+        throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
+    } catch (const DeviceError& error) {
+        clear_bar();
+        throw Stop(exit_failed, std::string(error.what()) + " Run again with --backend cpu.");
+    } catch (...) {
+        clear_bar();
+        throw;
+    }
+    clear_bar();
+    print_metrics(run, collector.metrics(), options.json);
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
+    return exit_ok;
+}
+
+void add_run_options(CLI::App& verb, RunVerbOptions& options)
+{
+    add_project_options(verb, options, true);
+    verb.add_option("--fidelity", options.fidelity, "draft, standard or reference");
+    verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
+}
+
+} // namespace
+
+void add_plan(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<RunVerbOptions>();
+    CLI::App& plan_verb = *app.add_subcommand("plan", "What a run would compute and why, and what it would cost");
+    plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft");
+    add_run_options(plan_verb, *options);
+    plan_verb.callback([&verb, options] { verb = [options] { return plan(*options); }; });
+}
+
+void add_simulate(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<RunVerbOptions>();
+    CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
+    simulate_verb.footer("Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
+                         "Ctrl-C stops the run; the recording so far stays readable.");
+    add_run_options(simulate_verb, *options);
+    simulate_verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
+    simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")->check(CLI::Range(0, 1024));
+    simulate_verb.add_option("--seed", options->seed, "Seed of the random numbers");
+    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
+    simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
+}
+
+} // namespace hygroloom

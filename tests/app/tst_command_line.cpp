@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Exit codes, JSON and messages of every verb that needs no run.
+#include "command_line.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+class TestCommandLine : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+private Q_SLOTS:
+    void helpAndVersionSucceed()
+    {
+        QCOMPARE(run_cli({"--help"}).code, 0);
+        QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "devices"}) {
+            const Answer answer = run_cli({verb, "--help"});
+            QCOMPARE(answer.code, 0);
+            QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
+        }
+    }
+    void wrongUsageIsTwo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        const QString f = example("textile-F.hygro");
+        QTest::newRow("nothing") << QStringList{};
+        QTest::newRow("no such verb") << QStringList{"weave"};
+        QTest::newRow("no project") << QStringList{"check"};
+        QTest::newRow("no such option") << QStringList{"check", f, "--colour"};
+        QTest::newRow("no such fabric") << QStringList{"check", f, "--fabric", "Textile Z"};
+        QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
+        QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
+        QTest::newRow("no such part") << QStringList{"plan", f, "--physics", "magic=on"};
+        QTest::newRow("no such backend") << QStringList{"simulate", f, "--backend", "abacus"};
+        QTest::newRow("set without value") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm"};
+        QTest::newRow("set of nothing") << QStringList{"check", f, "--set", "fabrics[0].end=1"};
+        QTest::newRow("set to a word") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm=nan"};
+        QTest::newRow("fibres") << QStringList{"export", f, "--detail", "fibre", "-o", "x.obj"};
+        QTest::newRow("no such format") << QStringList{"export", f, "-o", "x.dwg"};
+        QTest::newRow("no size") << QStringList{"export", f, "--size-mm", "5", "-o", "x.obj"};
+        QTest::newRow("map without file") << QStringList{"measure", "x.hygrorec", "--map", "top"};
+    }
+    void wrongUsageIsTwo()
+    {
+        QFETCH(QStringList, arguments);
+        const Answer answer = run_cli(arguments);
+        QCOMPARE(answer.code, 2);
+        QVERIFY(!answer.err.isEmpty());
+    }
+    void invalidInputIsThree()
+    {
+        QCOMPARE(run_cli({"check", "/nowhere.hygro"}).code, 3);
+        const Answer wrong = run_cli({"check", example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=-1"});
+        QCOMPARE(wrong.code, 3);
+        QVERIFY2(wrong.err.contains("textile-F.hygro: fabrics[0].ends_per_cm: error: The number of ends per cm must be from 0.5 to 500; given is -1."), wrong.err);
+        QCOMPARE(run_cli({"simulate", example("textile-F.hygro"), "--set", "experiments[0].duration_s=0"}).code, 3);
+        QCOMPARE(run_cli({"measure", example("textile-F.hygro")}).code, 3);
+    }
+    void checkPrintsDerivedBesideMeasured()
+    {
+        const Answer answer = run_cli({"check", example("textile-F.hygro"), "--set", "fabrics[0].areal_density_g_m2=162"});
+        QCOMPARE(answer.code, 0);
+        QVERIFY(answer.out.contains("linear density") && answer.out.contains("24.35"));
+        QVERIFY(answer.out.contains("162"));
+        QVERIFY(answer.out.contains("flyaway fibres."));
+    }
+    void checkAnswersInJson()
+    {
+        const Answer answer = run_cli({"check", example("textile-F.hygro"), "--json", "--set", "fabrics[0].porosity=0.8"});
+        QCOMPARE(answer.code, 0);
+        const QJsonObject json = answer.json();
+        QCOMPARE(json["valid"].toBool(), true);
+        const QJsonObject fabric = json["fabrics"].toArray()[0].toObject();
+        QVERIFY(qAbs(fabric["derived"].toObject()["warp"].toObject()["linear_density_tex"].toDouble() - 24.347) < 0.001);
+        QCOMPARE(fabric["measured"].toObject()["porosity"].toDouble(), 0.8);
+        const Answer wrong = run_cli({"check", example("textile-F.hygro"), "--json", "--set", "fabrics[0].ends_per_cm=99"});
+        QCOMPARE(wrong.code, 3);
+        QCOMPARE(wrong.json()["valid"].toBool(true), false);
+        QCOMPARE(wrong.json()["issues"].toArray()[0].toObject()["code"].toString(), QString("ends_do_not_fit"));
+        QCOMPARE(run_cli({"check", "/nowhere.hygro", "--json"}).json()["exit_code"].toInt(), 3);
+    }
+    void setTakesSeveralValuesAndLeavesTheProject()
+    {
+        const Answer answer = run_cli({"check", "--set", "fabrics[0].ends_per_cm=20", "fabrics.Textile F.picks_per_cm=18", example("textile-F.hygro"), "--json"});
+        QCOMPARE(answer.code, 0);
+        const QJsonObject derived = answer.json()["fabrics"].toArray()[0].toObject()["derived"].toObject();
+        QCOMPARE(derived["warp"].toObject()["pitch_mm"].toDouble(), 0.5);
+        QVERIFY(qAbs(derived["weft"].toObject()["pitch_mm"].toDouble() - 10.0 / 18) < 1e-12);
+    }
+    void planSaysWhatAndWhy()
+    {
+        const Answer answer = run_cli({"plan", example("textile-F.hygro"), "--fidelity", "draft"});
+        QCOMPARE(answer.code, 0);
+        QVERIFY(answer.out.contains("wicking"));
+        QVERIFY(run_cli({"plan", example("textile-F.hygro"), "--json", "--physics", "heat=off"}).json().contains("parts"));
+    }
+    void devicesListTheCpuFirst()
+    {
+        const Answer answer = run_cli({"devices", "--json"});
+        QCOMPARE(answer.code, 0);
+        const QJsonObject first = answer.json()["devices"].toArray()[0].toObject();
+        QCOMPARE(first["backend"].toString(), QString("cpu"));
+        QCOMPARE(first["usable"].toBool(), true);
+    }
+    void exportWritesMeshesAndSaysHowLarge()
+    {
+        for (const char* ending : {"obj", "ply", "stl", "glb"}) {
+            const QString file = folder_.filePath(QString("cloth.") + ending);
+            const Answer answer = run_cli({"export", example("textile-A.hygro"), "--size-mm", "3x2", "-o", file});
+            QCOMPARE(answer.code, 0);
+            QVERIFY(QFile(file).size() > 1000);
+            QVERIFY2(answer.err.contains("5 ends and 3 picks"), answer.err);
+        }
+        QCOMPARE(run_cli({"export", example("textile-A.hygro"), "--detail", "centreline", "-o", folder_.filePath("lines.obj"), "--quiet"}).err, QByteArray());
+        const Answer nowhere = run_cli({"export", example("textile-A.hygro"), "-o", "/nowhere/cloth.obj"});
+        QCOMPARE(nowhere.code, 1);
+        QVERIFY(nowhere.err.contains("/nowhere/cloth.obj"));
+        QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 5);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCommandLine)
+#include "tst_command_line.moc"

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// simulate and measure from end to end, and Ctrl-C.
+#include "command_line.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+class TestCommandLineRuns : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+    QStringList short_run(const QString& recording) const
+    {
+        return {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=0.05",
+                "experiments[0].sample_mm=[8,8]", "experiments[0].droplets[0].volume_ul=2", "experiments[0].droplets[0].height_mm=0", "-o", recording};
+    }
+
+private Q_SLOTS:
+    void simulateThenMeasureGiveTheSameNumbers()
+    {
+        const QString recording = folder_.filePath("drop.hygrorec");
+        const Answer run = run_cli(short_run(recording) << "--json", 300);
+        QCOMPARE(run.code, 0);
+        QVERIFY(QFile::exists(recording));
+        const QJsonObject json = run.json();
+        QCOMPARE(json["format"].toString(), QString("hygroloom-metrics"));
+        QVERIFY(qAbs(json["ledger"].toObject()["water_imbalance_kg"].toDouble()) < 1e-15);
+        QVERIFY(qAbs(json["ledger"].toObject()["water_in_kg"].toDouble() - 2e-6) < 0.02e-6);
+        const Answer measured = run_cli({"measure", recording, "--json"});
+        QCOMPARE(measured.code, 0);
+        QCOMPARE(measured.json()["metrics"], json["metrics"]);
+        QVERIFY(run_cli({"measure", recording}).out.contains("maximum wetted radius, top"));
+    }
+    void mapsAreWrittenAsPictureAndTable()
+    {
+        const QString recording = folder_.filePath("map.hygrorec");
+        QCOMPARE(run_cli(short_run(recording), 300).code, 0);
+        for (const char* side : {"top", "bottom", "total"})
+            for (const char* ending : {".csv", ".png"}) {
+                const QString file = folder_.filePath(QString(side) + ending);
+                QCOMPARE(run_cli({"measure", recording, "--map", side, "--cells", "2", "-o", file}).code, 0);
+                QVERIFY(QFile(file).size() > 100);
+            }
+        QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
+        QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
+    }
+    void interruptedRunsLeaveAReadableRecording()
+    {
+        const QString recording = folder_.filePath("cut.hygrorec");
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=3600", "-o", recording});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(recording).size() > 0, 30000);
+        QTest::qWait(1000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(process.readAllStandardError().contains("The recording so far is in " + recording.toUtf8()));
+        const Answer measured = run_cli({"measure", recording});
+        QCOMPARE(measured.code, 0);
+        QVERIFY(measured.err.contains("cut short"));
+    }
+    void aMissingGpuIsFour()
+    {
+        const QByteArray devices = run_cli({"devices", "--json"}).out;
+        if (devices.contains("\"cuda\"") && devices.count("\"usable\": true") > 1) QSKIP("There is a GPU.");
+        const Answer once = run_cli({"simulate", example("textile-F.hygro"), "--backend", "cuda"});
+        QCOMPARE(once.code, 4);
+        QVERIFY(once.err.contains("--backend cpu"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLineRuns)
+#include "tst_command_line_runs.moc"
