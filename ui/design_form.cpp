@@ -64,9 +64,8 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     QFont font = button->font();
     font.setBold(true);
     button->setFont(font);
-    auto* content = new QWidget;
+    auto* content = new QWidget(this);
     target_ = formGrid(content);
-    content->setVisible(open);
     const auto turn = [button, content](bool on) {
         button->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
         content->setVisible(on);
@@ -141,7 +140,11 @@ void DesignForm::refresh()
 {
     for (const Row& row : rows_) {
         row.edit->setValue(row.field.read());
-        row.edit->setIssues(document_.issuesAt(row.field.where()));
+        auto issues = document_.issuesAt(row.field.where());
+        if (issues.empty() && row.field.within) {
+            issues = document_.issuesAt(row.field.within());
+        }
+        row.edit->setIssues(issues);
     }
     for (const auto& work : afterwards_) {
         work();

@@ -21,6 +21,7 @@ struct DesignField {
     std::function<std::optional<double>()> read;
     std::function<void(Design&, std::optional<double>)> write;
     QString help;
+    std::function<std::string()> within = {}; ///< path of the whole whose contradictions this field can mend
 };
 
 /// Refreshes itself whenever the document changes.

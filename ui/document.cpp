@@ -66,7 +66,7 @@ std::vector<const Issue*> Document::issuesAt(const std::string& where) const
 {
     std::vector<const Issue*> found;
     for (const Issue& issue : issues_) {
-        if (issue.where == where) {
+        if (issue.where == where || where.starts_with(issue.where + "[")) {
             found.push_back(&issue);
         }
     }

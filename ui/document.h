@@ -32,7 +32,7 @@ public:
     bool hasError() const;
     /// Whether the chosen fabric's description has an error, so that it cannot be drawn.
     bool fabricHasError() const;
-    /// Sentences about the value at this path, worst first; empty when all is well.
+    /// Sentences about the value at this path, or about the pair it belongs to, worst first; empty when all is well.
     std::vector<const Issue*> issuesAt(const std::string& where) const;
     /// Derived numbers of the chosen fabric, without a value while it has an error.
     const std::optional<FabricQuantities>& quantities() const { return quantities_; }

@@ -37,6 +37,12 @@ void QuantityEdit::setValue(std::optional<double> value)
     }
 }
 
+void QuantityEdit::setOptional(bool optional)
+{
+    optional_ = optional;
+    setPlaceholderText(optional ? tr("auto") : QString());
+}
+
 void QuantityEdit::setDerived(std::optional<double> derived)
 {
     derived_ = derived;

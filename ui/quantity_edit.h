@@ -22,7 +22,7 @@ public:
     std::optional<double> value() const { return value_; }
     /// Shows a value without telling anyone; text being typed stays.
     void setValue(std::optional<double> value);
-    void setOptional(bool optional) { optional_ = optional; }
+    void setOptional(bool optional);
     /// What an empty field stands for, in the stored unit.
     void setDerived(std::optional<double> derived);
     void setIssues(const std::vector<const Issue*>& issues);

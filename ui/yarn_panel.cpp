@@ -58,9 +58,14 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
         return DesignField{label, kind + " " + undo, [this, where] { return path(where); },
                            [this, read] { return yarn() ? read(*yarn()) : std::nullopt; }, writing(std::move(write)), help};
     };
+    const auto sizeField = [&](auto&&... arguments) {
+        DesignField made = field(std::forward<decltype(arguments)>(arguments)...);
+        made.within = [this] { return path("").substr(0, path("").size() - 1); };
+        return made;
+    };
     // Diameter, linear density and packing factor determine one another: the third gives way.
     diameter_ = form.addQuantity(Quantity::length(0.01, 10),
-                                 field(tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
+                                 sizeField(tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
                                        [](Yarn& y, std::optional<double> v) {
                                            y.diameter_mm = v;
                                            if (v && y.linear_density_tex && y.packing_factor) {
@@ -70,7 +75,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                                        tr("Of the free, round yarn. Empty: worked out from linear density and packing.")),
                                  true);
     density_ = form.addQuantity(Quantity::linearDensity(0.5, 5000),
-                                field(tr("Linear density"), tr("linear density"), "linear_density_tex",
+                                sizeField(tr("Linear density"), tr("linear density"), "linear_density_tex",
                                       [](const Yarn& y) { return y.linear_density_tex; },
                                       [](Yarn& y, std::optional<double> v) {
                                           y.linear_density_tex = v;
@@ -82,7 +87,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                                 true);
     density_note_ = form.noteBeside(density_);
     packing_ = form.addQuantity(Quantity::fraction(0.02, densest_packing),
-                                field(tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
+                                sizeField(tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
                                       [](Yarn& y, std::optional<double> v) {
                                           y.packing_factor = v;
                                           if (v && y.diameter_mm && y.linear_density_tex) {
