@@ -69,11 +69,10 @@ void TextileCanvas::setWater(std::vector<float> values, double maximum)
     redraw(moving_);
 }
 
-void TextileCanvas::setDrops(std::vector<QVector3D> centres, double radius)
+void TextileCanvas::setLiquid(LiquidSurface surface)
 {
-    drops_ = std::move(centres);
-    drop_radius_ = radius;
-    drops_changed_ = true;
+    liquid_ = std::move(surface);
+    liquid_changed_ = true;
     redraw(moving_);
 }
 
@@ -128,7 +127,7 @@ void TextileCanvas::initializeGL()
     }
     scene_changed_ = true;
     water_changed_ = true;
-    drops_changed_ = true;
+    liquid_changed_ = true;
     mesh_changed_ = true;
 }
 
@@ -171,8 +170,8 @@ void TextileCanvas::drawScene()
     if (std::exchange(water_changed_, false)) {
         renderer_.setWater(mesh_ ? mesh_->patchValues(water_) : std::vector<float>(), water_maximum_);
     }
-    if (std::exchange(drops_changed_, false)) {
-        renderer_.setDrops(drops_, drop_radius_);
+    if (std::exchange(liquid_changed_, false)) {
+        renderer_.setLiquid(liquid_);
     }
     const QSize pixels = size() * devicePixelRatioF();
     const bool samples = !moving_ && still_seconds_ < too_slow_for_samples;

@@ -30,7 +30,7 @@ public:
     const std::shared_ptr<const PreviewMesh>& mesh() const { return mesh_; }
     /// Values of the whole's segments.
     void setWater(std::vector<float> values, double maximum);
-    void setDrops(std::vector<QVector3D> centres, double radius);
+    void setLiquid(LiquidSurface surface);
     void setCaption(const PictureCaption& caption);
     void setWaterColors(WaterColors colors);
     /// Crossing of the repeat that is pointed at elsewhere; negative for none.
@@ -78,9 +78,8 @@ private:
     std::vector<float> water_;
     double water_maximum_ = 1;
     bool water_changed_ = false;
-    std::vector<QVector3D> drops_;
-    double drop_radius_ = 0;
-    bool drops_changed_ = false;
+    LiquidSurface liquid_;
+    bool liquid_changed_ = false;
     PictureCaption caption_;
     WaterColors water_colors_ = WaterColors::blue;
     QPoint highlight_{-1, -1};

@@ -27,7 +27,7 @@ bool TextileRenderer::initialize()
         problem_ = QCoreApplication::translate("hygroloom", "The picture needs OpenGL 3.3, which this display does not offer.");
         return false;
     }
-    if (!load(yarns_, "yarn") || !load(spheres_, "sphere")) {
+    if (!load(yarns_, "yarn") || !load(drops_, "drop")) {
         return false;
     }
     gl_->glGenTextures(1, &water_);
@@ -37,19 +37,17 @@ bool TextileRenderer::initialize()
     const float nothing = 0;
     gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 1, 1, 0, GL_RED, GL_FLOAT, &nothing);
 
-    const float corners[] = {-1, -1, 1, -1, -1, 1, 1, 1};
     drop_array_.create();
+    drop_vertices_.create();
+    drop_indices_.create();
     drop_array_.bind();
-    corner_.create();
-    corner_.bind();
-    corner_.allocate(corners, sizeof corners);
+    drop_vertices_.bind();
+    drop_indices_.bind();
+    constexpr int stride = sizeof(LiquidSurface::Vertex);
     gl_->glEnableVertexAttribArray(0);
-    gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    drops_.create();
-    drops_.bind();
     gl_->glEnableVertexAttribArray(1);
-    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl_->glVertexAttribDivisor(1, 1);
+    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
+    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offsetof(LiquidSurface::Vertex, normal)));
     drop_array_.release();
     return true;
 }
@@ -63,15 +61,15 @@ void TextileRenderer::release()
         slot.indices.destroy();
     }
     drop_array_.destroy();
-    corner_.destroy();
-    drops_.destroy();
+    drop_vertices_.destroy();
+    drop_indices_.destroy();
     ramp_.reset();
     if (gl_ && water_) {
         gl_->glDeleteTextures(1, &water_);
         water_ = 0;
     }
     yarns_.removeAllShaders();
-    spheres_.removeAllShaders();
+    drops_.removeAllShaders();
 }
 
 bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name)
@@ -138,14 +136,16 @@ void TextileRenderer::setWater(const std::vector<float>& values, double maximum)
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void TextileRenderer::setDrops(const std::vector<QVector3D>& centres, double radius)
+void TextileRenderer::setLiquid(const LiquidSurface& surface)
 {
-    drop_count_ = radius > 0 ? static_cast<int>(centres.size()) : 0;
-    drop_radius_ = radius;
-    if (drop_count_ > 0) {
-        drops_.bind();
-        drops_.allocate(centres.data(), static_cast<int>(centres.size() * sizeof(QVector3D)));
-        drops_.release();
+    drop_index_count_ = static_cast<int>(surface.indices.size());
+    if (drop_index_count_ > 0) {
+        drop_array_.bind();
+        drop_vertices_.bind();
+        drop_vertices_.allocate(surface.vertices.data(), static_cast<int>(surface.vertices.size() * sizeof(LiquidSurface::Vertex)));
+        drop_indices_.bind();
+        drop_indices_.allocate(surface.indices.data(), static_cast<int>(surface.indices.size() * sizeof(std::uint32_t)));
+        drop_array_.release();
     }
 }
 
@@ -164,8 +164,8 @@ void TextileRenderer::draw(const Camera& camera, const QSize& pixels, const QSiz
     if (slot.mesh) {
         drawYarns(slot, camera, size, colors);
     }
-    if (drop_count_ > 0) {
-        drawDrops(camera, size, colors);
+    if (drop_index_count_ > 0) {
+        drawLiquid(camera, size, colors);
     }
     gl_->glDisable(GL_DEPTH_TEST);
 }
@@ -207,26 +207,27 @@ void TextileRenderer::drawYarns(Slot& slot, const Camera& camera, const QSizeF& 
     yarns_.release();
 }
 
-void TextileRenderer::drawDrops(const Camera& camera, const QSizeF& size, const PictureColors& colors)
+void TextileRenderer::drawLiquid(const Camera& camera, const QSizeF& size, const PictureColors& colors)
 {
-    spheres_.bind();
-    spheres_.setUniformValue("view", camera.view());
-    spheres_.setUniformValue("projection", camera.projection(size));
-    spheres_.setUniformValue("radius", static_cast<float>(drop_radius_));
-    spheres_.setUniformValue("tint", rgb(waterColor(0.45, colors.water)));
+    drops_.bind();
+    drops_.setUniformValue("view_projection", camera.projection(size) * camera.view());
+    drops_.setUniformValue("eye", camera.eye());
+    drops_.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
     drop_array_.bind();
-    // Depth first, so that only the nearest spheres show and the drop reads as one body.
+    gl_->glEnable(GL_CULL_FACE);
+    // Depth first, so that only the nearest skin shows and the drop reads as one body.
     gl_->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, drop_count_);
+    gl_->glDrawElements(GL_TRIANGLES, drop_index_count_, GL_UNSIGNED_INT, nullptr);
     gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_->glDepthMask(GL_FALSE);
     gl_->glEnable(GL_BLEND);
     gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, drop_count_);
+    gl_->glDrawElements(GL_TRIANGLES, drop_index_count_, GL_UNSIGNED_INT, nullptr);
     gl_->glDisable(GL_BLEND);
     gl_->glDepthMask(GL_TRUE);
+    gl_->glDisable(GL_CULL_FACE);
     drop_array_.release();
-    spheres_.release();
+    drops_.release();
 }
 
 } // namespace hygroloom

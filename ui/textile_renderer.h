@@ -4,6 +4,7 @@
 
 #include "ui/camera.h"
 #include "ui/color_map.h"
+#include "ui/liquid_surface.h"
 #include "ui/preview_mesh.h"
 
 #include <QOpenGLBuffer>
@@ -36,8 +37,7 @@ public:
     void setMesh(std::shared_ptr<const PreviewMesh> mesh);
     /// Share of full colour per segment of the patch; empty for a dry fabric.
     void setWater(const std::vector<float>& values, double maximum);
-    /// Free liquid, mm; radius 0 for none.
-    void setDrops(const std::vector<QVector3D>& centres, double radius);
+    void setLiquid(const LiquidSurface& surface);
     void draw(const Camera& camera, const QSize& pixels, const QSizeF& size, const PictureColors& colors, bool moving);
     bool hasFine() const { return slots_[1].mesh != nullptr; }
 
@@ -51,22 +51,21 @@ private:
     bool load(QOpenGLShaderProgram& program, const QString& name);
     void upload(Slot& slot);
     void drawYarns(Slot& slot, const Camera& camera, const QSizeF& size, const PictureColors& colors);
-    void drawDrops(const Camera& camera, const QSizeF& size, const PictureColors& colors);
+    void drawLiquid(const Camera& camera, const QSizeF& size, const PictureColors& colors);
 
     QOpenGLFunctions_3_3_Core* gl_ = nullptr;
     QString problem_;
     std::array<Slot, 2> slots_; ///< coarse, fine
     QOpenGLShaderProgram yarns_;
-    QOpenGLShaderProgram spheres_;
+    QOpenGLShaderProgram drops_;
     unsigned water_ = 0;
     double water_maximum_ = 0;
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
     QOpenGLVertexArrayObject drop_array_;
-    QOpenGLBuffer corner_{QOpenGLBuffer::VertexBuffer};
-    QOpenGLBuffer drops_{QOpenGLBuffer::VertexBuffer};
-    int drop_count_ = 0;
-    double drop_radius_ = 0;
+    QOpenGLBuffer drop_vertices_{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer drop_indices_{QOpenGLBuffer::IndexBuffer};
+    int drop_index_count_ = 0;
 };
 
 } // namespace hygroloom

@@ -20,16 +20,6 @@ constexpr int patch_crossings = 20;
 constexpr std::size_t fabric_triangles = 240000;
 constexpr std::size_t sample_triangles = 300000;
 
-/// Spheres that just overlap where particles lie as dense as in water at rest.
-double drop_radius_mm(const Frame& frame)
-{
-    if (frame.positions.empty() || !(frame.ledger.water_free > 0)) {
-        return 0;
-    }
-    const double volume = frame.ledger.water_free / 1000.0 / static_cast<double>(frame.positions.size());
-    return 0.72 * mm_from_metre(std::cbrt(volume));
-}
-
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
@@ -161,7 +151,8 @@ void Viewport::showWater()
     }
     if (!frame_ || subject_ != Subject::run) {
         canvas_->setWater({}, 1);
-        canvas_->setDrops({}, 0);
+        surfacer_.drop();
+        canvas_->setLiquid({});
         refreshCaption();
         return;
     }
@@ -172,13 +163,14 @@ void Viewport::showWater()
         maximum = roundedUp(*std::max_element(frame_->saturation.begin(), frame_->saturation.end()));
     }
     caption_.legend_maximum = std::min(1.0, maximum);
-    std::vector<QVector3D> centres;
-    centres.reserve(frame_->positions.size());
-    for (const auto& position : frame_->positions) {
-        centres.emplace_back(1000 * position[0], 1000 * position[1], 1000 * position[2]);
-    }
     canvas_->setWater(frame_->saturation, caption_.legend_maximum);
-    canvas_->setDrops(std::move(centres), drop_radius_mm(*frame_));
+    surfacer_.run([this, frame = frame_](const NewestJob::Turn& turn) {
+        turn.deliver([this, frame, surface = liquid_surface(*frame)] {
+            if (frame_) {
+                canvas_->setLiquid(surface);
+            }
+        });
+    });
     refreshCaption();
 }
 

@@ -66,6 +66,7 @@ private:
     Subject fitted_subject_ = Subject::nothing;
     PictureCaption caption_;
     NewestJob mesher_;
+    NewestJob surfacer_;
 };
 
 } // namespace hygroloom
