@@ -104,7 +104,7 @@ QPalette lightPalette()
 
 QPalette darkPalette()
 {
-    return palette("#23272b", "#1a1d20", "#2e3338", "#e6e9eb", "#98a1a8", "#4aa3df", "#0d1114", "#454c53");
+    return palette("#2b3035", "#1d2124", "#363c42", "#e6e9eb", "#98a1a8", "#4aa3df", "#0d1114", "#454c53");
 }
 
 bool desktopIsDark()

@@ -20,6 +20,13 @@ using Stops = std::array<std::array<double, 3>, 7>;
 constexpr Stops blue_stops{{{229, 241, 250}, {186, 217, 239}, {132, 188, 224}, {80, 153, 204}, {39, 113, 178}, {15, 74, 141}, {5, 38, 92}}};
 constexpr Stops cividis_stops{{{253, 231, 85}, {217, 199, 105}, {181, 167, 119}, {146, 140, 123}, {112, 113, 118}, {70, 86, 111}, {0, 42, 95}}};
 
+double roundLength(double millimetrePerPixel, double availablePixels)
+{
+    const double wanted = millimetrePerPixel * availablePixels / 3;
+    const double power = std::pow(10, std::floor(std::log10(wanted)));
+    return power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
+}
+
 } // namespace
 
 QColor waterColor(double share, WaterColors colors)
@@ -83,14 +90,17 @@ void drawLegend(QPainter& painter, const QRectF& area, const QString& title, dou
     }
 }
 
+double scaleBarLength(double millimetrePerPixel, double availablePixels)
+{
+    return roundLength(millimetrePerPixel, availablePixels) / millimetrePerPixel;
+}
+
 void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color)
 {
     if (!(millimetrePerPixel > 0) || !(availablePixels > 30)) {
         return;
     }
-    const double wanted = millimetrePerPixel * availablePixels / 3;
-    const double power = std::pow(10, std::floor(std::log10(wanted)));
-    const double length = power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
+    const double length = roundLength(millimetrePerPixel, availablePixels);
     const double pixels = length / millimetrePerPixel;
     const QString text = length < 0.1 ? QCoreApplication::translate("hygroloom", "%1 µm").arg(shownNumber(length * 1000, 0))
                                       : QCoreApplication::translate("hygroloom", "%1 mm").arg(shownNumber(length, 2));

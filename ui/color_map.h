@@ -24,6 +24,8 @@ double roundedUp(double value);
 
 /// A bar from zero to maximum with its unit; right of the bar the numbers.
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
+/// How many pixels drawScaleBar() takes.
+double scaleBarLength(double millimetrePerPixel, double availablePixels);
 /// A bar with its length, as near to a third of available pixels as a round length allows.
 void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color);
 

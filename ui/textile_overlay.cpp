@@ -19,7 +19,7 @@ constexpr double margin = 16;
 void drawPlate(QPainter& painter, const QRectF& area, const QPalette& palette)
 {
     QColor plate = palette.color(QPalette::Base);
-    plate.setAlphaF(0.88F);
+    plate.setAlphaF(0.86F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(plate);
     painter.drawRoundedRect(area, 4, 4);
@@ -41,16 +41,22 @@ void TextileCanvas::drawOverlay(QPainter& painter)
     }
     drawHighlight(painter);
     const QFontMetricsF metrics(painter.font());
-    painter.setPen(ink);
-    painter.drawText(QPointF(margin, margin + metrics.ascent()), caption_.title);
+    if (!caption_.title.isEmpty()) {
+        const QRectF plate(margin - 6, margin - 4, metrics.horizontalAdvance(caption_.title) + 12, metrics.height() + 8);
+        drawPlate(painter, plate, palette());
+        painter.setPen(ink);
+        painter.drawText(plate, Qt::AlignCenter, caption_.title);
+    }
     if (!caption_.notice.isEmpty()) {
         const double width = metrics.horizontalAdvance(caption_.notice) + 20;
-        const QRectF plate(margin, margin + metrics.height() + 6, std::min(width, this->width() - 2 * margin), metrics.height() + 10);
+        const QRectF plate(margin - 6, margin + metrics.height() + 10, std::min(width, this->width() - 2 * margin), metrics.height() + 10);
         drawPlate(painter, plate, palette());
         painter.fillRect(QRectF(plate.left(), plate.top(), 3, plate.height()), severityColor(Severity::warning, palette()));
         painter.setPen(ink);
         painter.drawText(plate.adjusted(10, 0, -4, 0), Qt::AlignVCenter | Qt::AlignLeft, caption_.notice);
     }
+    drawPlate(painter, QRectF(margin - 8, height() - margin - metrics.height() - 12, scaleBarLength(camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6) + 16, metrics.height() + 22),
+              palette());
     drawScaleBar(painter, {margin, height() - margin}, camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6, ink);
     drawAxes(painter, ink);
     if (!caption_.legend.isEmpty()) {
@@ -66,7 +72,8 @@ void TextileCanvas::drawOverlay(QPainter& painter)
 void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
 {
     // A small cross of the fabric's directions, in the lower right corner.
-    const QPointF centre(width() - margin - 46, height() - margin - 40);
+    const QPointF centre(width() - margin - 46, height() - margin - 34);
+    drawPlate(painter, QRectF(centre.x() - 54, centre.y() - 50, 108, 92), palette());
     const QMatrix4x4 view = camera_.view();
     const QFontMetricsF metrics(painter.font());
     const auto arm = [&](const QVector3D& axis, const QString& text) {

@@ -13,6 +13,14 @@
 
 namespace hygroloom {
 
+namespace {
+
+// The map is a picture of the fabric: pale in every palette, so that little water looks like little.
+constexpr char dry_color[] = "#f5f1e8";
+constexpr char ink_on_map[] = "#1d2327";
+
+} // namespace
+
 WaterMap::WaterMap(const QString& title, QWidget* parent)
     : QWidget(parent)
     , title_(title)
@@ -56,7 +64,7 @@ void WaterMap::render()
     if (map_.columns < 1) {
         return;
     }
-    const QColor dry = isDark(palette()) ? QColor("#2a2f34") : QColor("#f7f4ee");
+    const QColor dry(dry_color);
     image_ = QImage(map_.columns, map_.rows, QImage::Format_RGB32);
     for (int row = 0; row < map_.rows; ++row) {
         for (int column = 0; column < map_.columns; ++column) {
@@ -114,8 +122,7 @@ void WaterMap::paintEvent(QPaintEvent*)
         painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
         painter.setClipping(false);
     }
-    // The map's own ground is light or dark; the bar lies on a dry corner of it.
-    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), ink);
+    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map));
     if (cell_.x() >= 0) {
         const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
