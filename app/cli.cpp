@@ -22,8 +22,11 @@ void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_expe
 {
     verb.add_option("project", options.project, "Project file (.hygro)")->required();
     verb.add_option("--fabric", options.fabric, "Name of the fabric; may be left out when there is only one");
-    if (with_experiment) verb.add_option("--experiment", options.experiment, "Name of the experiment; may be left out when there is only one");
-    verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60")->type_name("PATH=VALUE")->allow_extra_args(false);
+    if (with_experiment)
+        verb.add_option("--experiment", options.experiment, "Name of the experiment; may be left out when there is only one");
+    verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
     add_common_options(verb, options);
 }
 
@@ -57,14 +60,14 @@ void require_valid(const Design& design, const ProjectOptions& options)
 {
     const std::vector<Issue> issues = validate(design);
     for (const Issue& issue : issues)
-        if (issue.severity == Severity::error || (issue.severity == Severity::warning && !options.quiet)) print_issue(options.project, issue);
+        if (issue.severity == Severity::error || (issue.severity == Severity::warning && !options.quiet))
+            print_issue(options.project, issue);
     if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was done.");
 }
 
 namespace {
 
-template <typename Item>
-const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
+template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
 {
     std::string names;
     for (const Item& item : items) {
@@ -91,7 +94,8 @@ int devices(const DevicesOptions& options)
         return exit_ok;
     }
     for (const BackendInfo& info : backends)
-        fmt::print("{:<5} {:<10} {}\n", info.name, info.usable ? "usable" : "not usable", info.usable ? info.device : (info.device.empty() ? "" : info.device + ": ") + info.reason);
+        fmt::print("{:<5} {:<10} {}\n", info.name, info.usable ? "usable" : "not usable",
+                   info.usable ? info.device : (info.device.empty() ? "" : info.device + ": ") + info.reason);
     return exit_ok;
 }
 
@@ -114,7 +118,9 @@ std::vector<std::string> arguments(int count, char** values)
 
 int told(bool json, ExitCode code, const std::string& sentence)
 {
-    if (json) fmt::print("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (json)
+        fmt::print("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(
+                               2, ' ', false, nlohmann::json::error_handler_t::replace));
     fmt::print(stderr, "{}\n", sentence);
     return code;
 }
@@ -155,7 +161,10 @@ int run(int count, char** values)
 
 } // namespace
 
-const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options) { return chosen(design.fabrics, options.fabric, "fabric"); }
+const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options)
+{
+    return chosen(design.fabrics, options.fabric, "fabric");
+}
 
 const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options)
 {

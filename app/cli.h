@@ -28,9 +28,9 @@ struct CommonOptions {
 
 struct ProjectOptions : CommonOptions {
     std::string project;
-    std::string fabric;             ///< empty: the only one
-    std::string experiment;         ///< empty: the only one
-    std::vector<std::string> sets;  ///< "path=value"
+    std::string fabric;            ///< empty: the only one
+    std::string experiment;        ///< empty: the only one
+    std::vector<std::string> sets; ///< "path=value"
 };
 
 /// A verb fills this in when the command line names it.

@@ -67,7 +67,8 @@ std::string text(const std::optional<double>& value) { return value ? fmt::forma
 
 void print_fabric(const Fabric& fabric, const FabricQuantities& q)
 {
-    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit, const std::string& measured = {}) {
+    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit,
+                        const std::string& measured = {}) {
         fmt::print("  {:<26} {:>10} {:>10} {:<6} {:>10}\n", name, warp, weft, unit, measured);
     };
     const YarnQuantities &a = q.warp, &b = q.weft;
@@ -106,7 +107,10 @@ int check(const ProjectOptions& options)
     Json json{{"format", "hygroloom-check"}, {"version", 1}, {"project", options.project}, {"valid", !has_error(issues)}};
     json["issues"] = Json::array();
     for (const Issue& issue : issues) {
-        json["issues"].push_back({{"severity", severities[static_cast<int>(issue.severity)]}, {"code", issue.code}, {"where", issue.where}, {"text", issue.text}});
+        json["issues"].push_back({{"severity", severities[static_cast<int>(issue.severity)]},
+                                  {"code", issue.code},
+                                  {"where", issue.where},
+                                  {"text", issue.text}});
         const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }

@@ -34,7 +34,8 @@ std::array<double, 2> size_from(const std::string& text)
 
 int export_mesh(const ExportOptions& options)
 {
-    if (options.detail == "fibre") throw Stop(exit_usage, "This version exports centrelines and yarns; fibres come later. Use --detail yarn.");
+    if (options.detail == "fibre")
+        throw Stop(exit_usage, "This version exports centrelines and yarns; fibres come later. Use --detail yarn.");
     if (options.detail != "yarn" && options.detail != "centreline")
         throw Stop(exit_usage, "--detail: Must be centreline or yarn; given is \"" + options.detail + "\".");
     MeshOptions mesh = options.mesh;
@@ -53,11 +54,16 @@ int export_mesh(const ExportOptions& options)
     const Textile textile = build_textile(design, fabric, region);
     const MeshFileSize size = mesh_file_size(textile, format, mesh);
     if (!options.quiet)
-        fmt::print(stderr, "{} ends and {} picks, {} vertices, {} {}, about {:.1f} MB.\n", region.ends, region.picks, size.vertices, size.triangles,
-                   mesh.detail == MeshDetail::yarn ? "triangles" : "pieces of line", 1e-6 * size.bytes);
+        fmt::print(stderr, "{} ends and {} picks, {} vertices, {} {}, about {:.1f} MB.\n", region.ends, region.picks, size.vertices,
+                   size.triangles, mesh.detail == MeshDetail::yarn ? "triangles" : "pieces of line", 1e-6 * size.bytes);
     write_mesh(textile, mesh, options.output);
     if (options.json)
-        fmt::print("{}\n", nlohmann::ordered_json{{"file", options.output}, {"ends", region.ends}, {"picks", region.picks}, {"vertices", size.vertices}, {"faces", size.triangles}}.dump(2));
+        fmt::print("{}\n", nlohmann::ordered_json{{"file", options.output},
+                                                  {"ends", region.ends},
+                                                  {"picks", region.picks},
+                                                  {"vertices", size.vertices},
+                                                  {"faces", size.triangles}}
+                               .dump(2));
     else
         fmt::print("{}\n", options.output);
     return exit_ok;

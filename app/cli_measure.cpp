@@ -46,7 +46,8 @@ void write_map(const Recording& recording, const MeasureOptions& options)
     } else {
         MapImageOptions image;
         image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
-                          fmt::format("{} after {:.4g} s, cells of {} x {}", options.map == "total" ? "water" : options.map + " face", frame.time, options.cells, options.cells)};
+                          fmt::format("{} after {:.4g} s, cells of {} x {}", options.map == "total" ? "water" : options.map + " face",
+                                      frame.time, options.cells, options.cells)};
         if (side != MapSide::total) {
             const Circle circle = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
             if (circle.radius > 0) {
@@ -54,7 +55,8 @@ void write_map(const Recording& recording, const MeasureOptions& options)
                 image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
             }
         }
-        write_png(draw_map(map, run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch, image), options.output);
+        write_png(draw_map(map, run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch, image),
+                  options.output);
     }
     if (!options.quiet) fmt::print(stderr, "The map at {:.4g} s is in {}.\n", frame.time, options.output);
 }
@@ -107,7 +109,8 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
     row("water dripped", 1e6 * l.water_dripped, "mg");
     row("water imbalance", 1e6 * l.water_imbalance(), "mg");
     if (!m.series.temperature_max.empty())
-        row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())), "C");
+        row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
+            "C");
     for (const std::string& note : m.notes) fmt::print("  {}\n", note);
 }
 

@@ -23,8 +23,7 @@ struct RunVerbOptions : ProjectOptions {
     std::string output;
 };
 
-template <typename Act>
-auto as_usage(Act act)
+template <typename Act> auto as_usage(Act act)
 {
     try {
         return act();
@@ -33,15 +32,19 @@ auto as_usage(Act act)
     }
 }
 
-std::string human_bytes(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes); }
+std::string human_bytes(double bytes)
+{
+    return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
 
 void print_plan(const ModelPlan& plan)
 {
     fmt::print("fidelity     {}\n", name_of(plan.fidelity));
-    for (const PlannedPart& part : plan.parts) fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
+    for (const PlannedPart& part : plan.parts)
+        fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
-    fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet, plan.fibre_shells,
-               plan.frame_interval, plan.resolution_reason);
+    fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet,
+               plan.fibre_shells, plan.frame_interval, plan.resolution_reason);
     fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, human_bytes(plan.expected_bytes), plan.expectation_source);
 }
 
@@ -88,8 +91,9 @@ void draw_progress(const RunProgress& progress)
     const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     const int full = static_cast<int>(share * width);
     const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", progress.wall * (1 - share) / share) : std::string();
-    fmt::print(stderr, "\r\033[K[{}{}] {:.3g} of {:.3g} s, {:.0f} s taken{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
-               std::string(static_cast<std::size_t>(width - full), '.'), progress.simulated, progress.duration, progress.wall, left, progress.particles);
+    fmt::print(stderr, "\r\033[K[{}{}] {:.3g} of {:.3g} s, {:.0f} s taken{}, {} particles",
+               std::string(static_cast<std::size_t>(full), '#'), std::string(static_cast<std::size_t>(width - full), '.'),
+               progress.simulated, progress.duration, progress.wall, left, progress.particles);
     std::fflush(stderr);
 }
 
@@ -164,11 +168,13 @@ void add_simulate(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<RunVerbOptions>();
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
-    simulate_verb.footer("Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-                         "Ctrl-C stops the run; the recording so far stays readable.");
+    simulate_verb.footer(
+        "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
+        "Ctrl-C stops the run; the recording so far stays readable.");
     add_run_options(simulate_verb, *options);
     simulate_verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
-    simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")->check(CLI::Range(0, 1024));
+    simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")
+        ->check(CLI::Range(0, 1024));
     simulate_verb.add_option("--seed", options->seed, "Seed of the random numbers");
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });

@@ -36,13 +36,17 @@ Colour blue(double share)
 
 class Canvas {
 public:
-    Canvas(int width, int height) : image_{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)} {}
+    Canvas(int width, int height)
+        : image_{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)}
+    {
+    }
 
     /// Laid over what is there; outside the picture nothing happens.
     void dot(int x, int y, const Colour& colour, double opacity = 1)
     {
         if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return;
-        std::uint8_t* pixel = &image_.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x))];
+        std::uint8_t* pixel =
+            &image_.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x))];
         for (std::size_t i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>(std::lround(pixel[i] + opacity * (colour[i] - pixel[i])));
     }
 
@@ -122,14 +126,17 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
     const int cells = std::max(map.columns, map.rows);
     const int longest = std::clamp(cells * 8, 480, 1600);
     const double scale = longest / std::max(width, height); // pixels per metre
-    const int across = std::max(1, static_cast<int>(std::lround(scale * width))), down = std::max(4 * line_height, static_cast<int>(std::lround(scale * height)));
+    const int across = std::max(1, static_cast<int>(std::lround(scale * width))),
+              down = std::max(4 * line_height, static_cast<int>(std::lround(scale * height)));
     int caption_width = 0;
     for (const std::string& line : options.captions) caption_width = std::max(caption_width, text_width(line));
     const int top = margin + line_height * static_cast<int>(options.captions.size()) + (options.captions.empty() ? 0 : 6);
     const int bar_left = margin + across + margin;
-    Canvas canvas(std::max(bar_left + bar_width + 6 + 8 * 6 * letter_size, caption_width + 2 * margin), top + down + margin + 2 * line_height);
+    Canvas canvas(std::max(bar_left + bar_width + 6 + 8 * 6 * letter_size, caption_width + 2 * margin),
+                  top + down + margin + 2 * line_height);
 
-    for (std::size_t line = 0; line < options.captions.size(); ++line) canvas.text(margin, margin + static_cast<int>(line) * line_height, options.captions[line]);
+    for (std::size_t line = 0; line < options.captions.size(); ++line)
+        canvas.text(margin, margin + static_cast<int>(line) * line_height, options.captions[line]);
     const double most = options.most > 0 ? options.most : map.maximum();
     for (int j = 0; j < down; ++j)
         for (int i = 0; i < across; ++i) {

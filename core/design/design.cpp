@@ -7,8 +7,7 @@ namespace hygroloom {
 
 namespace {
 
-template <typename T>
-const T* find_by_name(const std::vector<T>& items, const std::string& name)
+template <typename T> const T* find_by_name(const std::vector<T>& items, const std::string& name)
 {
     for (const T& item : items)
         if (item.name == name) return &item;

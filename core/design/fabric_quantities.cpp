@@ -42,12 +42,13 @@ void note_section(std::vector<std::string>& notes, const char* name, const FreeY
 {
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height to fit the thickness.", name,
-                                    free.diameter, section.height));
+        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height to fit the thickness.",
+                                    name, free.diameter, section.height));
     if (fitted.narrowed)
-        notes.push_back(fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
-                                    "{:.3g} to {:.3g}.",
-                                    name, section.width, pitch, free.packing_factor, fitted.packing_factor));
+        notes.push_back(
+            fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
+                        "{:.3g} to {:.3g}.",
+                        name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
         notes.push_back(fmt::format("The {} yarns become {:.3g} mm wide, keeping their area.", name, section.width));
 }
@@ -96,8 +97,9 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     note_section(q.notes, "weft", weft, fitted.weft, q.weft.pitch_mm);
     const double hair = q.thickness_mm - q.yarn_layer_thickness_mm;
     if (fabric.thickness_mm && hair > 0.005 * q.thickness_mm)
-        q.notes.push_back(fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
-                                      q.yarn_layer_thickness_mm, hair));
+        q.notes.push_back(
+            fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
+                        q.yarn_layer_thickness_mm, hair));
     if (q.jammed)
         q.notes.push_back("The yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;

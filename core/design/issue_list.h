@@ -18,7 +18,10 @@ struct IssueList {
     {
         issues.push_back({severity, std::move(code), std::move(where), std::move(text)});
     }
-    void error(std::string code, std::string where, std::string text) { add(Severity::error, std::move(code), std::move(where), std::move(text)); }
+    void error(std::string code, std::string where, std::string text)
+    {
+        add(Severity::error, std::move(code), std::move(where), std::move(text));
+    }
 
     /// least <= value <= most, or an issue; NaN and infinities never pass. Whether it passed.
     bool range(const std::string& where, const char* what, double value, double least, double most, const char* unit = "")
@@ -39,7 +42,8 @@ struct IssueList {
     {
         if (value.empty()) error("empty_name", where, "The name is empty; give one.");
         if (value.size() > 200) error("range", where, fmt::format("The name has {} bytes; 200 at most.", value.size()));
-        if (!value.empty() && !taken.insert(value).second) error("duplicate_name", where, fmt::format("The name \"{}\" is taken; names must differ.", value));
+        if (!value.empty() && !taken.insert(value).second)
+            error("duplicate_name", where, fmt::format("The name \"{}\" is taken; names must differ.", value));
     }
 
     int errors() const

@@ -20,7 +20,8 @@ void validate_droplet(const Experiment& experiment, const Droplet& drop, const s
 {
     bool sound = true;
     if (!(std::isfinite(drop.volume_ul) && drop.volume_ul > 0 && drop.volume_ul <= 5000)) {
-        list.error("range", where + ".volume_ul", fmt::format("A droplet's volume must be more than 0 and at most 5000 ul; given is {}.", drop.volume_ul));
+        list.error("range", where + ".volume_ul",
+                   fmt::format("A droplet's volume must be more than 0 and at most 5000 ul; given is {}.", drop.volume_ul));
         sound = false;
     }
     list.range(where + ".time_s", "time when a droplet appears", drop.time_s, 0, 86400, "s");
@@ -42,7 +43,8 @@ void validate_droplet(const Experiment& experiment, const Droplet& drop, const s
     }
     if (reaches_over)
         list.add(Severity::warning, "droplet_over_edge", where + ".at_mm",
-                 fmt::format("The droplet, {:.3g} mm across, reaches over the sample's edge; some of it will miss the fabric.", 2 * drop_radius_mm(drop)));
+                 fmt::format("The droplet, {:.3g} mm across, reaches over the sample's edge; some of it will miss the fabric.",
+                             2 * drop_radius_mm(drop)));
 }
 
 void validate_overlaps(const Experiment& experiment, const std::string& where, IssueList& list)
@@ -56,7 +58,8 @@ void validate_overlaps(const Experiment& experiment, const std::string& where, I
             const double needed = drop_radius_mm(drops[a]) + drop_radius_mm(drops[b]);
             if (apart < needed)
                 list.error("droplets_overlap", fmt::format("{}.droplets[{}]", where, b),
-                           fmt::format("Droplets {} and {} appear at the same time and overlap: {:.3g} mm apart, {:.3g} mm needed.", a, b, apart, needed));
+                           fmt::format("Droplets {} and {} appear at the same time and overlap: {:.3g} mm apart, {:.3g} mm needed.", a, b,
+                                       apart, needed));
         }
 }
 
@@ -70,8 +73,8 @@ void validate_size(const Fabric& fabric, const Experiment& experiment, const std
                                experiment.sample_mm[0], experiment.sample_mm[1], fabric.name, 1e-6 * ends * picks, 1e-6 * most_crossings));
     else if (ends < 1 || picks < 1)
         list.add(Severity::warning, "sample_too_small", where + ".sample_mm",
-                 fmt::format("A sample of {} x {} mm is smaller than one crossing of \"{}\"; one crossing is taken.", experiment.sample_mm[0],
-                             experiment.sample_mm[1], fabric.name));
+                 fmt::format("A sample of {} x {} mm is smaller than one crossing of \"{}\"; one crossing is taken.",
+                             experiment.sample_mm[0], experiment.sample_mm[1], fabric.name));
 }
 
 } // namespace
@@ -86,8 +89,8 @@ void validate_material(const Material& material, const std::string& where, Issue
     if (list.range(where + ".saturation_regain", "regain at 100 % relative humidity", material.saturation_regain, 0, 2) &&
         material.saturation_regain < material.standard_regain)
         list.error("range", where + ".saturation_regain",
-                   fmt::format("The regain at 100 % relative humidity, {}, cannot be less than the one at 65 %, {}.", material.saturation_regain,
-                               material.standard_regain));
+                   fmt::format("The regain at 100 % relative humidity, {}, cannot be less than the one at 65 %, {}.",
+                               material.saturation_regain, material.standard_regain));
     if (const GabIsotherm& gab = material.gab; gab.given()) {
         const bool sound = list.range(where + ".isotherm.monolayer_regain", "monolayer regain", gab.monolayer_regain, 1e-5, 0.5) &
                            list.range(where + ".isotherm.c", "isotherm's c", gab.c, 0.01, 1000) &
@@ -96,16 +99,19 @@ void validate_material(const Material& material, const std::string& where, Issue
         const double at_65 = gab.monolayer_regain * gab.c * ka / ((1 - ka) * (1 - ka + gab.c * ka));
         if (sound && std::abs(at_65 - material.standard_regain) > 0.2 * material.standard_regain)
             list.add(Severity::warning, "isotherm_disagrees", where + ".isotherm",
-                     fmt::format("The isotherm gives a regain of {:.3g} at 65 % relative humidity, standard_regain says {}; the isotherm is used.", at_65,
-                                 material.standard_regain));
+                     fmt::format(
+                         "The isotherm gives a regain of {:.3g} at 65 % relative humidity, standard_regain says {}; the isotherm is used.",
+                         at_65, material.standard_regain));
     }
     if (material.diffusion.two_stage && two_stage_law(material).empty())
         list.error("no_two_stage_law", where + ".fibre_diffusivity_m2_s",
                    "A two-stage diffusion law is known for cotton and wool, and for materials based on them; give a number in m2/s.");
     if (!material.diffusion.two_stage)
-        list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-18, 1e-9, "m2/s");
+        list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-18, 1e-9,
+                   "m2/s");
     list.range(where + ".contact_angle_deg", "contact angle", material.contact_angle_deg, 0, 180, "degrees");
-    list.range(where + ".thermal_conductivity_w_mk", "thermal conductivity of a fibre", material.thermal_conductivity_w_mk, 0.005, 10, "W/(m K)");
+    list.range(where + ".thermal_conductivity_w_mk", "thermal conductivity of a fibre", material.thermal_conductivity_w_mk, 0.005, 10,
+               "W/(m K)");
     list.range(where + ".specific_heat_j_kgk", "specific heat of a fibre", material.specific_heat_j_kgk, 100, 10000, "J/(kg K)");
 }
 
@@ -122,13 +128,15 @@ void validate_experiment(const Experiment& experiment, const std::string& where,
     for (std::size_t axis = 0; axis < 2; ++axis)
         list.range(fmt::format("{}.sample_mm[{}]", where, axis), "sample's size", experiment.sample_mm[axis], 0.1, 2000, "mm");
     if (!(std::isfinite(experiment.duration_s) && experiment.duration_s > 0 && experiment.duration_s <= 86400))
-        list.error("range", where + ".duration_s", fmt::format("The duration must be more than 0 and at most 86400 s; given is {}.", experiment.duration_s));
+        list.error("range", where + ".duration_s",
+                   fmt::format("The duration must be more than 0 and at most 86400 s; given is {}.", experiment.duration_s));
 
     const int before = list.errors();
     if (experiment.droplets.empty())
         list.add(Severity::warning, "no_droplet", where + ".droplets", "The experiment has no droplet; nothing will get wet.");
     if (experiment.droplets.size() > most_droplets) {
-        list.error("range", where + ".droplets", fmt::format("At most {} droplets are allowed; given are {}.", most_droplets, experiment.droplets.size()));
+        list.error("range", where + ".droplets",
+                   fmt::format("At most {} droplets are allowed; given are {}.", most_droplets, experiment.droplets.size()));
         return;
     }
     for (std::size_t i = 0; i < experiment.droplets.size(); ++i)

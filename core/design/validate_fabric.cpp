@@ -44,8 +44,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
     list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
     list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, 0.02, densest_packing);
-    if (!yarn.diameter_mm && !yarn.linear_density_tex)
-        list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
+    if (!yarn.diameter_mm && !yarn.linear_density_tex) list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
 
@@ -68,21 +67,27 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     const double packing = *yarn.linear_density_tex / solid;
     if (yarn.packing_factor) {
         if (std::abs(packing / *yarn.packing_factor - 1) > 0.01)
-            list.error("yarn_disagrees", where,
-                       fmt::format("Diameter {} mm and packing factor {} make {:.4g} tex of this fibre ({:.0f} kg/m3), but linear_density_tex says {}. "
-                                   "They must agree within 1 %; leave one out.",
-                                   *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density, *yarn.linear_density_tex));
+            list.error(
+                "yarn_disagrees", where,
+                fmt::format(
+                    "Diameter {} mm and packing factor {} make {:.4g} tex of this fibre ({:.0f} kg/m3), but linear_density_tex says {}. "
+                    "They must agree within 1 %; leave one out.",
+                    *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density, *yarn.linear_density_tex));
     } else if (packing < 0.02 || packing > densest_packing) {
-        list.error("yarn_disagrees", where,
-                   fmt::format("{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from 0.02 to {}.",
-                               *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, densest_packing));
+        list.error(
+            "yarn_disagrees", where,
+            fmt::format(
+                "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from 0.02 to {}.",
+                *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, densest_packing));
     }
 }
 
 void validate_weave(const Weave& weave, const std::string& where, IssueList& list)
 {
     if (weave.ends() > largest_repeat || weave.picks() > largest_repeat) {
-        list.error("range", where, fmt::format("A repeat may have up to {} ends and picks; given are {} and {}.", largest_repeat, weave.ends(), weave.picks()));
+        list.error(
+            "range", where,
+            fmt::format("A repeat may have up to {} ends and picks; given are {} and {}.", largest_repeat, weave.ends(), weave.picks()));
         return;
     }
     const auto unbound = [&](const char* name, int threads, int crossings, auto up) {
@@ -95,7 +100,8 @@ void validate_weave(const Weave& weave, const std::string& where, IssueList& lis
         }
         if (count > 0)
             list.add(Severity::warning, "unbound_thread", where,
-                     fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", count, threads, name, name, first + 1));
+                     fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", count, threads, name,
+                                 name, first + 1));
     };
     unbound("ends", weave.ends(), weave.picks(), [&](int end, int pick) { return weave.warp_up(end, pick); });
     unbound("picks", weave.picks(), weave.ends(), [&](int pick, int end) { return weave.warp_up(end, pick); });
@@ -106,21 +112,25 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
     const FreeYarn warp = free_yarn(fabric.warp, blended_material(design, fabric.warp.material).density_kg_m3);
     const FreeYarn weft = free_yarn(fabric.weft, blended_material(design, fabric.weft.material).density_kg_m3);
     if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (warp.diameter + weft.diameter)) {
-        list.error("thickness_too_small", where + ".thickness_mm",
-                   fmt::format("A thickness of {} mm less loops of {} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and {:.3g} mm; a tenth of "
-                               "their sum is the least.",
-                               *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
-                               warp.diameter, weft.diameter));
+        list.error(
+            "thickness_too_small", where + ".thickness_mm",
+            fmt::format(
+                "A thickness of {} mm less loops of {} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and {:.3g} mm; a tenth of "
+                "their sum is the least.",
+                *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
+                warp.diameter, weft.diameter));
         return;
     }
     const FittedYarns fitted = fit_yarns(fabric, warp, weft);
     const auto check = [&](const char* name, const char* key, double sett, const FreeYarn& free, const FittedYarn& yarn) {
         if (yarn.packing_factor <= densest_packing) return;
-        list.error("ends_do_not_fit", where + "." + key,
-                   fmt::format("{} {} per cm of {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
-                               "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
-                               sett, name, free.linear_density_tex, free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
-                               densest_packing));
+        list.error(
+            "ends_do_not_fit", where + "." + key,
+            fmt::format(
+                "{} {} per cm of {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
+                "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
+                sett, name, free.linear_density_tex, free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
+                densest_packing));
     };
     check("ends", "ends_per_cm", fabric.ends_per_cm, warp, fitted.warp);
     check("picks", "picks_per_cm", fabric.picks_per_cm, weft, fitted.weft);

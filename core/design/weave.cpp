@@ -17,7 +17,8 @@ int wrapped(int index, int size)
 
 Weave::Weave() : Weave(2, 2, {1, 0, 0, 1}, "plain") {}
 
-Weave::Weave(int ends, int picks, std::vector<std::uint8_t> up, std::string pattern) : ends_(ends), picks_(picks), pattern_(std::move(pattern))
+Weave::Weave(int ends, int picks, std::vector<std::uint8_t> up, std::string pattern)
+    : ends_(ends), picks_(picks), pattern_(std::move(pattern))
 {
     if (ends < 1 || picks < 1 || up.size() != static_cast<std::size_t>(ends) * static_cast<std::size_t>(picks))
         throw Error("A weave of " + std::to_string(ends) + " ends and " + std::to_string(picks) + " picks cannot have " +

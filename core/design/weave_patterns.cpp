@@ -30,7 +30,8 @@ std::vector<int> numbers(const std::string& pattern, const std::string& text)
         const auto [next, failure] = std::from_chars(at, end, value);
         if (failure != std::errc() || value < 1) refuse(pattern, "needs whole numbers of 1 or more, parted by \"/\".");
         values.push_back(value);
-        if (value > largest_repeat || values.size() > largest_repeat) refuse(pattern, "is larger than " + std::to_string(largest_repeat) + " ends or picks.");
+        if (value > largest_repeat || values.size() > largest_repeat)
+            refuse(pattern, "is larger than " + std::to_string(largest_repeat) + " ends or picks.");
         if (next == end) return values;
         if (*next != '/') refuse(pattern, "needs whole numbers of 1 or more, parted by \"/\".");
         at = next + 1;
@@ -44,8 +45,7 @@ std::string joined(const std::vector<int>& values)
     return text;
 }
 
-template <typename Up>
-Weave filled(int ends, int picks, const std::string& name, Up warp_up)
+template <typename Up> Weave filled(int ends, int picks, const std::string& name, Up warp_up)
 {
     std::vector<std::uint8_t> up;
     up.reserve(static_cast<std::size_t>(ends) * static_cast<std::size_t>(picks));
@@ -136,9 +136,9 @@ Weave weave_from_pattern(const std::string& pattern)
 const std::vector<std::string>& common_weave_patterns()
 {
     static const std::vector<std::string> patterns{
-        "plain",       "twill 2/1 Z", "twill 1/2 Z", "twill 2/1 S",  "twill 2/2 Z",  "twill 2/2 S",  "twill 3/1 Z",  "twill 1/3 Z",
-        "twill 3/1 S", "twill 3/3 Z", "twill 4/4 Z", "satin 5/2",    "satin 5/3",    "satin 7/2",    "satin 8/3",    "satin 8/5",
-        "sateen 5/2",  "sateen 8/3",  "basket 2/2",  "basket 2/1",   "basket 3/3",   "rib 2/2 warp", "rib 2/2 weft", "rib 3/3 warp"};
+        "plain",       "twill 2/1 Z", "twill 1/2 Z", "twill 2/1 S", "twill 2/2 Z", "twill 2/2 S",  "twill 3/1 Z",  "twill 1/3 Z",
+        "twill 3/1 S", "twill 3/3 Z", "twill 4/4 Z", "satin 5/2",   "satin 5/3",   "satin 7/2",    "satin 8/3",    "satin 8/5",
+        "sateen 5/2",  "sateen 8/3",  "basket 2/2",  "basket 2/1",  "basket 3/3",  "rib 2/2 warp", "rib 2/2 weft", "rib 3/3 warp"};
     return patterns;
 }
 

@@ -13,7 +13,7 @@ constexpr double densest_packing = 0.85;       ///< fibre volume / yarn volume t
 
 /// A free yarn, all three values in agreement.
 struct FreeYarn {
-    double diameter = 0;           ///< mm
+    double diameter = 0; ///< mm
     double linear_density_tex = 0;
     double packing_factor = 0;
 };

@@ -52,7 +52,9 @@ Station station(const Textile& textile, YarnKind kind, int yarn, std::size_t rin
 /// Appends one yarn to the flat arrays.
 class Sweep {
 public:
-    Sweep(const Textile& textile, YarnMesh& mesh, int samples, int sides) : textile_(textile), mesh_(mesh), samples_(samples), sides_(sides) {}
+    Sweep(const Textile& textile, YarnMesh& mesh, int samples, int sides) : textile_(textile), mesh_(mesh), samples_(samples), sides_(sides)
+    {
+    }
 
     void add(YarnKind kind, int yarn)
     {
@@ -109,7 +111,8 @@ private:
     void skin(YarnKind kind, int yarn, const Station& s, int k)
     {
         const SectionPoint p = around(s, k);
-        vertex(skin_position(s, p), p.normal_across * s.across + p.normal_up * s.up, s.u, static_cast<double>(k) / sides_, segment(kind, yarn, s));
+        vertex(skin_position(s, p), p.normal_across * s.across + p.normal_up * s.up, s.u, static_cast<double>(k) / sides_,
+               segment(kind, yarn, s));
     }
 
     void cap(YarnKind kind, int yarn, const Station& s, int side)
@@ -117,7 +120,8 @@ private:
         const auto centre = static_cast<std::uint32_t>(mesh_.segment_of_vertex.size());
         const Vec3d normal = static_cast<double>(side) * s.point.tangent;
         vertex(s.point.centre, normal, s.u, 0.5, segment(kind, yarn, s));
-        for (int k = 0; k < sides_; ++k) vertex(skin_position(s, around(s, k)), normal, s.u, static_cast<double>(k) / sides_, segment(kind, yarn, s));
+        for (int k = 0; k < sides_; ++k)
+            vertex(skin_position(s, around(s, k)), normal, s.u, static_cast<double>(k) / sides_, segment(kind, yarn, s));
         for (int k = 0; k < sides_; ++k) {
             const auto here = centre + 1 + static_cast<std::uint32_t>(k), next = centre + 1 + static_cast<std::uint32_t>((k + 1) % sides_);
             if (side > 0)
@@ -164,7 +168,8 @@ YarnMesh mesh_yarns(const Textile& textile, int samples, int sides)
 {
     const MeshSize size = mesh_size(textile, samples, sides);
     if (size.vertices > std::numeric_limits<std::uint32_t>::max())
-        throw Error("The mesh would have " + std::to_string(size.vertices / 1000000) + " million vertices, more than a mesh can number; take a smaller piece.");
+        throw Error("The mesh would have " + std::to_string(size.vertices / 1000000) +
+                    " million vertices, more than a mesh can number; take a smaller piece.");
     YarnMesh mesh;
     mesh.positions.reserve(3 * size.vertices);
     mesh.normals.reserve(3 * size.vertices);

@@ -13,13 +13,13 @@ namespace hygroloom {
 
 /// One yarn's part of a mesh.
 struct MeshGroup {
-    std::string name;               ///< "warp_000", "weft_012"
+    std::string name; ///< "warp_000", "weft_012"
     YarnKind kind = YarnKind::warp;
     int yarn = 0;
     std::size_t first_vertex = 0;
     std::size_t vertices = 0;
     std::size_t first_index = 0;
-    std::size_t indices = 0;        ///< three per triangle
+    std::size_t indices = 0; ///< three per triangle
 };
 
 /// Flat arrays, as a graphics card takes them. Triangles run anticlockwise seen from outside.
@@ -45,8 +45,8 @@ YarnMesh mesh_yarns(const Textile& textile, int samples_per_crossing, int sides)
 
 /// The middle line of one yarn.
 struct YarnLine {
-    std::string name;               ///< as MeshGroup::name
-    std::vector<float> positions;   ///< x y z per point, m
+    std::string name;             ///< as MeshGroup::name
+    std::vector<float> positions; ///< x y z per point, m
 };
 
 /// All ends, then all picks; the same points along each yarn as mesh_yarns() has rings.

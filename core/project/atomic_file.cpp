@@ -36,7 +36,8 @@ std::filesystem::path temporary_beside(const std::filesystem::path& target)
 {
     static std::atomic<unsigned> counter{0};
     auto path = target;
-    path.replace_filename(fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, 100), ::getpid(), counter++, target.extension().string()));
+    path.replace_filename(
+        fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, 100), ::getpid(), counter++, target.extension().string()));
     return path;
 }
 
@@ -78,7 +79,8 @@ void write_file_with(const std::filesystem::path& given, const std::function<voi
     const auto target = std::filesystem::is_symlink(given, failure) ? std::filesystem::weakly_canonical(given, failure) : given;
     const bool there = std::filesystem::exists(target, failure);
     struct stat old {};
-    if (there && ::stat(target.c_str(), &old) == 0 && !S_ISREG(old.st_mode)) throw FileError(given.string() + ": This is not a regular file.");
+    if (there && ::stat(target.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
+        throw FileError(given.string() + ": This is not a regular file.");
     if (there && ::access(target.c_str(), W_OK) != 0) fail(given, "The file cannot be replaced", errno);
 
     Temporary temporary{temporary_beside(target)};
@@ -127,7 +129,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most)
     if (S_ISDIR(status.st_mode)) throw FileError(path.string() + ": This is a folder; give the name of a file.");
     if (!S_ISREG(status.st_mode)) throw FileError(path.string() + ": This is not a regular file.");
     if (static_cast<std::size_t>(status.st_size) > most)
-        throw FileError(fmt::format("{}: The file has {:.1f} MiB; at most {:.0f} MiB are read.", path.string(), status.st_size / 1048576.0, most / 1048576.0));
+        throw FileError(fmt::format("{}: The file has {:.1f} MiB; at most {:.0f} MiB are read.", path.string(), status.st_size / 1048576.0,
+                                    most / 1048576.0));
     if (status.st_size == 0) throw FileError(path.string() + ": The file is empty.");
 
     std::string bytes(static_cast<std::size_t>(status.st_size), '\0');

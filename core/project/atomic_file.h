@@ -11,7 +11,8 @@ namespace hygroloom {
 enum class Previous { replace, keep_as_backup };
 
 /// Writes to a temporary file in the target's folder, syncs it, renames it over the target and syncs the folder.
-/// With keep_as_backup the file that was there stays as path + "~". Throws FileError; the target is then unchanged and the temporary file gone.
+/// With keep_as_backup the file that was there stays as path + "~". Throws FileError; the target is then unchanged and the temporary file
+/// gone.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Previous previous = Previous::replace);
 
 /// The same for a writer that needs a path of its own: it gets the temporary path (with the target's extension) and throws when it fails.

@@ -69,21 +69,25 @@ ProjectJson parse_json(std::string_view text, const std::string& name)
     const auto watch = [&](int, ProjectJson::parse_event_t event, ProjectJson& parsed) {
         using Event = ProjectJson::parse_event_t;
         if (event == Event::object_start || event == Event::array_start) {
-            if (keys.size() >= deepest) throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name, deepest));
+            if (keys.size() >= deepest)
+                throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name, deepest));
             keys.emplace_back();
         } else if (event == Event::object_end || event == Event::array_end) {
             keys.pop_back();
         } else if (event == Event::key) {
             const auto& key = parsed.get_ref<const std::string&>();
-            if (keys.back().size() > most_keys) throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name, most_keys));
-            if (!keys.back().insert(key).second) throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name, in_words(key)));
+            if (keys.back().size() > most_keys)
+                throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name, most_keys));
+            if (!keys.back().insert(key).second)
+                throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name, in_words(key)));
         }
         return true;
     };
     try {
         return ProjectJson::parse(text.begin(), text.end(), watch);
     } catch (const ProjectJson::parse_error& failure) {
-        throw FileError(fmt::format("{}: {}: This is not valid JSON: {}.", name, line_and_column(text, failure.byte), reason(failure.what())));
+        throw FileError(
+            fmt::format("{}: {}: This is not valid JSON: {}.", name, line_and_column(text, failure.byte), reason(failure.what())));
     } catch (const ProjectJson::exception& failure) {
         throw FileError(fmt::format("{}: This is not valid JSON: {}.", name, reason(failure.what())));
     }
@@ -134,7 +138,8 @@ const ProjectJson& array_in(const ProjectJson& value, const std::string& file, c
     return value;
 }
 
-ObjectReader::ObjectReader(const ProjectJson& value, std::string file, std::string path) : value_(value), file_(std::move(file)), path_(std::move(path))
+ObjectReader::ObjectReader(const ProjectJson& value, std::string file, std::string path)
+    : value_(value), file_(std::move(file)), path_(std::move(path))
 {
     if (!value.is_object()) refuse_at(file_, path_, fmt::format("This must be an object in {{ }}; given is {}.", in_words(value)));
 }

@@ -153,8 +153,8 @@ void write_mesh(const Textile& textile, const MeshOptions& options, const std::f
         throw Error("STL holds triangles only; write centrelines as .obj, .ply or .glb.");
     const MeshFileSize size = mesh_file_size(textile, format, options);
     if (size.bytes > largest_mesh_bytes)
-        throw Error(fmt::format("The file would have about {:.1f} GB; at most {:.0f} GB are written. Take a smaller piece.", 1e-9 * size.bytes,
-                                1e-9 * largest_mesh_bytes));
+        throw Error(fmt::format("The file would have about {:.1f} GB; at most {:.0f} GB are written. Take a smaller piece.",
+                                1e-9 * size.bytes, 1e-9 * largest_mesh_bytes));
     aiScene scene;
     fill_scene(scene, options.detail == MeshDetail::yarn ? yarn_meshes(textile, options, format) : line_meshes(textile, options, format));
     Assimp::Exporter exporter;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Meshes and centrelines of yarns for other programs, through Assimp. OBJ, PLY and STL in mm with z out of the fabric; GLB in metres with y out of it.
+// Meshes and centrelines of yarns for other programs, through Assimp. OBJ, PLY and STL in mm with z out of the fabric; GLB in metres with y
+// out of it.
 #pragma once
 
 #include "core/geometry/mesh.h"

@@ -17,7 +17,8 @@ void read_isotherm(ObjectReader& object, GabIsotherm& gab)
     const ProjectJson* value = object.find("isotherm");
     if (!value) return;
     if (value->is_string()) {
-        if (*value != "master") object.refuse("isotherm", fmt::format("This must be \"master\" or an object; given is {}.", in_words(*value)));
+        if (*value != "master")
+            object.refuse("isotherm", fmt::format("This must be \"master\" or an object; given is {}.", in_words(*value)));
         gab = {};
         return;
     }
@@ -83,7 +84,8 @@ std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::strin
 {
     if (value.is_string()) return {{value.get<std::string>(), 1.0}};
     if (!value.is_array())
-        throw FileError(fmt::format("{}: {}: This must be the name of a material or a list of shares; given is {}.", file, path, in_words(value)));
+        throw FileError(
+            fmt::format("{}: {}: This must be the name of a material or a list of shares; given is {}.", file, path, in_words(value)));
     std::vector<MaterialShare> shares;
     for (std::size_t i = 0; i < value.size(); ++i) {
         ObjectReader object(value[i], file, fmt::format("{}[{}]", path, i));
@@ -130,9 +132,11 @@ Weave read_rows(const ObjectReader& object, const ProjectJson& rows)
     for (std::size_t row = 0; row < picks; ++row) {
         const std::string key = fmt::format("rows[{}]", row);
         const std::string text = text_in(rows[row], object.file(), object.path_of(key));
-        if (text.size() != ends) object.refuse(key, fmt::format("All rows need {} crossings as the first; this one has {}.", ends, text.size()));
+        if (text.size() != ends)
+            object.refuse(key, fmt::format("All rows need {} crossings as the first; this one has {}.", ends, text.size()));
         for (std::size_t end = 0; end < ends; ++end) {
-            if (text[end] != '0' && text[end] != '1') object.refuse(key, fmt::format("A row is made of 0 and 1 (warp up); given is {}.", in_words(rows[row])));
+            if (text[end] != '0' && text[end] != '1')
+                object.refuse(key, fmt::format("A row is made of 0 and 1 (warp up); given is {}.", in_words(rows[row])));
             up[(picks - 1 - row) * ends + end] = text[end] == '1'; // the top row is the last pick
         }
     }
@@ -206,7 +210,8 @@ Droplet read_droplet(const ProjectJson& value, const std::string& file, const st
 void check_type(const ObjectReader& object, const std::string& type)
 {
     if (type == "droplet") return;
-    const std::vector<std::string> later{"moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat"};
+    const std::vector<std::string> later{
+        "moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat"};
     if (std::find(later.begin(), later.end(), type) != later.end())
         object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; \"{}\" is one it cannot run yet.", type));
     object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; given is {}.", in_words(type)));
@@ -242,12 +247,15 @@ Experiment read_experiment(const ProjectJson& value, const std::string& file, co
 int read_version(ObjectReader& object, int newest)
 {
     const std::string format = text_in(object.require("format"), object.file(), "format");
-    if (format != "hygroloom-project") object.refuse("format", fmt::format("This must be \"hygroloom-project\"; given is {}.", in_words(format)));
+    if (format != "hygroloom-project")
+        object.refuse("format", fmt::format("This must be \"hygroloom-project\"; given is {}.", in_words(format)));
     int version = 0;
     object.require("version");
     object.read("version", version);
     if (version > newest)
-        object.refuse("version", fmt::format("The project was written by a newer Hygroloom (format {}); this one reads up to {}. Use the newer one.", version, newest));
+        object.refuse("version",
+                      fmt::format("The project was written by a newer Hygroloom (format {}); this one reads up to {}. Use the newer one.",
+                                  version, newest));
     if (version < 1) object.refuse("version", fmt::format("Versions begin at 1; given is {}.", version));
     return version;
 }

@@ -87,7 +87,8 @@ private:
             const std::string name = member.at("name").get<std::string>();
             known += (known.empty() ? "\"" : ", \"") + name + "\"";
             const bool fits = bracketed ? text == name
-                                        : text.substr(0, name.size()) == name && (text.size() == name.size() || text[name.size()] == '.' || text[name.size()] == '[');
+                                        : text.substr(0, name.size()) == name &&
+                                              (text.size() == name.size() || text[name.size()] == '.' || text[name.size()] == '[');
             if (fits && (best == at_->size() || name.size() > longest)) {
                 best = i;
                 longest = name.size();

@@ -121,7 +121,8 @@ void print(std::string& text, const ProjectJson& value, const std::string& inden
     if (value.is_number_float() && !std::isfinite(value.get<double>()))
         throw Error(fmt::format("{}: The value is {}, which no project can hold; give a number.", path, value.get<double>()));
     const bool rows = path.size() > 5 && path.compare(path.size() - 5, 5, ".rows") == 0; // one line each: they draw the weave
-    const bool plain = value.is_array() && !rows && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); });
+    const bool plain =
+        value.is_array() && !rows && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); });
     if (!value.is_structured() || value.empty()) {
         text += value.dump();
         return;
@@ -136,7 +137,8 @@ void print(std::string& text, const ProjectJson& value, const std::string& inden
         first = false;
         text += inner;
         if (value.is_object()) text += ProjectJson(key).dump() + ": ";
-        print(text, member, indent + "  ", value.is_object() ? (path.empty() ? key : path + "." + key) : fmt::format("{}[{}]", path, index++));
+        print(text, member, indent + "  ",
+              value.is_object() ? (path.empty() ? key : path + "." + key) : fmt::format("{}[{}]", path, index++));
     }
     if (!plain) text += "\n" + indent;
     text += value.is_object() ? '}' : ']';

@@ -25,6 +25,11 @@ public:
         std::vector<T> download() const { return values_; }
         T read(std::size_t index) const { return values_[index]; }
         void write(std::size_t index, T value) { values_[index] = value; }
+        /// Overwrites part of the array, which must be long enough.
+        void write_range(std::size_t first, const std::vector<T>& values)
+        {
+            std::copy(values.begin(), values.end(), values_.begin() + static_cast<std::ptrdiff_t>(first));
+        }
         T* data() { return values_.data(); }
         std::size_t size() const { return values_.size(); }
         void swap(Buffer& other) { values_.swap(other.values_); }
@@ -33,7 +38,11 @@ public:
         std::vector<T> values_;
     };
 
-    void set_threads(int threads) { arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : tbb::task_arena::automatic); }
+    void set_threads(int threads)
+    {
+        constexpr int all = tbb::task_arena::automatic;
+        arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
+    }
 
     /// Calls stage(i) for 0 <= i < count; the name is for profilers.
     template <typename Stage> void for_each(const char*, int count, const Stage& stage)

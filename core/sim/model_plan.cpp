@@ -23,15 +23,16 @@ struct Level {
     double network_step;       // s
     double saturation_change;
     double density_tolerance;
+    int burst_steps;
     double neglected;          // part of the delivered water, or of the wicking rate, below which a part is left out
 };
 
 Level level_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 0.02, 0.01};
-    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 0.01, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 0.01, 0.0};
+    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 0.02, 20, 0.01};
+    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 0.01, 20, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 0.01, 0, 0.0};
     }
     return {};
 }
@@ -202,11 +203,14 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.network_step_limit = level.network_step;
     plan.saturation_change = level.saturation_change;
     plan.density_tolerance = level.density_tolerance;
+    plan.burst_steps = level.burst_steps;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
     plan.resolution_reason = fmt::format("{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
-                                         "most {:.3g} ms that change no saturation by more than about {:.2g}.",
+                                         "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
                                          name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit,
-                                         plan.saturation_change);
+                                         plan.saturation_change,
+                                         plan.burst_steps > 0 ? fmt::format("a puddle at rest moves {} steps in each of them", plan.burst_steps)
+                                                              : std::string("a puddle at rest is never skipped"));
     expect(plan, bounds, experiment);
     return plan;
 }

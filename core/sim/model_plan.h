@@ -35,6 +35,7 @@ struct ModelPlan {
     double network_step_limit = 0;  ///< s
     double saturation_change = 0;   ///< that a network step aims at
     double density_tolerance = 0;   ///< of the pressure loop, fraction
+    int burst_steps = 0;            ///< liquid steps between two network steps once the liquid rests; 0: all
     std::string resolution_reason;
     double expected_seconds = 0;
     double expected_bytes = 0;

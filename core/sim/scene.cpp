@@ -49,7 +49,7 @@ YarnParameters make_yarn(const YarnSystem& system, double crossing_pitch, const 
         saturated_liquid_diffusivity(climate.surface_tension, system.contact_angle, system.pore_radius, climate.viscosity) / system.tortuosity;
     yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / system.tortuosity;
     yarn.face_area = system.section.width * crossing_pitch;
-    yarn.wetting = 0.5 * (1.0 + std::cos(system.contact_angle));
+    yarn.adhesion = work_of_adhesion(climate.surface_tension, system.contact_angle);
     yarn.initial_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
     if (yarn.liquid_diffusivity > 0) {
         yarn.suction_radius = system.pore_radius / std::cos(system.contact_angle);
@@ -140,6 +140,7 @@ Scene build_scene(const Textile& textile, const Experiment& experiment, const Mo
     scene.network_step = plan.network_step_limit;
     scene.saturation_change = plan.saturation_change;
     scene.density_tolerance = plan.density_tolerance;
+    scene.burst_steps = plan.burst_steps;
     scene.seed = seed;
     return scene;
 }

@@ -27,7 +27,7 @@ struct YarnParameters {
     double suction_radius = 0;       ///< m, pore radius / cos(contact angle): smaller sucks harder; 0: does not wick
     double intake_flux = 0;          ///< kg/(m2 s) through the skin of a dry yarn
     double face_area = 0;            ///< m2 of one segment's skin that drinks from drops
-    double wetting = 0;              ///< (1 + cos contact angle) / 2
+    double adhesion = 0;             ///< J/m2, work of adhesion
     double initial_regain = 0;
 };
 
@@ -85,6 +85,7 @@ struct Scene {
     double network_step = 0;              ///< s, longest
     double saturation_change = 0;         ///< largest a step aims at, for the step's length
     double density_tolerance = 0.01;
+    int burst_steps = 0;                  ///< liquid steps between two network steps once the liquid rests; 0: all
     std::uint64_t seed = 1;
 
     int crossings() const { return ends * picks; }

@@ -9,7 +9,9 @@
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/yarn_exchange.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -30,7 +32,8 @@ public:
         next_droplet_ = 0;
         count_ = 0;
         liquid_steps_ = 0;
-        delivered_ = 0;
+        delivered_ = calm_time_ = 0;
+        burst_ = 0;
         load_segments();
         load_liquid();
         initial_ = ledger().water_bound + ledger().water_vapour;
@@ -43,19 +46,26 @@ public:
         while (time_ < until) {
             if (sync_time_ < 0) {
                 release_droplets();
-                sync_time_ = std::min(until, time_ + network_dt_);
-                if (next_droplet_ < scene_.droplets.size()) sync_time_ = std::min(sync_time_, scene_.droplets[next_droplet_].time);
+                double target = until;
+                if (next_droplet_ < scene_.droplets.size()) target = std::min(target, scene_.droplets[next_droplet_].time);
+                const double steps = steps_to(target, network_dt_);
+                sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
             while (time_ < sync_time_ && count_ > 0) {
-                const double left = sync_time_ - time_;
-                double dt = std::min(liquid_dt_, left);
-                if (dt < left && left < 2 * dt) dt = 0.5 * left;
+                if (scene_.burst_steps > 0 && time_ >= calm_time_ && burst_ >= scene_.burst_steps) {
+                    give_to_segments(sync_time_ - time_); // the puddle rests: it only drains until the next burst
+                    break;
+                }
+                const double steps = steps_to(sync_time_, liquid_dt_);
+                const double dt = (sync_time_ - time_) / steps;
                 step_liquid(dt);
-                time_ = dt == left ? sync_time_ : time_ + dt;
+                time_ = steps == 1.0 ? sync_time_ : time_ + dt;
+                ++burst_;
                 if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
             }
             time_ = sync_time_;
             sync_time_ = -1;
+            burst_ = 0;
             step_network(time_ - network_time_, time_ >= until);
             network_time_ = time_;
             if (elapsed(start) > wall_seconds) break;
@@ -70,6 +80,8 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+    /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
+    double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
     template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, scene_.segments(), stage); }
     template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
 
@@ -79,6 +91,7 @@ private:
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
     void step_liquid(double dt);
+    void give_to_segments(double dt);
     void sort_particles();
     void correct_pressure(Real dt);
     void choose_liquid_step();
@@ -94,11 +107,13 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0;
+    int burst_ = 0;         ///< liquid steps since the last synchronisation
+    double calm_time_ = 0;  ///< from which the free liquid has come to rest
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0;
 
     // Yarns.
-    Buffer<double> length_, liquid_, vapour_, warmth_, regain_, intake_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
+    Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
     Buffer<std::uint8_t> warp_up_;
     Buffer<std::int64_t> absorbed_;
     Buffer<int> contact_;
@@ -110,12 +125,13 @@ private:
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
     double stiffness_ = 0; ///< delta x dt2
     double capillary_dt_ = 0;
-    Buffer<Vec3> position_, velocity_, predicted_, force_, pressure_force_, colour_gradient_, wall_normal_;
+    Buffer<Vec3> position_, velocity_, predicted_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
     Buffer<Real> density_, pressure_, wall_distance_, sorted_distance_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_;  ///< density error, dripped, drunk
+    Buffer<std::int64_t> sums_;  ///< density error, dripped quanta
+    Buffer<std::int64_t> content_, sorted_content_;
     Buffer<int> maxima_;         ///< fastest, largest change of saturation
     CellGrid grid_;
 };

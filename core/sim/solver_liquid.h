@@ -8,7 +8,9 @@ namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
 constexpr Real friction_coefficient = Real(0.2);  // of water sliding on yarn, per normal impulse
+constexpr double grain_viscosity = 0.03;           // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;            // m below the fabric at which a particle counts as dripped off
+constexpr double pressure_relaxation = 0.5;       // of a pressure correction; whole ones overshoot between close particles
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 12;
 
@@ -29,17 +31,18 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     const double spacing = std::cbrt(particle_volume);
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
-    stiffness_ = pressure_stiffness(spacing, support_);
+    stiffness_ = pressure_relaxation * pressure_stiffness(spacing, support_);
     capillary_dt_ = 0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
     liquid_dt_ = capillary_dt_;
 
     std::size_t capacity = 0;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &colour_gradient_, &wall_normal_, &sorted_position_,
+    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &sorted_position_,
                     &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
     for (auto* b : {&density_, &pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
+    for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     neighbours_.resize(capacity * largest_neighbour_count);
     alive_.resize(capacity);
 
@@ -61,17 +64,26 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
-        for (int i = 0; i < added; ++i) {
-            const Vec3d x = drop.centre + places[static_cast<std::size_t>(i)];
-            const auto at = static_cast<std::size_t>(count_ + i);
-            position_.write(at, {static_cast<Real>(x.x), static_cast<Real>(x.y), static_cast<Real>(x.z)});
-            velocity_.write(at, {0, 0, static_cast<Real>(-drop.speed)});
-            wall_normal_.write(at, {});
-            wall_distance_.write(at, support_);
-            wall_segment_.write(at, -1);
-            alive_.write(at, 1);
+        std::vector<Vec3> x;
+        for (const Vec3d& place : places) {
+            const Vec3d p = drop.centre + place;
+            x.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
         }
+        const auto at = static_cast<std::size_t>(count_);
+        const auto n = static_cast<std::size_t>(added);
+        position_.write_range(at, x);
+        velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
+        wall_normal_.write_range(at, std::vector<Vec3>(n));
+        wall_distance_.write_range(at, std::vector<Real>(n, support_));
+        wall_segment_.write_range(at, std::vector<int>(n, -1));
+        content_.write_range(at, std::vector<std::int64_t>(n, quanta_));
+        alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
+        // Till it has fallen, and ten of its capillary times for it to spread and settle.
+        const double fall = drop.centre.z - std::cbrt(drop.volume * 3.0 / (4.0 * pi)) - scene_.half_thickness;
+        const double landed = (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
+        const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);
+        calm_time_ = std::max(calm_time_, drop.time + landed + 10.0 * capillary_time);
         delivered_ += static_cast<double>(added) * static_cast<double>(quanta_) * water_quantum;
         liquid_dt_ = std::min(capillary_dt_, 0.4 * static_cast<double>(spacing_) / std::max(1e-3, drop.speed));
     }
@@ -87,13 +99,15 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.wall_normal = sorted_normal_.data();
     to.wall_distance = sorted_distance_.data();
     to.wall_segment = sorted_segment_.data();
+    to.content = sorted_content_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                                     wall_segment_.data(), key_.data(), grid_.cells(), to});
+                                     wall_segment_.data(), content_.data(), key_.data(), grid_.cells(), to});
     position_.swap(sorted_position_);
     velocity_.swap(sorted_velocity_);
     wall_normal_.swap(sorted_normal_);
     wall_distance_.swap(sorted_distance_);
     wall_segment_.swap(sorted_segment_);
+    content_.swap(sorted_content_);
     exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
     count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
 }
@@ -116,19 +130,24 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
     each_particle("neighbours", FindNeighbours{particle_views(), grid()});
-    each_particle("colour gradient", FindColourGradient{particle_views(), liquid()});
     each_particle("forces", FindForces{particle_views(), liquid()});
     correct_pressure(step);
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real touching = Real(0.5) * spacing_;
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), support_, touching, friction_coefficient,
+    const Real drag_rate = 2 * liquid().kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), support_, touching, friction_coefficient, 1 / (1 + step * drag_rate),
                                           static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
-    each_particle("touch", TouchSegments{particle_views(), contact_.data(), Real(1.2) * touching});
-    each_segment("drink", DrinkParticles{particle_views(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt, quanta_,
-                                         sums_.data() + 2});
+    give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;
+}
+
+template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
+{
+    each_particle("touch", TouchSegments{particle_views(), contact_.data(), Real(0.6) * spacing_});
+    each_particle("give", GiveToSegment{particle_views(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt});
+    each_particle("forget", ForgetContact{particle_views(), contact_.data()});
 }
 
 /// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
@@ -157,12 +176,12 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.predicted = predicted_.data();
     p.force = force_.data();
     p.pressure_force = pressure_force_.data();
-    p.colour_gradient = colour_gradient_.data();
     p.wall_normal = wall_normal_.data();
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
     p.density = density_.data();
     p.pressure = pressure_.data();
+    p.content = content_.data();
     p.alive = alive_.data();
     p.neighbours = neighbours_.data();
     p.neighbour_count = neighbour_count_.data();
@@ -191,11 +210,12 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
-    l.kinematic_viscosity = static_cast<Real>(scene_.climate.viscosity / scene_.climate.density);
-    l.cohesion = static_cast<Real>(49.0 * scene_.climate.surface_tension) * support_;
+    l.kinematic_viscosity = static_cast<Real>(scene_.climate.viscosity / scene_.climate.density +
+                                              grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
+    l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(gravity_acceleration);
-    l.wetting_warp = static_cast<Real>(scene_.warp.wetting);
-    l.wetting_weft = static_cast<Real>(scene_.weft.wetting);
+    l.adhesion_warp = static_cast<Real>(scene_.warp.adhesion);
+    l.adhesion_weft = static_cast<Real>(scene_.weft.adhesion);
     l.crossings = scene_.crossings();
     return l;
 }

@@ -40,7 +40,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     warp_up_.upload(scene_.warp_up);
     warp_profile_.upload(scene_.warp_shape.profile);
     weft_profile_.upload(scene_.weft_shape.profile);
-    for (auto* b : {&liquid_, &warmth_, &intake_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_}) {
+    for (auto* b : {&liquid_, &warmth_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_}) {
         b->resize(n);
         b->fill(0.0);
     }
@@ -48,7 +48,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    sums_.resize(3);
+    sums_.resize(2);
     sums_.fill(0);
     maxima_.resize(2);
     maxima_.fill(0);
@@ -124,7 +124,6 @@ template <typename Executor> Segments Solver<Executor>::segments()
     s.regain = regain_.data();
     s.absorbed = absorbed_.data();
     s.contact = contact_.data();
-    s.intake = intake_.data();
     s.evaporated = evaporated_.data();
     s.released = released_.data();
     s.lost = lost_.data();
@@ -152,7 +151,8 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.time = time_;
     l.water_initial = initial_;
     l.water_delivered = delivered_;
-    l.water_free = static_cast<double>(count_) * static_cast<double>(quanta_) * water_quantum;
+    const std::vector<std::int64_t> content = content_.download();
+    l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, std::int64_t(0))) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
         const YarnParameters& yarn = i < liquid.size() / 2 ? scene_.warp : scene_.weft;
@@ -164,7 +164,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(sums_.read(1)) * static_cast<double>(quanta_) * water_quantum;
+    l.water_dripped = static_cast<double>(sums_.read(1)) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
     l.energy_released = sum(released_.download());
     l.energy_lost = sum(lost_.download());

@@ -19,7 +19,6 @@ struct Segments {
     double* regain = nullptr;        ///< per shell, from the fibre's middle outwards
     std::int64_t* absorbed = nullptr;///< quanta taken from particles since the last network step
     int* contact = nullptr;          ///< lowest particle that touches, or none
-    double* intake = nullptr;        ///< kg the segment could still have drunk
     double* evaporated = nullptr;    ///< kg to the air since the start
     double* released = nullptr;      ///< J by phase change since the start
     double* lost = nullptr;          ///< J to the air since the start
@@ -52,12 +51,12 @@ struct Particles {
     Vec3* predicted = nullptr;
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* colour_gradient = nullptr; ///< 1/m
     Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
     Real* wall_distance = nullptr;   ///< to its skin
     int* wall_segment = nullptr;     ///< or -1
     Real* density = nullptr;         ///< kg/m3, predicted
     Real* pressure = nullptr;        ///< Pa
+    std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
     int* neighbours = nullptr;       ///< largest_neighbour_count slots each
     int* neighbour_count = nullptr;

@@ -56,7 +56,9 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"check", "/nowhere.hygro"}).code, 3);
         const Answer wrong = run_cli({"check", example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=-1"});
         QCOMPARE(wrong.code, 3);
-        QVERIFY2(wrong.err.contains("textile-F.hygro: fabrics[0].ends_per_cm: error: The number of ends per cm must be from 0.5 to 500; given is -1."), wrong.err);
+        QVERIFY2(wrong.err.contains(
+                     "textile-F.hygro: fabrics[0].ends_per_cm: error: The number of ends per cm must be from 0.5 to 500; given is -1."),
+                 wrong.err);
         QCOMPARE(run_cli({"simulate", example("textile-F.hygro"), "--set", "experiments[0].duration_s=0"}).code, 3);
         QCOMPARE(run_cli({"measure", example("textile-F.hygro")}).code, 3);
     }
@@ -85,7 +87,8 @@ private Q_SLOTS:
     }
     void setTakesSeveralValuesAndLeavesTheProject()
     {
-        const Answer answer = run_cli({"check", "--set", "fabrics[0].ends_per_cm=20", "fabrics.Textile F.picks_per_cm=18", example("textile-F.hygro"), "--json"});
+        const Answer answer = run_cli(
+            {"check", "--set", "fabrics[0].ends_per_cm=20", "fabrics.Textile F.picks_per_cm=18", example("textile-F.hygro"), "--json"});
         QCOMPARE(answer.code, 0);
         const QJsonObject derived = answer.json()["fabrics"].toArray()[0].toObject()["derived"].toObject();
         QCOMPARE(derived["warp"].toObject()["pitch_mm"].toDouble(), 0.5);
@@ -115,7 +118,9 @@ private Q_SLOTS:
             QVERIFY(QFile(file).size() > 1000);
             QVERIFY2(answer.err.contains("5 ends and 3 picks"), answer.err);
         }
-        QCOMPARE(run_cli({"export", example("textile-A.hygro"), "--detail", "centreline", "-o", folder_.filePath("lines.obj"), "--quiet"}).err, QByteArray());
+        QCOMPARE(
+            run_cli({"export", example("textile-A.hygro"), "--detail", "centreline", "-o", folder_.filePath("lines.obj"), "--quiet"}).err,
+            QByteArray());
         const Answer nowhere = run_cli({"export", example("textile-A.hygro"), "-o", "/nowhere/cloth.obj"});
         QCOMPARE(nowhere.code, 1);
         QVERIFY(nowhere.err.contains("/nowhere/cloth.obj"));

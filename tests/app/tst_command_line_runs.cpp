@@ -14,8 +14,19 @@ class TestCommandLineRuns : public QObject {
 
     QStringList short_run(const QString& recording) const
     {
-        return {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=0.05",
-                "experiments[0].sample_mm=[8,8]", "experiments[0].droplets[0].volume_ul=2", "experiments[0].droplets[0].height_mm=0", "-o", recording};
+        return {"simulate",
+                example("one-drop-on-cotton.hygro"),
+                "--fidelity",
+                "draft",
+                "--backend",
+                "cpu",
+                "--set",
+                "experiments[0].duration_s=0.05",
+                "experiments[0].sample_mm=[8,8]",
+                "experiments[0].droplets[0].volume_ul=2",
+                "experiments[0].droplets[0].height_mm=0",
+                "-o",
+                recording};
     }
 
 private Q_SLOTS:
@@ -51,7 +62,8 @@ private Q_SLOTS:
     {
         const QString recording = folder_.filePath("cut.hygrorec");
         QProcess process;
-        process.start(HYGROLOOM_CLI, {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=3600", "-o", recording});
+        process.start(HYGROLOOM_CLI, {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set",
+                                      "experiments[0].duration_s=3600", "-o", recording});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QFile(recording).size() > 0, 30000);
         QTest::qWait(1000);

@@ -47,7 +47,8 @@ private Q_SLOTS:
         const Image image = draw_map(drop_in_a_corner(), 10e-3, 5e-3, {});
         QCOMPARE(image.rgb.size(), std::size_t(3) * image.width * image.height);
         // 480 pixels across the map: 48 a cell, after a margin of 16; the first row lies at the bottom.
-        const Pixel wettest = pixel(image, 16 + 24, 16 + 240 - 24), wet = pixel(image, 16 + 2 * 48 + 24, 16 + 240 - 48 - 24), dry = pixel(image, 16 + 5 * 48, 16 + 24);
+        const Pixel wettest = pixel(image, 16 + 24, 16 + 240 - 24), wet = pixel(image, 16 + 2 * 48 + 24, 16 + 240 - 48 - 24),
+                    dry = pixel(image, 16 + 5 * 48, 16 + 24);
         QVERIFY(wettest.b > wettest.r + 60);
         QVERIFY(wet.b > wet.r + 60 && wet.r > wettest.r);
         QVERIFY(dry.r > dry.b && dry.b > 200);

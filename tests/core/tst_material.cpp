@@ -90,10 +90,7 @@ private Q_SLOTS:
         const double surface = 0.25 * 2 / (1300 * 10) + 0.75 * 2 / (1390 * 6.5);
         QVERIFY(near(2 / (blend.density_kg_m3 * blend.fibre_radius_um), surface, 1e-12));
     }
-    void blendsWithoutIsothermUseTheMasterCurve()
-    {
-        QVERIFY(!blended_material({}, {{"acrylic", 0.5}, {"polyester", 0.5}}).gab.given());
-    }
+    void blendsWithoutIsothermUseTheMasterCurve() { QVERIFY(!blended_material({}, {{"acrylic", 0.5}, {"polyester", 0.5}}).gab.given()); }
 };
 
 QTEST_APPLESS_MAIN(TestMaterial)

@@ -25,7 +25,10 @@ Textile cloth(const char* pattern, int ends, int picks, double thickness_mm = 0)
     return build_textile({}, fabric, {0, 0, ends, picks});
 }
 
-Vec3d position(const YarnMesh& mesh, std::uint32_t v) { return {mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]}; }
+Vec3d position(const YarnMesh& mesh, std::uint32_t v)
+{
+    return {mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]};
+}
 
 double volume(const YarnMesh& mesh, const MeshGroup& group)
 {
@@ -77,7 +80,10 @@ private Q_SLOTS:
             std::map<std::array<float, 3>, int> welded;
             std::set<std::pair<int, int>> edges;
             const auto id = [&](std::uint32_t v) {
-                return welded.emplace(std::array<float, 3>{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]}, static_cast<int>(welded.size())).first->second;
+                return welded
+                    .emplace(std::array<float, 3>{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]},
+                             static_cast<int>(welded.size()))
+                    .first->second;
             };
             for (std::size_t i = group.first_index; i < group.first_index + group.indices; i += 3)
                 for (std::size_t c = 0; c < 3; ++c)
@@ -100,7 +106,8 @@ private Q_SLOTS:
     {
         const YarnMesh mesh = mesh_yarns(cloth("twill 2/2 S", 4, 4), 6, 8);
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const Vec3d a = position(mesh, mesh.indices[i]), b = position(mesh, mesh.indices[i + 1]), c = position(mesh, mesh.indices[i + 2]);
+            const Vec3d a = position(mesh, mesh.indices[i]), b = position(mesh, mesh.indices[i + 1]),
+                        c = position(mesh, mesh.indices[i + 2]);
             const Vec3d face = cross(b - a, c - a);
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t v = mesh.indices[i + k];
@@ -132,7 +139,8 @@ private Q_SLOTS:
             for (std::size_t v = group.first_vertex; v < group.first_vertex + group.vertices; ++v) {
                 const int crossings = group.kind == YarnKind::warp ? 4 : 3;
                 const int at = std::min(static_cast<int>(mesh.uvs[2 * v]), crossings - 1);
-                QCOMPARE(mesh.segment_of_vertex[v], group.kind == YarnKind::warp ? textile.segment(YarnKind::warp, group.yarn, at) : textile.segment(YarnKind::weft, at, group.yarn));
+                QCOMPARE(mesh.segment_of_vertex[v], group.kind == YarnKind::warp ? textile.segment(YarnKind::warp, group.yarn, at)
+                                                                                 : textile.segment(YarnKind::weft, at, group.yarn));
             }
     }
     void linesRunThroughTheMiddle()
@@ -143,7 +151,8 @@ private Q_SLOTS:
         QCOMPARE(lines[0].positions.size(), std::size_t(3 * 13));
         double along = 0;
         for (std::size_t i = 3; i < lines[0].positions.size(); i += 3)
-            along += std::hypot(lines[0].positions[i + 1] - lines[0].positions[i - 2], lines[0].positions[i + 2] - lines[0].positions[i - 1]);
+            along +=
+                std::hypot(lines[0].positions[i + 1] - lines[0].positions[i - 2], lines[0].positions[i + 2] - lines[0].positions[i - 1]);
         QVERIFY(std::abs(along / (3 * textile.warp.path.length) - 1) < 0.02);
     }
     void racetracksHaveTheirWidthAndHeight()

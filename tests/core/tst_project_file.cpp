@@ -34,8 +34,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-template <typename Act>
-std::string message_of(Act act)
+template <typename Act> std::string message_of(Act act)
 {
     try {
         act();
@@ -146,7 +145,8 @@ private Q_SLOTS:
         row("a number too large", replaced(good, "0.635", "1e999"), "not valid JSON");
         row("NaN", replaced(good, "0.635", "NaN"), "line");
         row("a list", "[1, 2]", "must be an object");
-        row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""), "fabrics[0].warp: The key \"diametr_mm\" is not known here; did you mean \"diameter_mm\"?");
+        row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""),
+            "fabrics[0].warp: The key \"diametr_mm\" is not known here; did you mean \"diameter_mm\"?");
         row("unknown key far from all", replaced(good, "\"thickness_mm\"", "\"q\""), "Known are: name, warp, weft");
         row("twice", replaced(good, "\"ends_per_cm\"", "\"picks_per_cm\""), "stands twice");
         row("text for number", replaced(good, "0.635", "\"0.635\""), "fabrics[0].thickness_mm: This must be a number; given is \"0.635\"");
@@ -169,13 +169,17 @@ private Q_SLOTS:
         row("no rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": []"), "from 1 to 2000");
         row("a draft", replaced(good, "\"pattern\": \"plain\"", "\"draft\": {}"), "does not read drafts");
         row("twist direction", replaced(good, "\"Z\"", "\"X\""), "\"Z\" or \"S\"");
-        row("experiment of later", replaced(good, "\"type\": \"droplet\"", "\"type\": \"drying\""), "This version runs experiments of type \"droplet\"; \"drying\"");
-        row("experiment of never", replaced(good, "\"type\": \"droplet\"", "\"type\": \"x\""), "This version runs experiments of type \"droplet\"");
-        row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"), "has no material \"coton\"");
-        row("material of nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\"}]"), "\"density_kg_m3\" is missing");
+        row("experiment of later", replaced(good, "\"type\": \"droplet\"", "\"type\": \"drying\""),
+            "This version runs experiments of type \"droplet\"; \"drying\"");
+        row("experiment of never", replaced(good, "\"type\": \"droplet\"", "\"type\": \"x\""),
+            "This version runs experiments of type \"droplet\"");
+        row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"),
+            "has no material \"coton\"");
+        row("material of nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\"}]"),
+            "\"density_kg_m3\" is missing");
         row("garments", replaced(good, "\"materials\": []", "\"garments\": [{}]"), "does not read garments");
         row("deep", std::string(100000, '['), "deeper than 32");
-        row("deep objects", "{\"materials\": " + std::string(5000, '[') , "deeper than 32");
+        row("deep objects", "{\"materials\": " + std::string(5000, '['), "deeper than 32");
         row("binary", std::string("\x89HDF\r\n\x1a\n\0\0\0", 11), "line 1, column 1");
     }
     void badTextIsRefusedWithItsPlace()
@@ -276,14 +280,14 @@ private Q_SLOTS:
     void olderVersionsMigrateStepByStep()
     {
         // As if version 2 had renamed a key and version 3 changed a unit.
-        const std::vector<Migration> steps{
-            [](ProjectJson& project) {
-                project["fabrics"] = project.at("cloths");
-                project.erase("cloths");
-            },
-            [](ProjectJson& project) {
-                for (auto& fabric : project["fabrics"]) fabric["ends_per_cm"] = fabric["ends_per_cm"].get<double>() / 2;
-            }};
+        const std::vector<Migration> steps{[](ProjectJson& project) {
+                                               project["fabrics"] = project.at("cloths");
+                                               project.erase("cloths");
+                                           },
+                                           [](ProjectJson& project) {
+                                               for (auto& fabric : project["fabrics"])
+                                                   fabric["ends_per_cm"] = fabric["ends_per_cm"].get<double>() / 2;
+                                           }};
         ProjectJson old = json_from_design(read_project(examples + "textile-F.hygro"));
         old["cloths"] = old["fabrics"];
         old.erase("fabrics");
@@ -302,7 +306,8 @@ private Q_SLOTS:
         QCOMPARE(*with_value(design, "fabrics[0].contact_angle_deg", "60").fabrics[0].contact_angle_deg, 60.0);
         QCOMPARE(with_value(design, "experiments.one drop.duration_s", "5").experiments[0].duration_s, 5.0);
         QCOMPARE(with_value(design, "experiments[one drop].duration_s", "5").experiments[0].duration_s, 5.0);
-        QCOMPARE(with_value(design, "fabrics.Textile F.weave.pattern", "twill 2/1 S").fabrics[0].weave.pattern(), std::string("twill 2/1 S"));
+        QCOMPARE(with_value(design, "fabrics.Textile F.weave.pattern", "twill 2/1 S").fabrics[0].weave.pattern(),
+                 std::string("twill 2/1 S"));
         QCOMPARE(with_value(design, "fabrics.satin.weave.pattern", "plain").fabrics[1].weave, Weave());
         QCOMPARE(with_value(design, "fabrics[0].name", "60").fabrics[0].name, std::string("60"));
         QCOMPARE(with_value(design, "experiments[0].droplets[1].at_mm", "[1, -2]").experiments[0].droplets[1].at_mm[1], -2.0);

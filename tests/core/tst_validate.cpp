@@ -64,8 +64,12 @@ private Q_SLOTS:
         row("fabrics[0].warp.material", "no_material", [](Design& d) { d.fabrics[0].warp.material.clear(); });
         row("fabrics[0].warp.material ", "unknown_material", [](Design& d) { d.fabrics[0].warp.material = {{"stone", 1.0}}; });
         row("fabrics[0].warp.material  ", "shares", [](Design& d) { d.fabrics[0].warp.material = {{"cotton", 0.5}, {"wool", 0.4}}; });
-        row("fabrics[0].warp.material[1]", "duplicate_name", [](Design& d) { d.fabrics[0].warp.material = {{"wool", 0.5}, {"wool", 0.5}}; });
-        row("fabrics[0].warp.material[1].share", "range", [nan](Design& d) { d.fabrics[0].warp.material = {{"wool", 0.5}, {"cotton", nan}}; });
+        row("fabrics[0].warp.material[1]", "duplicate_name", [](Design& d) {
+            d.fabrics[0].warp.material = {{"wool", 0.5}, {"wool", 0.5}};
+        });
+        row("fabrics[0].warp.material[1].share", "range", [nan](Design& d) {
+            d.fabrics[0].warp.material = {{"wool", 0.5}, {"cotton", nan}};
+        });
         row("fabrics[0].ends_per_cm", "range", [nan](Design& d) { d.fabrics[0].ends_per_cm = nan; });
         row("fabrics[0].picks_per_cm", "range", [](Design& d) { d.fabrics[0].picks_per_cm = 0; });
         row("fabrics[0].ends_per_cm ", "ends_do_not_fit", [](Design& d) { d.fabrics[0].ends_per_cm = 100; });
@@ -88,7 +92,11 @@ private Q_SLOTS:
         row("experiments[0].climate.air_speed_m_s", "range", [](Design& d) { d.experiments[0].climate.air_speed_m_s = 21; });
         row("experiments[0].liquid", "unknown_liquid", [](Design& d) { d.experiments[0].liquid = "mercury"; });
         row("experiments[0].sample_mm[1]", "range", [nan](Design& d) { d.experiments[0].sample_mm[1] = nan; });
-        row("experiments[0].sample_mm", "sample_too_large", [](Design& d) { d.experiments[0].sample_mm = {2000, 2000}; d.fabrics[0].ends_per_cm = 40; d.fabrics[0].picks_per_cm = 40; });
+        row("experiments[0].sample_mm", "sample_too_large", [](Design& d) {
+            d.experiments[0].sample_mm = {2000, 2000};
+            d.fabrics[0].ends_per_cm = 40;
+            d.fabrics[0].picks_per_cm = 40;
+        });
         row("experiments[0].duration_s", "range", [](Design& d) { d.experiments[0].duration_s = 0; });
         row("experiments[0].duration_s ", "range", [inf](Design& d) { d.experiments[0].duration_s = inf; });
         row("experiments[0].droplets[0].volume_ul", "range", [](Design& d) { d.experiments[0].droplets[0].volume_ul = 0; });
@@ -100,12 +108,30 @@ private Q_SLOTS:
         row("experiments[0].droplets[0].height_mm", "range", [nan](Design& d) { d.experiments[0].droplets[0].height_mm = nan; });
         row("experiments[0].droplets[0].speed_m_s", "range", [](Design& d) { d.experiments[0].droplets[0].speed_m_s = 6; });
         row("experiments[0].droplets[1]", "droplets_overlap", [](Design& d) { d.experiments[0].droplets.resize(2); });
-        row("materials[0].density_kg_m3", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].density_kg_m3 = 0; });
-        row("materials[0].based_on", "unknown_material", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].based_on = "stone"; });
-        row("materials[0].isotherm.k", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].gab.k = 1; });
-        row("materials[0].saturation_regain", "range", [](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].saturation_regain = 0.01; });
-        row("materials[0].fibre_diffusivity_m2_s", "no_two_stage_law", [](Design& d) { d.materials.push_back(*find_library_material("silk")); d.materials[0].diffusion.two_stage = true; });
-        row("materials[0].specific_heat_j_kgk", "range", [nan](Design& d) { d.materials.push_back(material_library()[0]); d.materials[0].specific_heat_j_kgk = nan; });
+        row("materials[0].density_kg_m3", "range", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].density_kg_m3 = 0;
+        });
+        row("materials[0].based_on", "unknown_material", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].based_on = "stone";
+        });
+        row("materials[0].isotherm.k", "range", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].gab.k = 1;
+        });
+        row("materials[0].saturation_regain", "range", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].saturation_regain = 0.01;
+        });
+        row("materials[0].fibre_diffusivity_m2_s", "no_two_stage_law", [](Design& d) {
+            d.materials.push_back(*find_library_material("silk"));
+            d.materials[0].diffusion.two_stage = true;
+        });
+        row("materials[0].specific_heat_j_kgk", "range", [nan](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].specific_heat_j_kgk = nan;
+        });
     }
     void everyWrongValueIsAnErrorAtItsPlace()
     {
@@ -175,7 +201,8 @@ private Q_SLOTS:
     }
     void everyExampleIsSound()
     {
-        for (const char* file : {"one-drop-on-cotton", "textile-A", "textile-B", "textile-C", "textile-D", "textile-E", "textile-F", "textile-G"}) {
+        for (const char* file :
+             {"one-drop-on-cotton", "textile-A", "textile-B", "textile-C", "textile-D", "textile-E", "textile-F", "textile-G"}) {
             const Design design = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + file + ".hygro");
             for (const Issue& issue : validate(design)) QVERIFY2(issue.severity == Severity::note, issue.text.c_str());
         }

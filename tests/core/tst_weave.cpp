@@ -38,14 +38,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<QString>("rows");
-        QTest::newRow("plain") << "plain" << "01 10";
-        QTest::newRow("twill 2/1 Z") << "twill 2/1 Z" << "011 110 101";
-        QTest::newRow("twill 2/1 S") << "twill 2/1 S" << "011 101 110";
-        QTest::newRow("twill 2/2 Z") << "twill 2/2 Z" << "0011 0110 1100 1001";
-        QTest::newRow("twill 2/1/1/1 Z") << "twill 2/1/1/1 Z" << "01011 10110 01101 11010 10101";
-        QTest::newRow("basket 2/1") << "basket 2/1" << "0011 1100";
-        QTest::newRow("warp rib") << "rib 2/2 warp" << "01 01 10 10";
-        QTest::newRow("weft rib") << "rib 2/2 weft" << "0011 1100";
+        QTest::newRow("plain") << "plain"
+                               << "01 10";
+        QTest::newRow("twill 2/1 Z") << "twill 2/1 Z"
+                                     << "011 110 101";
+        QTest::newRow("twill 2/1 S") << "twill 2/1 S"
+                                     << "011 101 110";
+        QTest::newRow("twill 2/2 Z") << "twill 2/2 Z"
+                                     << "0011 0110 1100 1001";
+        QTest::newRow("twill 2/1/1/1 Z") << "twill 2/1/1/1 Z"
+                                         << "01011 10110 01101 11010 10101";
+        QTest::newRow("basket 2/1") << "basket 2/1"
+                                    << "0011 1100";
+        QTest::newRow("warp rib") << "rib 2/2 warp"
+                                  << "01 01 10 10";
+        QTest::newRow("weft rib") << "rib 2/2 weft"
+                                  << "0011 1100";
     }
     void patternsDrawAsInTextbooks()
     {
@@ -114,9 +122,27 @@ private Q_SLOTS:
     }
     void wrongPatternsAreRefusedWithTheForms()
     {
-        for (const char* pattern : {"", "twil 2/1", "twill", "twill 2", "twill 2/x", "twill 0/1", "twill 2/1 Q", "twill 2/1 Z Z", "twill 1/1",
-                                    "twill 99999999999/1", "twill 1999/1999", "basket", "basket 2/2/2", "rib 2 warp", "rib 2/2 round", "plain 2/2",
-                                    "satin 4/1", "satin", "twill 2/-1", "twill 2//1", "twill 2/1/"})
+        for (const char* pattern : {"",
+                                    "twil 2/1",
+                                    "twill",
+                                    "twill 2",
+                                    "twill 2/x",
+                                    "twill 0/1",
+                                    "twill 2/1 Q",
+                                    "twill 2/1 Z Z",
+                                    "twill 1/1",
+                                    "twill 99999999999/1",
+                                    "twill 1999/1999",
+                                    "basket",
+                                    "basket 2/2/2",
+                                    "rib 2 warp",
+                                    "rib 2/2 round",
+                                    "plain 2/2",
+                                    "satin 4/1",
+                                    "satin",
+                                    "twill 2/-1",
+                                    "twill 2//1",
+                                    "twill 2/1/"})
             QVERIFY2(refused(pattern, ""), pattern);
     }
     void satinStepsMustBeCoprime()

@@ -100,15 +100,17 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     return nearest;
 }
 
-/// Moves a particle that came too close back to the skin; it loses what it had towards the yarn and slides with friction.
+/// Moves a particle that came too close back to the skin; it loses what it had towards the yarn and slides with friction, and the
+/// skin drags on it as on a film of its thickness.
 struct MeetYarns {
     Particles p;
     TextileShape textile;
     Real reach;            ///< how far the wall is felt
     Real touching;         ///< distance at which a particle rests on a skin
     Real friction;
+    Real film_drag;        ///< 1 / (1 + dt x rate), what is left of the speed along a skin
     Real lowest;           ///< below it a particle has dripped off
-    std::int64_t* dripped; ///< particles
+    std::int64_t* dripped; ///< quanta
 
     HL_FN void operator()(int i) const
     {
@@ -123,6 +125,7 @@ struct MeetYarns {
                 const Real held = -friction * approach;
                 v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
             }
+            v = film_drag * v;
             x += (touching - skin.distance) * skin.normal;
             skin.distance = touching;
         }
@@ -131,7 +134,7 @@ struct MeetYarns {
         p.wall_segment[i] = skin.segment;
         if (x.z < lowest) {
             p.alive[i] = 0;
-            atomic_add(dripped, 1);
+            atomic_add(dripped, p.content[i]);
         }
     }
 };
@@ -148,36 +151,39 @@ struct TouchSegments {
     }
 };
 
-/// A touched segment drinks what its suction lets through its skin, a whole particle at a time, never more than its pores hold.
-struct DrinkParticles {
+/// The noted particle gives its segment what suction lets through the skin in this step, in whole quanta, never more than the pores
+/// hold. A particle touches one segment only, so no two drink from it. It keeps its size until it is empty, and then is gone.
+struct GiveToSegment {
     Particles p;
     Segments s;
     YarnParameters warp;
     YarnParameters weft;
     double density;
     double dt;
-    std::int64_t quanta;     ///< of one particle
-    std::int64_t* drunk;     ///< particles
 
     HL_FN void operator()(int i) const
     {
-        const int particle = s.contact[i];
-        if (particle == no_particle) return;
-        s.contact[i] = no_particle;
-        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
-        const double mass = static_cast<double>(quanta) * water_quantum;
-        const double capacity = density * yarn.pore_area * s.length[i];
-        const double held = s.liquid[i] + static_cast<double>(s.absorbed[i]) * water_quantum;
-        const double empty = 1.0 - held / capacity;
-        if (empty <= 0) return;
-        double could = s.intake[i] + dt * yarn.intake_flux * yarn.face_area * empty;
-        if (could >= mass && held + mass <= capacity) {
-            could -= mass;
-            s.absorbed[i] += quanta;
-            p.alive[particle] = 0;
-            atomic_add(drunk, 1);
-        }
-        s.intake[i] = could < mass ? could : mass;
+        const int segment = p.wall_segment[i];
+        if (segment < 0 || s.contact[segment] != i) return;
+        const YarnParameters& yarn = s.is_warp(segment) ? warp : weft;
+        const double capacity = density * yarn.pore_area * s.length[segment];
+        const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
+        if (room <= 0) return;
+        const double drunk = dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double most = (drunk < room ? drunk : room) / water_quantum;
+        const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
+        s.absorbed[segment] += given;
+        p.content[i] -= given;
+        if (p.content[i] == 0) p.alive[i] = 0;
+    }
+};
+
+struct ForgetContact {
+    Particles p;
+    int* contact;
+    HL_FN void operator()(int i) const
+    {
+        if (p.wall_segment[i] >= 0) contact[p.wall_segment[i]] = no_particle;
     }
 };
 

@@ -2,6 +2,7 @@
 // The free liquid: predictive-corrective incompressible SPH (Solenthaler and Pajarola 2009), gathered, one functor per pass.
 #pragma once
 
+#include "core/physics/fluid_forces.h"
 #include "core/physics/sph_kernels.h"
 #include "core/sim/state.h"
 
@@ -10,13 +11,13 @@ namespace hygroloom {
 struct LiquidParameters {
     Real density = 0;            ///< kg/m3, at rest
     Real kinematic_viscosity = 0;///< m2/s
-    Real cohesion = 0;           ///< kappa of eq. 5, J/m: 49 x surface tension x support, physics/README.md
+    Real surface_tension = 0;    ///< N/m
     Real gravity = 0;            ///< m/s2, downwards
-    Real wetting_warp = 0;       ///< (1 + cos contact angle) / 2
-    Real wetting_weft = 0;
+    Real adhesion_warp = 0;      ///< work of adhesion, J/m2: surface tension x (1 + cos contact angle), Young and Dupre
+    Real adhesion_weft = 0;
     int crossings = 0;           ///< segments below this are warp
 
-    HL_FN Real wetting(int segment) const { return segment < 0 ? Real(0) : segment < crossings ? wetting_warp : wetting_weft; }
+    HL_FN Real adhesion(int segment) const { return segment < 0 ? Real(0) : segment < crossings ? adhesion_warp : adhesion_weft; }
 };
 
 struct FindCell {
@@ -49,6 +50,7 @@ struct Reorder {
     const Vec3* wall_normal;
     const Real* wall_distance;
     const int* wall_segment;
+    const std::int64_t* content;
     const int* key;
     int dead_key;
     Particles to;
@@ -60,6 +62,7 @@ struct Reorder {
         to.wall_normal[i] = wall_normal[from];
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
+        to.content[i] = content[from];
         to.alive[i] = key[i] != dead_key;
     }
 };
@@ -95,25 +98,9 @@ template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const
     for (int k = 0; k < p.neighbour_count[i]; ++k) add(slots[k]);
 }
 
-/// Gradient of the colour function, the wall counted as liquid in the share that it is wetted.
-struct FindColourGradient {
-    Particles p;
-    LiquidParameters liquid;
-    HL_FN void operator()(int i) const
-    {
-        const Real volume = p.mass / liquid.density;
-        Vec3 gradient;
-        for_neighbours(p, i, [&](int j) {
-            const Vec3 d = p.position[i] - p.position[j];
-            gradient += (volume * spline_gradient_factor(length(d), p.support)) * d;
-        });
-        const Real wall = liquid.wetting(p.wall_segment[i]) * spline_plane_integral(p.wall_distance[i], p.support);
-        p.colour_gradient[i] = gradient - wall * p.wall_normal[i];
-    }
-};
-
-/// Accelerations by gravity, viscosity (Monaghan's pair form) and surface tension (eq. 5 with the volume it lacks), and by the wall's
-/// share of it. Departs from the paper: eq. 5 as printed is a force density.
+/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: surface tension
+/// comes from a pair force (Tartakovsky and Panchenko 2016) in place of eq. 5, whose cohesion presses a drop a hundred times harder
+/// than its surface tension does; a wall attracts with the potential whose depth is the work of adhesion.
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
@@ -121,19 +108,20 @@ struct FindForces {
     {
         const Real volume = p.mass / liquid.density;
         const Vec3 x = p.position[i], v = p.velocity[i];
-        const Real own = dot(p.colour_gradient[i], p.colour_gradient[i]);
         const Real smallest = Real(0.01) * p.support * p.support;
+        const Real cohesion = pair_cohesion(liquid.surface_tension, p.spacing, p.support) / p.mass;
         Vec3 a{0, 0, -liquid.gravity};
         for_neighbours(p, i, [&](int j) {
             const Vec3 d = x - p.position[j];
             const Real r2 = dot(d, d);
-            const Real gradient = spline_gradient_factor(std::sqrt(r2), p.support);
-            const Real pull = Real(0.25) * liquid.cohesion / liquid.density * volume * (own + dot(p.colour_gradient[j], p.colour_gradient[j]));
-            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest);
-            a += ((pull + drag) * gradient) * d;
+            const Real r = std::sqrt(r2);
+            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest) *
+                              spline_gradient_factor(r, p.support);
+            const Real push = r > 0 ? cohesion * pair_force_shape(r, p.support) / r : Real(0);
+            a += (drag + push) * d;
         });
-        const Real wall = liquid.wetting(p.wall_segment[i]) * spline_plane_integral(p.wall_distance[i], p.support);
-        a -= (Real(0.25) * liquid.cohesion / liquid.density * own * wall) * p.wall_normal[i];
+        if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
+            a -= (wall_pull(liquid.adhesion(p.wall_segment[i]), p.wall_distance[i], p.support) / liquid.density) * p.wall_normal[i];
         p.force[i] = a;
         p.pressure[i] = 0;
         p.pressure_force[i] = Vec3{};
