@@ -17,7 +17,8 @@ struct Design {
 /// The project's material of that name, else the library's, else nullptr.
 const Material* find_material(const Design& design, const std::string& name);
 
-/// The substance of a blend: density by volume, the rest weighted by mass; radius of equal mean surface.
+/// The substance of a blend: density by volume, the rest weighted by mass; radius of equal mean surface. The isotherm has the shape of
+/// the hygroscopic fibres' and passes through the blend's standard regain.
 /// Precondition: validate() found no error in it.
 Material blended_material(const Design& design, const std::vector<MaterialShare>& shares);
 

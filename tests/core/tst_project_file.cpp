@@ -110,6 +110,18 @@ private Q_SLOTS:
         QCOMPARE(design.fabrics.at(0).flyaway.hair_density_per_mm, 10.0);
         QCOMPARE(design.experiments.at(0).droplets.at(0).volume_ul, 15.0);
     }
+    void theSchemaNamesEveryKey()
+    {
+        const std::string schema = bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/schema/hygroloom-project-1.schema.json");
+        QVERIFY(ProjectJson::accept(schema));
+        const ProjectJson project = json_from_design(rich()).flatten();
+        for (const auto& [path, value] : project.items()) {
+            std::string key = path;
+            while (std::isdigit(static_cast<unsigned char>(key.back()))) key.resize(key.rfind('/'));
+            key = key.substr(key.rfind('/') + 1);
+            QVERIFY2(has(schema, "\"" + key + "\": {"), key.c_str());
+        }
+    }
     void rowsDrawTheWeaveWithTheLastPickOnTop()
     {
         const std::string text = replaced(bytes_of(examples + "textile-F.hygro"), "\"pattern\": \"plain\"", "\"rows\": [\"001\", \"110\"]");
