@@ -72,8 +72,8 @@ void TextileCanvas::drawOverlay(QPainter& painter)
 void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
 {
     // A small cross of the fabric's directions, in the lower right corner.
-    const QPointF centre(width() - margin - 46, height() - margin - 34);
-    drawPlate(painter, QRectF(centre.x() - 54, centre.y() - 50, 108, 92), palette());
+    const QPointF centre(width() - margin - 46, height() - margin - 22);
+    drawPlate(painter, QRectF(centre.x() - 52, centre.y() - 46, 106, 76), palette());
     const QMatrix4x4 view = camera_.view();
     const QFontMetricsF metrics(painter.font());
     const auto arm = [&](const QVector3D& axis, const QString& text) {
