@@ -171,7 +171,7 @@ void MainWindow::arrange(Workspace workspace)
         resizeDocks({candidates_dock_, weave_dock_}, {220, 380}, Qt::Vertical);
         resizeDocks({candidates_dock_, fabric_dock_}, {230, 320}, Qt::Horizontal);
     } else {
-        resizeDocks({experiment_dock_, simulation_dock_}, {420, 280}, Qt::Vertical);
+        resizeDocks({experiment_dock_, simulation_dock_}, {400, 300}, Qt::Vertical);
         resizeDocks({experiment_dock_}, {310}, Qt::Horizontal);
         resizeDocks({timeline_dock_}, {200}, Qt::Vertical);
     }

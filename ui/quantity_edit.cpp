@@ -2,6 +2,7 @@
 #include "ui/quantity_edit.h"
 
 #include "ui/appearance.h"
+#include "ui/design_undo.h"
 
 #include <QAction>
 #include <QApplication>
@@ -18,6 +19,7 @@ QuantityEdit::QuantityEdit(Quantity quantity, QWidget* parent)
     : QLineEdit(parent)
     , quantity_(std::move(quantity))
 {
+    new DesignUndo(this);
     mark_ = addAction(themedIcon("warning"), QLineEdit::TrailingPosition);
     mark_->setVisible(false);
     connect(mark_, &QAction::triggered, this, [this] { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); });

@@ -62,7 +62,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     bar_->setAccessibleName(tr("Progress of the run"));
     layout->addWidget(bar_);
     state_->setWordWrap(true);
-    state_->setMinimumHeight(2 * state_->fontMetrics().height() + 2);
+    state_->setMinimumHeight(4 * state_->fontMetrics().lineSpacing());
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State of the run"));
     layout->addWidget(state_);
@@ -235,8 +235,10 @@ void SimulationPanel::showState()
     why_->setEnabled(plans_[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))].plan.has_value());
     if (!running && !reason.isEmpty()) {
         state_->setText(tr("Cannot run: %1").arg(reason));
+        state_->setToolTip("<p>" + reason.toHtmlEscaped() + "</p>");
     } else if (!running && state_->text().startsWith(tr("Cannot run: %1").arg(QString()))) {
         state_->clear();
+        state_->setToolTip({});
     }
     Q_EMIT canRunChanged();
 }

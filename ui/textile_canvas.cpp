@@ -55,7 +55,7 @@ void TextileCanvas::setMesh(std::shared_ptr<const PreviewMesh> mesh)
         mesh_changed_ = true;
     }
     water_changed_ = true;
-    if (mesh_ && !fitted_ && width() > 1) {
+    if (mesh_ && !(fitted_ && moved_by_hand_) && width() > 1) {
         fit();
     }
     redraw(false);
@@ -101,6 +101,7 @@ void TextileCanvas::fit()
     if (mesh_) {
         camera_.fit(mesh_->low(), mesh_->high(), QSizeF(width(), height()));
         fitted_ = true;
+        moved_by_hand_ = false;
         redraw(false);
     } else {
         fitted_ = false;
@@ -134,7 +135,7 @@ void TextileCanvas::initializeGL()
 void TextileCanvas::resizeGL(int, int)
 {
     scene_changed_ = true;
-    if (!fitted_) {
+    if (!moved_by_hand_) {
         fit();
     }
 }
@@ -236,6 +237,7 @@ void TextileCanvas::mouseMoveEvent(QMouseEvent* event)
     }
     const QPointF pixels = event->position() - dragged_from_;
     dragged_from_ = event->position();
+    moved_by_hand_ = true;
     if (panning_) {
         camera_.pan(pixels, QSizeF(size()));
     } else {
@@ -256,12 +258,14 @@ void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (const auto point = pointUnder(event->position())) {
         camera_.centreOn(*point);
+        moved_by_hand_ = true;
         redraw(false);
     }
 }
 
 void TextileCanvas::wheelEvent(QWheelEvent* event)
 {
+    moved_by_hand_ = true;
     camera_.zoom(std::pow(1.0015, event->angleDelta().y()), event->position(), QSizeF(size()));
     redraw(true);
 }

@@ -73,6 +73,7 @@ private:
     bool usable_ = false;
     Camera camera_;
     bool fitted_ = false;
+    bool moved_by_hand_ = false; ///< since the last fit; until then new meshes are fitted
     std::shared_ptr<const PreviewMesh> mesh_;
     bool mesh_changed_ = false;
     std::vector<float> water_;

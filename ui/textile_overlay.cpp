@@ -48,12 +48,13 @@ void TextileCanvas::drawOverlay(QPainter& painter)
         painter.drawText(plate, Qt::AlignCenter, caption_.title);
     }
     if (!caption_.notice.isEmpty()) {
-        const double width = metrics.horizontalAdvance(caption_.notice) + 20;
-        const QRectF plate(margin - 6, margin + metrics.height() + 10, std::min(width, this->width() - 2 * margin), metrics.height() + 10);
+        const double room = width() - 2 * margin - (caption_.legend.isEmpty() ? 0 : 120);
+        const QRectF text = metrics.boundingRect(QRectF(0, 0, std::max(120.0, room), height()), Qt::TextWordWrap, caption_.notice);
+        const QRectF plate(margin - 6, margin + metrics.height() + 10, text.width() + 20, text.height() + 10);
         drawPlate(painter, plate, palette());
         painter.fillRect(QRectF(plate.left(), plate.top(), 3, plate.height()), severityColor(Severity::warning, palette()));
         painter.setPen(ink);
-        painter.drawText(plate.adjusted(10, 0, -4, 0), Qt::AlignVCenter | Qt::AlignLeft, caption_.notice);
+        painter.drawText(plate.adjusted(10, 5, -4, -4), Qt::TextWordWrap, caption_.notice);
     }
     drawPlate(painter, QRectF(margin - 8, height() - margin - metrics.height() - 12, scaleBarLength(camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6) + 16, metrics.height() + 22),
               palette());

@@ -2,7 +2,7 @@
 #include "ui/weave_editor.h"
 
 #include "core/base/error.h"
-#include "ui/appearance.h"
+#include "ui/design_undo.h"
 #include "ui/point_paper.h"
 #include "ui/quantity.h"
 
@@ -59,6 +59,7 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
     , summary_(new QLabel)
 {
     pattern_->setEditable(true);
+    new DesignUndo(pattern_->lineEdit());
     pattern_->setInsertPolicy(QComboBox::NoInsert);
     pattern_->setAccessibleName(tr("Weave pattern"));
     pattern_->setToolTip(tr("Choose a weave, or type one such as “twill 3/1 S” or “satin 8/3”."));

@@ -93,6 +93,24 @@ private Q_SLOTS:
         QVERIFY(!window_->isWindowModified());
     }
 
+    void undoReachesTheDesignFromAField()
+    {
+        QuantityEdit* ends = nullptr;
+        for (QuantityEdit* edit : window_->findChildren<QuantityEdit*>()) {
+            ends = edit->accessibleName() == "Ends" ? edit : ends;
+        }
+        QVERIFY(ends);
+        window_->activateWindow();
+        ends->setFocus();
+        const double before = window_->document().fabric()->ends_per_cm;
+        ends->selectAll();
+        QTest::keyClicks(ends, "31");
+        QTest::keyClick(ends, Qt::Key_Return);
+        QCOMPARE(window_->document().fabric()->ends_per_cm, 31.0);
+        QTest::keyClick(ends, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->document().fabric()->ends_per_cm, before);
+    }
+
     void aDesignThatCannotBeWovenRefusesToRun()
     {
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = -1; });
