@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -50,15 +51,26 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     QFont font = start_->font();
     font.setBold(true);
     start_->setFont(font);
-    layout->addWidget(start_);
-    auto* running = new QHBoxLayout;
-    running->setSpacing(6);
-    running->addWidget(pause_);
-    running->addWidget(stop_);
-    layout->addLayout(running);
+    auto* running = new QWidget;
+    auto* line = new QHBoxLayout(running);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    for (QPushButton* button : {pause_, stop_}) {
+        button->setMinimumHeight(36);
+        line->addWidget(button);
+    }
+    buttons_ = new QStackedWidget;
+    buttons_->addWidget(start_);
+    buttons_->addWidget(running);
+    buttons_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    layout->addWidget(buttons_);
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
     bar_->setRange(0, 1000);
+    // The panel must not change its height when a run begins.
+    QSizePolicy policy = bar_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    bar_->setSizePolicy(policy);
     bar_->setAccessibleName(tr("Progress of the run"));
     layout->addWidget(bar_);
     state_->setWordWrap(true);
@@ -223,11 +235,9 @@ void SimulationPanel::showState()
     QString reason;
     const bool can = canRun(&reason);
     const bool running = run_.running();
-    start_->setVisible(!running);
+    buttons_->setCurrentIndex(running ? 1 : 0);
     start_->setEnabled(can);
     start_->setToolTip(can ? tr("Run the experiment on the chosen fabric (Ctrl+R).") : reason);
-    pause_->setVisible(running);
-    stop_->setVisible(running);
     bar_->setVisible(running);
     pause_->setText(run_.paused() ? tr("Go on") : tr("Pause"));
     pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));

@@ -16,6 +16,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QStackedWidget;
 
 namespace hygroloom {
 
@@ -58,6 +59,7 @@ private:
     std::array<QLabel*, 3> expected_{};
     std::array<Expectation, 3> plans_;
     QComboBox* device_;
+    QStackedWidget* buttons_ = nullptr; ///< start, or pause and stop
     QPushButton* start_;
     QPushButton* pause_;
     QPushButton* stop_;

@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -192,6 +193,17 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(window_->chart().points() == frames, 10000);
     }
 
+    void playingMovesThroughTheRecording()
+    {
+        window_->playback().show(0);
+        window_->timeline().togglePlaying();
+        QVERIFY(window_->timeline().playing());
+        QTRY_VERIFY_WITH_TIMEOUT(window_->playback().current() > 0, 5000);
+        if (window_->timeline().playing()) {
+            window_->timeline().togglePlaying();
+        }
+    }
+
     void aRunCanBePausedAndStopped()
     {
         window_->document().edit("a long experiment", {}, [](Design& d) { d.experiments[0].duration_s = 60; });
@@ -220,6 +232,19 @@ private Q_SLOTS:
         QVERIFY(window_->openFile(path));
         QCOMPARE(format_project(*window_->document().design()), text);
         QVERIFY(window_->windowTitle().contains("kept.hygro"));
+    }
+
+    void aDroppedProjectIsOpened()
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/textile-A.hygro")});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(window_->windowTitle().contains("textile-A"));
+        QVERIFY(QSettings().value("recent").toStringList().first().endsWith("textile-A.hygro"));
     }
 
     void closingAsksAboutUnsavedChanges()
