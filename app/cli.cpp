@@ -139,6 +139,7 @@ int run(int count, char** values)
     add_measure(app, verb);
     add_export(app, verb);
     add_devices(app, verb);
+    add_verify(app, verb);
 
     std::vector<std::string> given = arguments(count, values);
     const bool json = std::find(given.begin(), given.end(), "--json") != given.end();

@@ -57,5 +57,6 @@ void add_simulate(CLI::App& app, Verb& chosen);
 void add_measure(CLI::App& app, Verb& chosen);
 void add_export(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
+void add_verify(CLI::App& app, Verb& chosen);
 
 } // namespace hygroloom

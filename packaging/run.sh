@@ -4,7 +4,7 @@
 # into out/, and opens the window on the result when there is a screen. Usage: packaging/run.sh [draft|standard|reference]
 set -eu
 cd "$(dirname "$0")/.."
-fidelity=${1:-standard}
+fidelity=${1:-draft}
 
 packaging/dependencies.sh
 packaging/build.sh --target hygroloom-cli --target hygroloom

@@ -50,7 +50,7 @@ YarnParameters make_yarn(const YarnSystem& system, double crossing_pitch, const 
     yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / system.tortuosity;
     yarn.face_area = system.section.width * crossing_pitch;
     yarn.adhesion = work_of_adhesion(climate.surface_tension, system.contact_angle);
-    yarn.initial_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
+    yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
     if (yarn.liquid_diffusivity > 0) {
         yarn.suction_radius = system.pore_radius / std::cos(system.contact_angle);
         // Darcy flow across the fibres from the skin to half-way to the yarn's middle.

@@ -29,6 +29,7 @@ struct YarnParameters {
     double face_area = 0;            ///< m2 of one segment's skin that drinks from drops
     double adhesion = 0;             ///< J/m2, work of adhesion
     double initial_regain = 0;
+    double resting_regain = 0;       ///< in equilibrium with the climate: a segment that has it and no liquid is not visited
 };
 
 /// How warp and weft touch at a crossing.
@@ -79,6 +80,8 @@ struct Scene {
     ContactShape warp_shape, weft_shape;
     ClimateParameters climate;
     std::vector<SceneDroplet> droplets;   ///< in order of time
+    std::vector<double> initial_liquid;   ///< kg per segment; empty: dry
+    int fed_segments = 0;                 ///< at the start of every end, hanging in liquid and staying full
     int particles_per_droplet = 0;
     int fibre_shells = 1;
     bool wicking = true, sorption = true, vapour = true, heat = true;

@@ -44,6 +44,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
         b->resize(n);
         b->fill(0.0);
     }
+    if (!scene_.initial_liquid.empty()) liquid_.upload(scene_.initial_liquid);
     absorbed_.resize(n);
     absorbed_.fill(0);
     contact_.resize(n);
@@ -57,7 +58,8 @@ template <typename Executor> void Solver<Executor>::load_segments()
     const double background = scene_.climate.humidity * saturation_concentration(scene_.climate.temperature);
     for (std::size_t i = 0; i < n; ++i) {
         const YarnParameters& yarn = i < n / 2 ? scene_.warp : scene_.weft;
-        vapour[i] = background * pore_air(yarn, scene_.length[i], 0.0, scene_.climate.density);
+        const double liquid = scene_.initial_liquid.empty() ? 0.0 : scene_.initial_liquid[i];
+        vapour[i] = background * pore_air(yarn, scene_.length[i], liquid, scene_.climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
     }
     vapour_.upload(vapour);
@@ -72,12 +74,12 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     each_segment("remember", TrackChange{segments(), scene_.warp, scene_.weft, climate.density, before_.data(), maxima_.data() + 1});
     if (scene_.wicking || scene_.heat) {
         maxima_.write(1, 0);
-        const auto along = [&](const YarnParameters& yarn, int first, int count, int lines) {
-            if (scene_.wicking) exec_.for_each("wick", lines, WickAlongYarn{segments(), yarn, first, count, dt, climate.density});
+        const auto along = [&](const YarnParameters& yarn, int first, int count, int lines, int fed) {
+            if (scene_.wicking) exec_.for_each("wick", lines, WickAlongYarn{segments(), yarn, first, count, dt, climate.density, fed});
             if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), yarn, first, count, dt, climate.density});
         };
-        along(scene_.warp, 0, scene_.picks, scene_.ends);
-        along(scene_.weft, scene_.crossings(), scene_.ends, scene_.picks);
+        along(scene_.warp, 0, scene_.picks, scene_.ends, scene_.fed_segments);
+        along(scene_.weft, scene_.crossings(), scene_.ends, scene_.picks, 0);
         exec_.for_each("cross", scene_.crossings(),
                        ExchangeAtCrossing{segments(), scene_.warp, scene_.weft, scene_.crossing, climate, dt, scene_.wicking, scene_.heat, false});
         each_segment("change", TrackChange{segments(), scene_.warp, scene_.weft, climate.density, before_.data(), maxima_.data() + 1});
@@ -90,7 +92,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     } change;
     change.bits = maxima_.read(1);
     const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
-    network_dt_ = std::clamp(network_dt_ * std::clamp(wanted, 0.5, 1.3), 1e-4, scene_.network_step);
+    network_dt_ = std::clamp(network_dt_ * std::clamp(wanted, 0.5, 1.3), std::min(1e-4, scene_.network_step), scene_.network_step);
 }
 
 template <typename Executor> void Solver<Executor>::exchange(double dt)

@@ -136,7 +136,7 @@ struct ExchangeInSegment {
     {
         const double background = climate.humidity * saturation_concentration(climate.temperature);
         const double off = s.vapour[i] / air - background;
-        const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.initial_regain;
+        const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
         return s.liquid[i] <= 0 && s.warmth[i] < 1e-7 && s.warmth[i] > -1e-7 && off < 1e-8 * (background + 1e-6) &&
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }

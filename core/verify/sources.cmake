@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  verify/moisture_cases.cpp
+  verify/set_ups.cpp
+  verify/verify.cpp
+  verify/whole_run_cases.cpp
+  verify/wicking_cases.cpp
+)

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/verify/verify.h"
+
+#include "core/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+namespace hygroloom {
+
+bool VerifyReport::pass() const
+{
+    return std::all_of(results.begin(), results.end(), [](const VerifyResult& r) { return r.pass(); });
+}
+
+const std::vector<VerifyCase>& verify_cases()
+{
+    static const std::vector<VerifyCase> cases = [] {
+        std::vector<VerifyCase> all;
+        for (auto part : {wicking_cases(), moisture_cases(), whole_run_cases()}) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }();
+    return cases;
+}
+
+VerifyReport run_verify_case(const std::string& name, const std::map<std::string, std::string>& changes, Backend& backend)
+{
+    const auto& cases = verify_cases();
+    const auto found = std::find_if(cases.begin(), cases.end(), [&](const VerifyCase& c) { return c.name == name; });
+    if (found == cases.end()) {
+        std::string names;
+        for (const VerifyCase& c : cases) names += (names.empty() ? "" : ", ") + c.name;
+        throw Error(fmt::format("There is no case \"{}\"; there are: {}.", name, names));
+    }
+    VerifyReport report{found->name, found->parameters, {}, 0};
+    for (const auto& [key, text] : changes) {
+        const std::string& wanted = key;
+        const auto parameter = std::find_if(report.parameters.begin(), report.parameters.end(), [&](const VerifyParameter& p) { return p.name == wanted; });
+        if (parameter == report.parameters.end()) {
+            std::string names;
+            for (const VerifyParameter& p : found->parameters) names += (names.empty() ? "" : ", ") + p.name;
+            throw Error(fmt::format("The case {} has no parameter \"{}\"; it has: {}.", name, key, names));
+        }
+        if (!parameter->word.empty()) {
+            parameter->word = text;
+            continue;
+        }
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || !(value >= parameter->smallest && value <= parameter->largest))
+            throw Error(fmt::format("{}: must be a number from {:g} to {:g}; \"{}\" was given.", key, parameter->smallest, parameter->largest, text));
+        parameter->value = value;
+    }
+    VerifyValues values;
+    for (const VerifyParameter& p : report.parameters) values[p.name] = p;
+    const auto start = std::chrono::steady_clock::now();
+    report.results = found->run(values, backend);
+    report.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+}
+
+} // namespace hygroloom

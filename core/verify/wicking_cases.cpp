@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid along yarns and across the network against Lucas and Washburn, Darcy, and Barenblatt.
+#include "core/physics/water.h"
+#include "core/physics/wicking.h"
+#include "core/verify/set_ups.h"
+#include "core/verify/verify.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hygroloom {
+namespace {
+
+double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
+
+/// A front so sharp that the yarn fills like a tube: D = D0 s^p with D0 / (p + 1) kept and p large.
+constexpr double tube_exponent = 199;
+
+/// How far liquid has run at times/64, /16, /4 and 1 into a yarn that hangs in it; mobility = x^2 / 2t of the ideal front.
+std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time)
+{
+    const double farthest = std::sqrt(2.0 * mobility * time);
+    constexpr int cells = 1200;
+    Scene scene = bare_scene(1, cells, 1.2 * farthest / cells, temperature);
+    scene.wicking = true;
+    scene.warp.exponent = tube_exponent;
+    scene.warp.liquid_diffusivity = mobility * (tube_exponent + 1);
+    scene.fed_segments = 1;
+    scene.network_step = time / 4000;
+    const double capacity = scene.climate.density * scene.warp.pore_area;
+    std::vector<double> distances;
+    for (const Frame& frame : frames_at(backend, scene, {time / 64, time / 16, time / 4, time})) {
+        // The water that ran in, as length of full tube from the middle of the fed segment.
+        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0);
+        distances.push_back(held / capacity + 0.5 * scene.length[0]);
+    }
+    return distances;
+}
+
+/// Slope of log distance over log time between times 4 apart, least squares.
+double front_exponent(const std::vector<double>& distances)
+{
+    double sum = 0;
+    const double middle = 0.5 * (static_cast<double>(distances.size()) - 1);
+    double squares = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const double t = (static_cast<double>(i) - middle) * std::log(4.0);
+        sum += t * std::log(distances[i]);
+        squares += t * t;
+    }
+    return sum / squares;
+}
+
+std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
+    const double radius = metre_from_um(value(v, "radius_um")), time = value(v, "time_s");
+    const double tension = adhesion_tension(water_surface_tension(temperature), radian_from_degree(value(v, "contact_angle_deg")));
+    const double mobility = tension * radius / (4.0 * water_viscosity(temperature)); // R^2/8 x 2 gamma cos / R / mu
+    const std::vector<double> distances = front_distances(backend, temperature, mobility, time);
+    const double expected = 1e3 * std::sqrt(tension * radius * time / (2.0 * water_viscosity(temperature)));
+    return {{"distance_mm", 1e3 * distances.back(), expected, 0.02 * expected}, {"exponent", front_exponent(distances), 0.5, 0.02}};
+}
+
+std::vector<VerifyResult> darcy_strip(const VerifyValues& v, Backend& backend)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
+    const double mobility =
+        value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * value(v, "porosity"));
+    const double time = value(v, "time_s"), expected = 1e3 * std::sqrt(2.0 * mobility * time);
+    return {{"distance_mm", 1e3 * front_distances(backend, temperature, mobility, time).back(), expected, 0.02 * expected}};
+}
+
+/// Barenblatt's spreading of a finite drop on a plane: s(r, t) with front and centre.
+struct Barenblatt {
+    double p, d0, mass; ///< mass in m2: volume / (thickness x porosity)
+    double tau(double t) const { return d0 * t / (p + 1); }
+    double kappa() const { return p / (4.0 * (p + 1) * (p + 1)); }
+    double constant() const { return std::pow(mass * kappa() * (p + 1) / (pi * p), p / (p + 1)); }
+    double radius(double t) const { return std::sqrt(constant() / kappa()) * std::pow(tau(t), 0.5 / (p + 1)); }
+    double saturation(double r, double t) const
+    {
+        const double scale = std::pow(tau(t), -1.0 / (p + 1));
+        return scale * std::pow(std::max(0.0, constant() - kappa() * r * r * scale), 1.0 / p);
+    }
+};
+
+std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
+{
+    const double porosity = value(v, "porosity"), thickness = 1e-3 * value(v, "thickness_mm"), time = value(v, "time_s");
+    const Barenblatt exact{value(v, "exponent"), value(v, "diffusivity_m2_s"), 1e-9 * value(v, "volume_ul") / (thickness * porosity)};
+    constexpr int cells = 101;
+    const double pitch = 2.3 * exact.radius(time) / cells, temperature = kelvin_from_celsius(value(v, "temperature_c"));
+    Scene scene = bare_scene(cells, cells, pitch, temperature);
+    scene.wicking = true;
+    for (YarnParameters* yarn : {&scene.warp, &scene.weft}) {
+        yarn->pore_area = 0.5 * thickness * porosity * pitch; // each system holds half of the plane's liquid
+        yarn->exponent = exact.p;
+        yarn->liquid_diffusivity = 2.0 * exact.d0; // and carries all of one direction's flow
+        yarn->suction_radius = 1e-5;
+    }
+    scene.crossing.liquid_conductance = 1e3 * scene.climate.density * scene.warp.pore_area * exact.d0 / pitch;
+
+    // From the exact profile of an earlier time, once the centre is no longer over-full.
+    const double full_until = std::pow(std::pow(exact.constant(), 1.0 / exact.p), exact.p + 1) * (exact.p + 1) / exact.d0;
+    const double start = std::max(time / 16, 1.01 * full_until);
+    scene.initial_liquid.resize(static_cast<std::size_t>(scene.segments()));
+    const auto radius_of = [&](int end, int pick) { return pitch * std::hypot(end - cells / 2, pick - cells / 2); };
+    const double capacity = scene.climate.density * scene.warp.pore_area * pitch;
+    for (int end = 0; end < cells; ++end)
+        for (int pick = 0; pick < cells; ++pick) {
+            const double liquid = capacity * exact.saturation(radius_of(end, pick), start);
+            scene.initial_liquid[static_cast<std::size_t>(end * cells + pick)] = liquid;
+            scene.initial_liquid[static_cast<std::size_t>(scene.crossings() + pick * cells + end)] = liquid;
+        }
+    scene.network_step = time / 600;
+    const Frame frame = frames_at(backend, scene, {std::max(1e-9, time - start)}).front();
+
+    const double centre = 0.5 * (frame.saturation[static_cast<std::size_t>((cells / 2) * cells + cells / 2)] +
+                                 frame.saturation[static_cast<std::size_t>(scene.crossings() + (cells / 2) * cells + cells / 2)]);
+    const auto wet = std::count_if(frame.saturation.begin(), frame.saturation.end(), [&](float s) { return s > 0.02 * centre; });
+    const double radius = std::sqrt(0.5 * static_cast<double>(wet) * pitch * pitch / pi);
+    const double expected_radius = exact.radius(time), expected_centre = exact.saturation(0, time);
+    return {{"radius_mm", 1e3 * radius, 1e3 * expected_radius, 0.03 * 1e3 * expected_radius},
+            {"centre_saturation", centre, expected_centre, 0.02 * expected_centre}};
+}
+
+} // namespace
+
+std::vector<VerifyCase> wicking_cases()
+{
+    const VerifyParameter temperature{"temperature_c", 20, 0, 90, ""};
+    return {
+        {"washburn", "A horizontal tube draws water in: distance against Lucas and Washburn, and the exponent of time.",
+         {{"radius_um", 10, 1e-2, 1e3, ""}, {"contact_angle_deg", 60, 0, 89, ""}, {"time_s", 5, 1e-3, 1e5, ""}, temperature}, washburn},
+        {"darcy_strip", "A strip draws water in under a given suction: distance against Darcy with a sharp front.",
+         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""}, {"pressure_pa", 5e3, 1e-2, 1e7, ""}, {"porosity", 0.6, 0.01, 1, ""}, {"time_s", 30, 1e-3, 1e5, ""}, temperature},
+         darcy_strip},
+        {"barenblatt", "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
+         {{"exponent", 2, 0.5, 5, ""}, {"volume_ul", 50, 1e-3, 5e3, ""}, {"thickness_mm", 0.4, 1e-3, 10, ""}, {"porosity", 0.6, 0.01, 1, ""},
+          {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""}, {"time_s", 20, 1e-3, 1e5, ""}, temperature},
+         barenblatt},
+    };
+}
+
+} // namespace hygroloom
