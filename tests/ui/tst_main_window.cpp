@@ -101,7 +101,7 @@ private Q_SLOTS:
             ends = edit->accessibleName() == "Ends" ? edit : ends;
         }
         QVERIFY(ends);
-        window_->activateWindow();
+        QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
         ends->setFocus();
         const double before = window_->document().fabric()->ends_per_cm;
         ends->selectAll();
