@@ -79,6 +79,12 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
     add("duplicate", tr("D&uplicate Fabric"), tr("Add a copy of the chosen fabric"), &CandidatesPanel::duplicateFabric);
     add("rename", tr("&Rename Fabric"), tr("Rename the chosen fabric"), &CandidatesPanel::renameFabric);
     add("delete", tr("&Delete Fabric"), tr("Delete the chosen fabric"), &CandidatesPanel::deleteFabric);
+    actions_[2]->setShortcut(Qt::Key_F2);
+    actions_[3]->setShortcut(QKeySequence::Delete);
+    for (QAction* action : actions_) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(action);
+    }
     buttons->addStretch();
 
     auto* layout = new QVBoxLayout(this);

@@ -97,10 +97,10 @@ private:
     void refreshRecentFiles();
 
     Document document_;
+    QTemporaryDir recordings_; // outlives those who read and write in it
     Playback playback_;
     SimulationRun run_;
     NewestJob copier_;
-    QTemporaryDir recordings_;
     int runs_ = 0;
     QString run_path_;
     Workspace workspace_ = Workspace::design;
