@@ -147,6 +147,7 @@ int run(int count, char** values)
     try {
         app.parse(given);
     } catch (const CLI::ParseError& error) {
+        if (json && error.get_exit_code() != 0) return told(json, exit_usage, error.what());
         return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
     }
     try {

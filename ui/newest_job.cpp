@@ -65,7 +65,11 @@ void NewestJob::work(const std::stop_token& stop)
             turn.generation_ = &generation_;
             turn.own_ = generation_;
         }
-        job(turn);
+        try {
+            job(turn);
+        } catch (const std::exception& error) { // the job's own errors are its own to show; this keeps the window and its edits alive
+            qWarning("Work in the background ended early: %s", error.what());
+        }
     }
 }
 

@@ -33,12 +33,15 @@ std::string metrics_json(const RunRecord& run, const Metrics& m)
         {"maximum_wetted_radius_bottom_mm", mm_from_metre(m.maximum_wetted_radius_bottom)},
         {"maximum_wetted_radius_top_ring_mm", ring_mm(m.maximum_wetted_radius_top)},
         {"maximum_wetted_radius_bottom_ring_mm", ring_mm(m.maximum_wetted_radius_bottom)},
-        {"absorbency_time_s", m.absorbency_time ? Json(*m.absorbency_time) : Json(nullptr)},
         {"wetted_area_ellipse_warp_mm", mm_from_metre(m.wetted_area_ellipse_warp)},
         {"wetted_area_ellipse_weft_mm", mm_from_metre(m.wetted_area_ellipse_weft)},
     };
     Json notes = m.notes;
-    if (!m.absorbency_time) notes.push_back("absorbency_time_s: free liquid was left when the run ended.");
+    if (l.water_delivered > 0) {
+        metrics["absorbency_time_s"] = m.absorbency_time ? Json(*m.absorbency_time) : Json(nullptr);
+        if (!m.absorbency_time) notes.push_back("absorbency_time_s: free liquid was left when the run ended.");
+        if (l.water_dripped > 0) notes.push_back("absorbency_time_s: some of the liquid was not drunk but dripped off.");
+    }
     if (!notes.empty()) metrics["notes"] = notes;
 
     const Series& s = m.series;

@@ -19,15 +19,15 @@ double drop_radius_mm(const Droplet& drop) { return std::cbrt(3 * drop.volume_ul
 void validate_droplet(const Experiment& experiment, const Droplet& drop, const std::string& where, IssueList& list)
 {
     bool sound = true;
-    if (!(std::isfinite(drop.volume_ul) && drop.volume_ul > 0 && drop.volume_ul <= 5000)) {
+    if (!(std::isfinite(drop.volume_ul) && drop.volume_ul >= 1e-6 && drop.volume_ul <= 5000)) {
         list.error("range", where + ".volume_ul",
-                   fmt::format("A droplet's volume must be more than 0 and at most 5000 ul; given is {}.", drop.volume_ul));
+                   fmt::format("A droplet's volume must be from 1e-6 ul (1 pl) to 5000 ul; given is {}.", drop.volume_ul));
         sound = false;
     }
     list.range(where + ".time_s", "time when a droplet appears", drop.time_s, 0, 86400, "s");
-    if (experiment.duration_s > 0 && drop.time_s > experiment.duration_s)
+    if (experiment.duration_s > 0 && drop.time_s >= experiment.duration_s)
         list.error("droplet_after_end", where + ".time_s",
-                   fmt::format("The droplet appears at {} s, after the experiment's end at {} s.", drop.time_s, experiment.duration_s));
+                   fmt::format("The droplet appears at {} s, not before the experiment's end at {} s.", drop.time_s, experiment.duration_s));
     list.range(where + ".height_mm", "height of a droplet over the fabric", drop.height_mm, 0, 100, "mm");
     list.range(where + ".speed_m_s", "droplet's speed", drop.speed_m_s, 0, 5, "m/s");
     bool reaches_over = false;

@@ -45,6 +45,7 @@ struct Bounds {
     double sorbable = 0;         // kg the fibres of that area can take
     double evaporated = 0;       // kg from both its faces in the duration
     double temperature_rise = 0; // K if all sorbed at once and nothing escaped
+    double wet_bulb_depression = 0; // K, at most, by evaporation
     bool wicks = false;
 };
 
@@ -74,11 +75,25 @@ Bounds find_bounds(const Textile& textile, const Experiment& experiment)
     const double sample = metre_from_mm(experiment.sample_mm[0]) * metre_from_mm(experiment.sample_mm[1]);
     b.wet_area = std::min(sample, b.delivered / (least_mobile_saturation * b.capacity));
     b.sorbable = sorbable * b.wet_area;
-    const double convection = convective_heat_transfer(experiment.climate.air_speed_m_s, metre_from_mm(experiment.sample_mm[0]));
+    const double convection = convective_heat_transfer(experiment.climate.air_speed_m_s, metre_from_mm(std::max(experiment.sample_mm[0], experiment.sample_mm[1])));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
                    saturation_concentration(temperature);
+    // The psychrometer's balance with the slope of the saturation curve at the air's temperature taken as its chord over 1 K.
+    const double slope = saturation_concentration(temperature) - saturation_concentration(temperature - 1.0);
+    const double latent = mass_transfer(convection, temperature) * heat_of_evaporation(temperature);
+    const double dry_transfer = convection + radiative_heat_transfer(temperature);
+    b.wet_bulb_depression = latent * (1.0 - humidity) * saturation_concentration(temperature) / (dry_transfer + latent * slope);
     b.temperature_rise = heat / (thermal + (b.wet_area > 0 ? b.delivered / b.wet_area : 0.0) * water_specific_heat);
     return b;
+}
+
+/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show.
+int particles_for(const Level& level, const Experiment& experiment, const Bounds& b, const Textile& textile)
+{
+    const double finest = 0.1 * std::min(textile.warp.section.height, textile.weft.section.height);
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
 }
 
 PlannedPart decide(const char* name, bool on, std::string reason, const ForcedParts& forced)
@@ -98,7 +113,7 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
 {
     const auto& drops = experiment.droplets;
     plan.parts.push_back(decide("liquid", !drops.empty(),
-                                drops.empty() ? "No drop falls in this experiment." : fmt::format("{} drop(s) bring {:.4g} mg.", drops.size(), 1e6 * b.delivered),
+                                drops.empty() ? "No drop falls in this experiment." : fmt::format("{} {:.4g} mg.", drops.size() == 1 ? "One drop brings" : fmt::format("{} drops bring", drops.size()), 1e6 * b.delivered),
                                 forced));
     const bool liquid = plan.parts.back().on;
     plan.parts.push_back(decide("wicking", liquid && b.wicks,
@@ -117,18 +132,20 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     plan.parts.push_back(decide("vapour", wicking && b.evaporated / delivered > level.neglected,
                                 share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / delivered), forced));
     const bool vapour = plan.parts.back().on;
-    // Two per cent per kelvin is how the ratio of surface tension to viscosity, and so the wicking rate, follows temperature.
-    const double effect = 0.02 * b.temperature_rise;
+    // Two per cent per kelvin is how surface tension over viscosity follows temperature; saturation pressure follows it faster.
+    const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour ? b.wet_bulb_depression : 0.0;
+    const double effect = 0.02 * std::max(warming, cooling);
     plan.parts.push_back(decide("heat", (sorption || vapour) && effect > level.neglected,
-                                fmt::format("Sorption warms the wet area by at most {:.3g} K, which changes the wicking rate by {:.3g} %.",
-                                            b.temperature_rise, 100 * effect),
+                                fmt::format("Sorption warms the wet area by at most {:.3g} K and evaporation cools it by at most {:.3g} K; at 2 % "
+                                            "a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this fidelity.",
+                                            warming, cooling, 100 * effect, 100 * level.neglected),
                                 forced));
 }
 
 TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experiment& experiment, const Bounds& b)
 {
     const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
-    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm2 of its {:.3g} mm2.", sample.ends,
+    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm² of its {:.3g} mm².", sample.ends,
                                      sample.picks, 1e6 * b.wet_area, experiment.sample_mm[0] * experiment.sample_mm[1]);
     return sample;
 }
@@ -191,14 +208,15 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
 {
     const Level level = level_of(fidelity);
     const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
-    const Bounds bounds = find_bounds(build_textile(design, fabric, sample), experiment);
+    const Textile textile = build_textile(design, fabric, sample);
+    const Bounds bounds = find_bounds(textile, experiment);
 
     ModelPlan plan;
     plan.fidelity = fidelity;
     decide_parts(plan, bounds, experiment, level, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet = plan.on("liquid") ? level.particles : 0;
+    plan.particles_per_droplet = plan.on("liquid") ? particles_for(level, experiment, bounds, textile) : 0;
     plan.fibre_shells = plan.on("sorption") ? level.shells : 1;
     plan.network_step_limit = level.network_step;
     plan.saturation_change = level.saturation_change;

@@ -76,6 +76,9 @@ struct RecordingWriter::File {
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>())
 {
     const h5::Quiet quiet;
+    std::error_code ignored;
+    if (std::filesystem::file_size(path, ignored) > 0 && !ignored && H5Fis_hdf5(path.c_str()) <= 0)
+        throw FileError(path.string() + ": there is a file of this name already and it is no recording. Choose another name for the recording.");
     file_->file = h5::Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
                              path.string() + ": the recording cannot be created. Check that the folder exists and can be written to.");
     const hid_t file = file_->file.get();
@@ -169,14 +172,19 @@ try : file_(std::make_unique<File>()) {
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     if (!fabric || !find_experiment(run.design, run.experiment) || has_error(validate(run.design)))
         throw FileError("the recording's design is not valid; it is damaged.");
-    run.textile = build_textile(run.design, *fabric, run.plan.region);
+    const TextileRegion& region = run.plan.region;
+    const auto& sample = find_experiment(run.design, run.experiment)->sample_mm;
+    const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
+    if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks)
+        throw FileError("the recording's region does not lie in its sample; it is damaged.");
+    run.textile = build_textile(run.design, *fabric, region);
     file_->finished = H5Aexists(file, "wall_s") > 0;
     if (file_->finished) run.wall = h5::read_number(file, "wall_s");
     for (const std::vector<double>& row : h5::read_table(file, "ledger")) {
         if (!h5::exists(file, frame_name(static_cast<int>(file_->ledgers.size())))) break;
         file_->ledgers.push_back(ledger_of(row));
     }
-} catch (const FileError& e) {
+} catch (const Error& e) {
     throw FileError(path.string() + ": " + e.what());
 } catch (const std::logic_error&) {
     throw FileError(path.string() + ": the recording is damaged.");

@@ -52,7 +52,7 @@ public:
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
             while (time_ < sync_time_ && count_ > 0) {
-                if (scene_.burst_steps > 0 && time_ >= calm_time_ && burst_ >= scene_.burst_steps) {
+                if (scene_.burst_steps > 0 && time_ >= calm_time_ && fastest_ < calm_speed() && burst_ >= scene_.burst_steps) {
                     give_to_segments(sync_time_ - time_); // the puddle rests: it only drains until the next burst
                     break;
                 }
@@ -80,6 +80,13 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+    /// Below it the liquid counts as resting: what a particle reaches by falling through half the fabric's thickness twice over and
+    /// by the jitter of its own capillary speed. Faster ones fall or run, and are followed step by step.
+    double calm_speed() const
+    {
+        return 2.0 * std::sqrt(2.0 * gravity_acceleration * scene_.half_thickness +
+                               scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_)));
+    }
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
     template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, scene_.segments(), stage); }
@@ -95,6 +102,7 @@ private:
     void sort_particles();
     void correct_pressure(Real dt);
     void choose_liquid_step();
+    double advective_step(double speed) const;
     Ledger ledger();
     Segments segments();
     Particles particle_views();
@@ -108,7 +116,8 @@ private:
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0;
     int burst_ = 0;         ///< liquid steps since the last synchronisation
-    double calm_time_ = 0;  ///< from which the free liquid has come to rest
+    double calm_time_ = 0;  ///< from which the free liquid has had time to settle
+    double fastest_ = 0;    ///< m/s, of the last liquid step
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0;
 
@@ -121,7 +130,6 @@ private:
 
     // Liquid.
     int count_ = 0;
-    std::int64_t quanta_ = 0;
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
     double stiffness_ = 0; ///< delta x dt2
     double capillary_dt_ = 0;

@@ -11,8 +11,9 @@ constexpr Real friction_coefficient = Real(0.2);  // of water sliding on yarn, p
 constexpr double grain_viscosity = 0.03;           // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;            // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;       // of a pressure correction; whole ones overshoot between close particles
+constexpr double most_cells = 2e5;                // of the grid that finds neighbours
 constexpr int fewest_pressure_rounds = 3;
-constexpr int most_pressure_rounds = 12;
+constexpr int most_pressure_rounds = 8;
 
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
@@ -26,8 +27,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     if (drops == 0) return;
     // All particles weigh the same; a drop's number of them goes with its volume.
     const double particle_volume = volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
-    quanta_ = std::max<std::int64_t>(1, std::llround(particle_volume * scene_.climate.density / water_quantum));
-    particle_mass_ = static_cast<Real>(static_cast<double>(quanta_) * water_quantum);
+    particle_mass_ = static_cast<Real>(particle_volume * scene_.climate.density);
     const double spacing = std::cbrt(particle_volume);
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
@@ -48,12 +48,16 @@ template <typename Executor> void Solver<Executor>::load_liquid()
 
     const double width = scene_.ends * 1.0 * scene_.warp_shape.pitch, height = scene_.picks * 1.0 * scene_.weft_shape.pitch;
     const double lowest = -scene_.half_thickness - drip_distance;
-    grid_.size = support_;
-    grid_.origin = {static_cast<Real>(-0.5 * width) - 2 * support_, static_cast<Real>(-0.5 * height) - 2 * support_, static_cast<Real>(lowest)};
-    const auto cells = [&](double extent) { return std::max(1, static_cast<int>(extent / static_cast<double>(support_)) + 5); };
+    // Cells of one support, or wider where a small drop falls on a large sample: they are gone through at every step.
+    const double depth = highest - lowest;
+    const double widest = std::cbrt(width * height * depth / most_cells);
+    const double size = std::max({static_cast<double>(support_), widest, std::max({width, height, depth}) / 1000.0});
+    grid_.size = static_cast<Real>(size);
+    grid_.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
+    const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
     grid_.nx = cells(width);
     grid_.ny = cells(height);
-    grid_.nz = cells(highest - lowest);
+    grid_.nz = cells(depth);
     cell_start_.resize(static_cast<std::size_t>(grid_.cells()) + 2);
 }
 
@@ -76,7 +80,11 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         wall_normal_.write_range(at, std::vector<Vec3>(n));
         wall_distance_.write_range(at, std::vector<Real>(n, support_));
         wall_segment_.write_range(at, std::vector<int>(n, -1));
-        content_.write_range(at, std::vector<std::int64_t>(n, quanta_));
+        // The drop's own water, shared out to the last quantum.
+        const std::int64_t water = std::llround(drop.volume * scene_.climate.density / water_quantum);
+        std::vector<std::int64_t> content(n, water / added);
+        content.back() += water % added;
+        content_.write_range(at, content);
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
@@ -84,8 +92,8 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         const double landed = (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
         const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);
         calm_time_ = std::max(calm_time_, drop.time + landed + 10.0 * capillary_time);
-        delivered_ += static_cast<double>(added) * static_cast<double>(quanta_) * water_quantum;
-        liquid_dt_ = std::min(capillary_dt_, 0.4 * static_cast<double>(spacing_) / std::max(1e-3, drop.speed));
+        delivered_ += static_cast<double>(water) * water_quantum;
+        liquid_dt_ = std::min(next_droplet_ == 1 ? capillary_dt_ : liquid_dt_, advective_step(drop.speed));
     }
 }
 
@@ -158,10 +166,15 @@ template <typename Executor> void Solver<Executor>::choose_liquid_step()
         int bits;
     } fast;
     fast.bits = maxima_.read(0);
-    const double thin = std::min(scene_.warp_shape.half_height, scene_.weft_shape.half_height);
-    const double advective = 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, static_cast<double>(fast.speed));
+    fastest_ = static_cast<double>(fast.speed);
     const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
-    liquid_dt_ = std::min({capillary_dt_, advective, viscous});
+    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest_), viscous});
+}
+
+template <typename Executor> double Solver<Executor>::advective_step(double speed) const
+{
+    const double thin = std::min(scene_.warp_shape.half_height, scene_.weft_shape.half_height);
+    return 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, speed);
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()

@@ -102,9 +102,9 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     const ClimateParameters& climate = scene_.climate;
     if (scene_.vapour) {
         const double background = climate.humidity * saturation_concentration(climate.temperature);
-        exec_.for_each("vapour", scene_.ends, DiffuseVapourAlongYarn{segments(), scene_.warp, climate, 0, scene_.picks, dt, background});
+        exec_.for_each("vapour", scene_.ends, DiffuseVapourAlongYarn{segments(), scene_.warp, climate, 0, scene_.picks, dt, background, scene_.heat});
         exec_.for_each("vapour", scene_.picks,
-                       DiffuseVapourAlongYarn{segments(), scene_.weft, climate, scene_.crossings(), scene_.ends, dt, background});
+                       DiffuseVapourAlongYarn{segments(), scene_.weft, climate, scene_.crossings(), scene_.ends, dt, background, scene_.heat});
         exec_.for_each("cross vapour", scene_.crossings(),
                        ExchangeAtCrossing{segments(), scene_.warp, scene_.weft, scene_.crossing, climate, dt, false, false, true});
     }

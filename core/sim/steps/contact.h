@@ -222,7 +222,9 @@ struct ForgetContact {
     HL_FN void operator()(int i) const
     {
         if (p.wall_segment[i] >= 0)
-            for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { contact[segment] = no_particle; });
+            for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
+                if (contact[segment] == i) contact[segment] = no_particle;
+            });
     }
 };
 

@@ -180,6 +180,7 @@ struct DiffuseVapourAlongYarn {
     int count;
     double dt;
     double background; ///< kg/m3, of undisturbed pores
+    bool heat;         ///< whether evaporation cools
 
     HL_FN double air(int i) const { return pore_air(yarn, s.length[i], s.liquid[i], climate.density); }
     HL_FN double joint(int i, double own_air, double next_air) const // m3
@@ -235,13 +236,13 @@ struct DiffuseVapourAlongYarn {
             const double saturated = saturation_concentration(temperature);
             const double evaporated = supply(i, own_air, saturated) * (saturated - s.work2[i]);
             s.vapour[i] += arriving - leaving + evaporated;
-            if (evaporated != 0) {
-                const double heat = -heat_of_evaporation(temperature) * evaporated;
-                s.warmth[i] += heat / heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
-                s.released[i] += heat;
+            if (heat && evaporated != 0) {
+                const double released = -heat_of_evaporation(temperature) * evaporated;
+                s.warmth[i] += released / heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
+                s.released[i] += released;
                 s.lost[i] += water_specific_heat * evaporated * s.warmth[i];
-                s.liquid[i] -= evaporated;
             }
+            s.liquid[i] -= evaporated;
             if (s.vapour[i] < 0) s.vapour[i] = 0;
             arriving = leaving;
             own_air = next_air;
