@@ -22,22 +22,20 @@ double distance_to_section(const Section& section, double across, double up)
 
 Section metres(const Section& mm) { return {metre_from_mm(mm.width), metre_from_mm(mm.height)}; }
 
-/// Half the section's height at each sample is what the two crossed yarns leave; its area stays, as far as the pitch allows.
-YarnProfile make_profile(const Interlacing& path, const Section& own, const Section& other, double own_pitch)
+/// The section keeps its flat; its height at each sample is what the two crossed yarns leave it.
+YarnProfile make_profile(const Interlacing& path, const Section& own, const Section& other)
 {
     YarnProfile profile;
-    const double area = section_area(own);
     for (int i = 0; i < profile_samples; ++i) {
         const double x = path.pitch * i / (profile_samples - 1);
         const double z = path.height_at(x);
         const double clearance = std::min(distance_to_section(other, x, z + 0.5 * own.height),
                                           distance_to_section(other, x - path.pitch, z - 0.5 * own.height));
         const double height = 2.0 * std::clamp(clearance, 0.1 * own.height, 0.5 * own.height);
-        const double width = area / height + (1.0 - 0.25 * pi) * height;
         profile.height.push_back(z);
         profile.slope.push_back(path.slope_at(x));
         profile.half_height.push_back(0.5 * height);
-        profile.half_width.push_back(0.5 * std::clamp(width, height, std::max(height, 0.98 * own_pitch)));
+        profile.half_width.push_back(0.5 * (own.width - own.height + height));
     }
     return profile;
 }
@@ -50,7 +48,7 @@ YarnSystem make_system(const Design& design, const Fabric& fabric, const Yarn& y
     system.pitch = metre_from_mm(quantities.pitch_mm);
     system.section = metres(quantities.section_mm);
     system.path = interlace(metre_from_mm(other.pitch_mm), system.section, metres(other.section_mm));
-    system.profile = make_profile(system.path, system.section, metres(other.section_mm), system.pitch);
+    system.profile = make_profile(system.path, system.section, metres(other.section_mm));
     system.area = section_area(system.section);
     system.packing = quantities.packing_factor_in_fabric;
     system.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(quantities.pore_radius_um));

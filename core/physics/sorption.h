@@ -41,17 +41,28 @@ HL_FN double regain_at_reference(const Isotherm& isotherm, double humidity)
 }
 
 /// The humidity at 20 C that holds the same water as this humidity does at this temperature (Clausius and Clapeyron with the
-/// heat of sorption); two fixed-point rounds, within 0.2 % regain of the exact shift from -10 to 60 C.
+/// heat of sorption): the least root of ln r - q(r) M/R (1/T - 1/T0) = ln a, by Newton's steps kept in a bracket.
 HL_FN double reference_humidity(double humidity, double temperature)
 {
-    const double a = humidity < 0 ? 0.0 : humidity > 1 ? 1.0 : humidity;
+    const double a = humidity > 1 ? 1.0 : humidity;
+    if (a <= 0) return 0;
     const double shift = (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature);
-    double reference = a;
-    for (int round = 0; round < 2; ++round) {
-        reference = a * std::exp(heat_of_sorption(reference) * shift);
-        if (reference > 1.0) reference = 1.0;
+    const double target = std::log(a);
+    const double farthest = a * std::exp(heat_of_sorption(0.0) * shift);
+    double low = shift < 0 ? farthest : a, high = shift < 0 ? a : farthest < 1 ? farthest : 1.0;
+    double r = a;
+    for (int round = 0; round < 60; ++round) {
+        const double wet = 1.0 - r, first = 1.0 / (0.2 + r), second = 1.0 / (1.05 - r);
+        const double slope = 195e3 * (wet * (second * second - first * first) - first - second); // dq/dr
+        const double excess = std::log(r) - heat_of_sorption(r) * shift - target;
+        if (excess >= 0) high = r; else low = r;
+        double next = r - excess / (1.0 / r - slope * shift);
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const double moved = next > r ? next - r : r - next;
+        r = next;
+        if (moved < 1e-14) break;
     }
-    return reference;
+    return r;
 }
 
 /// Equilibrium regain at a humidity and temperature.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The window. Opens the project or recording named on the command line, or the shipped example.
+#include "ui/appearance.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+
+int main(int argc, char* argv[])
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("hygroloom");
+    QApplication::setApplicationDisplayName("Hygroloom");
+    QApplication::setOrganizationName("hygroloom");
+    QApplication::setApplicationVersion(HYGROLOOM_VERSION);
+    QApplication::setDesktopFileName("hygroloom");
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QApplication::translate("main", "Design woven fabrics and watch them take up water."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument("file", QApplication::translate("main", "A project (.hygro) or a recording (.hygrorec)."), "[file]");
+    parser.process(application);
+
+    hygroloom::applyAppearance(hygroloom::savedAppearance());
+    QApplication::setWindowIcon(hygroloom::themedIcon("hygroloom"));
+    hygroloom::MainWindow window;
+    window.show();
+    const QStringList files = parser.positionalArguments();
+    if (files.isEmpty()) {
+        window.openShippedExample();
+    } else {
+        window.openFile(files.first());
+    }
+    return QApplication::exec();
+}

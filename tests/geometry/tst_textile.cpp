@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Yarn paths and sections: smooth, within the thickness, and out of each other's way.
+#include "core/base/units.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/textile.h"
+#include "core/project/project_file.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace hygroloom;
+
+namespace {
+
+Design example(const QString& name)
+{
+    return read_project((QString(HYGROLOOM_SOURCE_DIR "/resources/examples/") + name + ".hygro").toStdString());
+}
+
+/// Depth of a point inside the picks, 0 outside: against the pick's section at every place whose cross-plane holds the point.
+double depth_in_weft(const Textile& t, const Vec3d& p)
+{
+    constexpr int samples = 200;
+    double deepest = 0;
+    const int end = std::clamp(static_cast<int>(std::lround(p.x / t.warp.pitch + 0.5 * (t.ends() - 1))), 1, t.ends() - 2);
+    for (int pick = 0; pick < t.picks(); ++pick) {
+        if (std::abs(p.y - t.y_of_pick(pick)) > t.weft.pitch) continue;
+        double before = 0;
+        for (int i = -samples; i <= samples; ++i) {
+            const int at = i < -samples / 2 ? end - 1 : i > samples / 2 ? end + 1 : end;
+            const YarnPoint q = yarn_point(t, YarnKind::weft, pick, at, static_cast<double>(i) / samples - (at - end));
+            const Vec3d from = p - q.centre;
+            const double along = dot(from, q.tangent);
+            const bool passed = i > -samples && (along > 0) != (before > 0); // the point's cross-plane lies between two samples
+            before = along;
+            if (!passed) continue;
+            const double up = from.z * q.tangent.x - from.x * q.tangent.z;
+            const double flat = std::max(0.0, q.half_width - q.half_height);
+            deepest = std::max(deepest, q.half_height - std::hypot(std::max(std::abs(from.y) - flat, 0.0), up));
+        }
+    }
+    return deepest;
+}
+
+/// The deepest that any point of an end's skin lies inside a pick, over the thinner yarn's height.
+double worst_overlap(const Textile& t)
+{
+    double worst = 0;
+    for (int end = 1; end < t.ends() - 1; ++end)
+        for (int pick = 1; pick < t.picks() - 1; ++pick)
+            for (int step = -5; step <= 5; ++step) {
+                const YarnPoint p = yarn_point(t, YarnKind::warp, end, pick, step / 10.0);
+                for (int side = 0; side < 24; ++side) {
+                    const SectionPoint s = section_point(p.half_width, p.half_height, 2 * pi * side / 24);
+                    const Vec3d skin{p.centre.x + s.across, p.centre.y - p.tangent.z * s.up, p.centre.z + p.tangent.y * s.up};
+                    worst = std::max(worst, depth_in_weft(t, skin));
+                }
+            }
+    return worst / std::min(t.warp.section.height, t.weft.section.height);
+}
+
+} // namespace
+
+class TestTextile : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void roundYarnsKeepPeircesLimit() // plain square cloth jams at pitch / D = 0.866, D the sum of the diameters
+    {
+        QVERIFY(!interlace(0.867 * 2, {1, 1}, {1, 1}).jammed);
+        QVERIFY(interlace(0.865 * 2, {1, 1}, {1, 1}).jammed);
+        const Interlacing limit = interlace(std::sqrt(3.0), {1, 1}, {1, 1});
+        QVERIFY(std::abs(limit.length / limit.pitch - 1.209) < 2e-3); // Peirce: 20.9 % crimp
+    }
+    void pathIsSmoothFromFaceToFace()
+    {
+        for (double pitch : {1.2, 1.5, 2.0, 4.0}) {
+            const Interlacing path = interlace(pitch, {1.1, 0.9}, {1.0, 0.8});
+            QVERIFY(std::abs(path.height_at(0) - path.amplitude) < 1e-12);
+            QVERIFY(std::abs(path.height_at(pitch) + path.amplitude) < 1e-12);
+            double length = 0;
+            constexpr int n = 20000;
+            for (int i = 0; i < n; ++i) {
+                const double x = (i + 0.5) / n * pitch, h = pitch / n;
+                const double slope = (path.height_at(x + 0.5 * h) - path.height_at(x - 0.5 * h)) / h;
+                QVERIFY(std::abs(slope - path.slope_at(x)) < 1e-2 * (1 + std::abs(slope)));
+                length += std::sqrt(1 + slope * slope) * h;
+            }
+            QVERIFY2(std::abs(length - path.length) < 2e-3 * length, qPrintable(QString::number(length / path.length)));
+        }
+    }
+    void flatteningKeepsTheArea()
+    {
+        for (double height : {1.0, 0.8, 0.5, 0.2}) QVERIFY(std::abs(section_area(flattened_section(1.0, height)) - pi / 4) < 1e-12);
+        QVERIFY(std::abs(flattened_section(1.0, 1.0).width - 1.0) < 1e-12);
+    }
+    void yarnsDoNotInterpenetrate_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("pattern");
+        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"}) QTest::newRow(letter) << QString("textile-%1").arg(letter) << QString();
+        for (const char* pattern : {"twill 2/1 Z", "twill 2/2 S", "satin 5/2", "basket 2/2"}) QTest::newRow(pattern) << "textile-F" << pattern;
+    }
+    void yarnsDoNotInterpenetrate()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, pattern);
+        Design design = example(file);
+        if (!pattern.isEmpty()) design.fabrics[0].weave = weave_from_pattern(pattern.toStdString());
+        const Textile t = build_textile(design, design.fabrics[0], {0, 0, 8, 8});
+        const double overlap = worst_overlap(t);
+        qInfo("worst overlap %.2f %% of a yarn's height", 100 * overlap);
+        QVERIFY(overlap < 0.01);
+    }
+    void yarnsStayWithinTheThickness()
+    {
+        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"}) {
+            const Design design = example(QString("textile-%1").arg(letter));
+            const Textile t = build_textile(design, design.fabrics[0], {0, 0, 6, 6});
+            QVERIFY(mm_from_metre(2 * t.half_thickness()) <= *design.fabrics[0].thickness_mm + 1e-9);
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                for (int yarn = 0; yarn < 6; ++yarn)
+                    for (int at = 0; at < 6; ++at)
+                        for (double offset : {-0.5, -0.3, 0.0, 0.2, 0.5}) {
+                            const YarnPoint p = yarn_point(t, kind, yarn, at, offset);
+                            QVERIFY(std::abs(p.centre.z) + p.half_height <= t.half_thickness() * 1.0001);
+                        }
+        }
+    }
+    void yarnsMeetWhereTheyCross()
+    {
+        const Design design = example("textile-G");
+        const Textile t = build_textile(design, design.fabrics[0], {0, 0, 4, 4});
+        const double gap = std::abs(t.height_at_crossing(YarnKind::warp, 1, 2) - t.height_at_crossing(YarnKind::weft, 1, 2));
+        QVERIFY(std::abs(gap - 0.5 * (t.warp.section.height + t.weft.section.height)) < 1e-12);
+        QVERIFY((t.height_at_crossing(YarnKind::warp, 1, 2) > 0) == t.warp_up(1, 2));
+    }
+    void everySegmentHasItsOwnNumber()
+    {
+        const Design design = example("textile-F");
+        const Textile t = build_textile(design, design.fabrics[0], {0, 0, 5, 7});
+        std::set<int> numbers;
+        for (int end = 0; end < 5; ++end)
+            for (int pick = 0; pick < 7; ++pick)
+                for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) numbers.insert(t.segment(kind, end, pick));
+        QCOMPARE(int(numbers.size()), t.segments());
+        QCOMPARE(*numbers.rbegin(), t.segments() - 1);
+    }
+    void segmentsAddUpToTheYarnsLength()
+    {
+        const Design design = example("textile-F");
+        const Textile t = build_textile(design, design.fabrics[0], {0, 0, 4, 40});
+        double length = 0;
+        for (int pick = 0; pick < 40; ++pick) length += t.segment_length(YarnKind::warp, 1, pick);
+        QVERIFY(std::abs(length - 40 * t.warp.path.length) < 1e-9); // plain weave: it changes sides at every pick
+    }
+    void sampleHasItsThreads()
+    {
+        const Design design = example("textile-F");
+        const TextileRegion region = region_of_sample(design.fabrics[0], 20, 10);
+        QCOMPARE(region.ends, 70);
+        QCOMPARE(region.picks, 35);
+        QCOMPARE(region_of_sample(design.fabrics[0], 0.01, 0.01).ends, 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTextile)
+#include "tst_textile.moc"

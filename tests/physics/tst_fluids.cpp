@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Water and air against tables: IAPWS, physics handbooks.
+#include "core/physics/heat_moisture.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+bool within(double value, double expected, double relative) { return std::abs(value - expected) <= relative * std::abs(expected); }
+} // namespace
+
+class TestFluids : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void saturationFollowsTheReferenceTable_data()
+    {
+        QTest::addColumn<double>("celsius");
+        QTest::addColumn<double>("pascal");
+        QTest::addColumn<double>("grams");
+        QTest::newRow("-10 C") << -10.0 << 286.45 << 2.359;
+        QTest::newRow("0 C") << 0.0 << 611.7 << 4.852;
+        QTest::newRow("20 C") << 20.0 << 2339.2 << 17.290;
+        QTest::newRow("36 C") << 36.0 << 5948.0 << 41.688;
+        QTest::newRow("60 C") << 60.0 << 19947.0 << 129.73;
+    }
+    void saturationFollowsTheReferenceTable()
+    {
+        QFETCH(double, celsius);
+        QFETCH(double, pascal);
+        QFETCH(double, grams);
+        QVERIFY(within(saturation_pressure(kelvin_from_celsius(celsius)), pascal, 1.2e-3));
+        QVERIFY(within(1e3 * saturation_concentration(kelvin_from_celsius(celsius)), grams, 1.2e-3));
+    }
+    void waterFollowsTheSteamTables_data()
+    {
+        QTest::addColumn<double>("celsius");
+        QTest::addColumn<double>("tension");
+        QTest::addColumn<double>("viscosity");
+        QTest::addColumn<double>("density");
+        QTest::addColumn<double>("heat");
+        QTest::newRow("0 C") << 0.0 << 75.65 << 1.792 << 999.84 << 2501.0;
+        QTest::newRow("20 C") << 20.0 << 72.74 << 1.0016 << 998.20 << 2453.8;
+        QTest::newRow("36 C") << 36.0 << 70.24 << 0.705 << 993.68 << 2416.0;
+        QTest::newRow("60 C") << 60.0 << 66.24 << 0.466 << 983.2 << 2359.3;
+    }
+    void waterFollowsTheSteamTables()
+    {
+        QFETCH(double, celsius);
+        QFETCH(double, tension);
+        QFETCH(double, viscosity);
+        QFETCH(double, density);
+        QFETCH(double, heat);
+        const double t = kelvin_from_celsius(celsius);
+        QVERIFY(within(1e3 * water_surface_tension(t), tension, 2e-4));
+        QVERIFY(within(1e3 * water_viscosity(t), viscosity, 1e-3));
+        QVERIFY(within(water_density(t), density, 5e-5));
+        QVERIFY(within(1e-3 * heat_of_evaporation(t), heat, 1e-3));
+    }
+    void vapourDiffusesAsMassmanFound()
+    {
+        QVERIFY(within(vapour_diffusivity(293.15), 2.475e-5, 2e-3));
+        QVERIFY(within(vapour_diffusivity(333.15), 3.120e-5, 2e-3));
+    }
+    void airAtAMetrePerSecondOverEightCentimetresTakesFourteenWatts()
+    {
+        QVERIFY(within(convective_heat_transfer(1.0, 0.08), 13.9, 0.01));
+        QVERIFY(within(mass_transfer(13.9, 293.15), 1.26e-2, 0.01));
+    }
+    void stillAirIsTheLeast() { QCOMPARE(convective_heat_transfer(0.0, 0.08), still_air_heat_transfer); }
+    void conductivityOfCottonLiesBetweenItsParts()
+    {
+        QVERIFY(within(mean_conductivity(0.3, 0.35, 0.0), 0.057, 0.02));
+        QVERIFY(within(mean_conductivity(0.3, 0.35, 0.7), 0.51, 0.02));
+        QVERIFY(parallel_conductivity(0.3, 0.35, 0.0) > mean_conductivity(0.3, 0.35, 0.0));
+    }
+    void wetShareRisesFromNoneToAll()
+    {
+        QCOMPARE(wet_share(0.0), 0.0);
+        QCOMPARE(wet_share(0.025), 0.5);
+        QCOMPARE(wet_share(0.6), 1.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFluids)
+#include "tst_fluids.moc"

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Wetting and wicking against hand-worked numbers and limits.
+#include "core/physics/water.h"
+#include "core/physics/wicking.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+constexpr double tension = 0.07274, density = 998.2, viscosity = 1.0016e-3; // water at 20 C
+bool within(double value, double expected, double relative) { return std::abs(value - expected) <= relative * std::abs(expected); }
+} // namespace
+
+class TestWicking : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aFifthOfAMillimetreSucksSevenHundredPascal()
+    {
+        QVERIFY(within(capillary_pressure(tension, 0, 0.2e-3), 727.4, 1e-3));
+        QVERIFY(within(equilibrium_height(tension, 0, 0.2e-3, density), 74.3e-3, 2e-3));
+        QVERIFY(within(equilibrium_height(tension, 0, 0.1e-3, density), 148.6e-3, 1e-3)); // Jurin
+    }
+    void adhesionTensionChangesSignAtNinetyDegrees()
+    {
+        QVERIFY(adhesion_tension(tension, radian_from_degree(89.9)) > 0);
+        QVERIFY(adhesion_tension(tension, radian_from_degree(90.1)) < 0);
+        QVERIFY(within(work_of_adhesion(tension, 0), 2 * tension, 1e-12));
+        QVERIFY(std::abs(work_of_adhesion(tension, pi)) < 1e-15);
+    }
+    void bundlePoresFollowFibreAndPacking()
+    {
+        QVERIFY(within(bundle_pore_radius(8e-6, 0.5), 8e-6, 1e-12));
+        QVERIFY(within(bundle_pore_radius(8e-6, 0.6), 5.33e-6, 1e-3));
+    }
+    void permeabilityHasGebartsValues()
+    {
+        QVERIFY(within(permeability_along(8e-6, 0.5), 4.83e-12, 2e-3));
+        QVERIFY(within(permeability_along(8e-6, 0.7), 5.32e-13, 2e-3));
+        QVERIFY(within(permeability_across(8e-6, 0.5), 1.05e-12, 1e-2));
+        QVERIFY(within(permeability_across(6e-6, 0.6), 2.10e-13, 1e-2));
+        QCOMPARE(permeability_across(8e-6, 0.91), 0.0);
+    }
+    void diffusivityHasTheDerivedMagnitude()
+    {
+        QVERIFY(within(saturated_liquid_diffusivity(tension, 0, 10e-6, viscosity), 3.63e-5, 2e-3));
+        QVERIFY(within(saturated_liquid_diffusivity(tension, 0, 2e-6, viscosity), 7.26e-6, 2e-3));
+    }
+    void nothingWicksFromNinetyDegrees_data()
+    {
+        QTest::addColumn<double>("degrees");
+        for (double degrees : {90.0, 90.1, 120.0, 180.0}) QTest::addRow("%g", degrees) << degrees;
+    }
+    void nothingWicksFromNinetyDegrees()
+    {
+        QFETCH(double, degrees);
+        QCOMPARE(saturated_liquid_diffusivity(tension, radian_from_degree(degrees), 8e-6, viscosity), 0.0);
+    }
+    void potentialIsTheIntegralOfItsPower()
+    {
+        for (double p : {1.0 / 3.0, 1.0, 2.0, 5.0}) {
+            double sum = 0;
+            constexpr int n = 20000;
+            for (int i = 0; i < n; ++i) sum += saturation_power((i + 0.5) / n * 0.8, p) * 0.8 / n;
+            QVERIFY(within(spreading_potential(0.8, p), sum, 1e-5));
+        }
+        QCOMPARE(spreading_potential(0.0, 2.0), 0.0);
+    }
+    void warmWaterWicksTwoPerCentFasterPerKelvin()
+    {
+        const auto speed = [](double t) { return water_surface_tension(t) / water_viscosity(t); };
+        QVERIFY(within(speed(293.15), 72.6, 5e-3));
+        QVERIFY(within(speed(309.15), 99.6, 5e-3));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestWicking)
+#include "tst_wicking.moc"

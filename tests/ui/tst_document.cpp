@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/project/project_file.h"
+#include "ui/candidates_panel.h"
+#include "ui/document.h"
+#include "ui/examples.h"
+#include "ui/experiment_panel.h"
+#include "ui/fabric_panel.h"
+#include "ui/point_paper.h"
+#include "ui/quantity_edit.h"
+#include "ui/weave_editor.h"
+
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestDocument : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        document_ = std::make_unique<Document>();
+        QVERIFY(document_->openExample(shippedExample()));
+        QVERIFY(document_->fabric());
+        QVERIFY(document_->experiment());
+    }
+
+    void cleanup() { document_.reset(); }
+
+    void everyFieldOfThePanelsIsOneStepOfTheHistory()
+    {
+        FabricPanel fabric(*document_);
+        ExperimentPanel experiment(*document_);
+        int stepped = 0;
+        QStringList seen;
+        for (QWidget* panel : {static_cast<QWidget*>(&fabric), static_cast<QWidget*>(&experiment)}) {
+            for (QuantityEdit* edit : panel->findChildren<QuantityEdit*>()) {
+                if (!edit->isEnabled() || (!edit->value() && edit->placeholderText() == "auto")) {
+                    continue;
+                }
+                const std::string before = text();
+                QTest::keyClick(edit, Qt::Key_Up);
+                if (text() == before) {
+                    QTest::keyClick(edit, Qt::Key_Down);
+                }
+                QVERIFY2(text() != before, qPrintable(edit->accessibleName()));
+                document_->endStroke();
+                checkUndoAndRedo(before);
+                ++stepped;
+            }
+        }
+        QVERIFY(stepped > 20);
+    }
+
+    void editsOfThePanelsCanBeUndone_data()
+    {
+        QTest::addColumn<QString>("edit");
+        for (const char* edit : {"weave pattern", "weave crossing", "repeat size", "add fabric", "duplicate fabric", "delete fabric", "add droplet",
+                                 "remove droplet", "add experiment", "finish", "fibre", "weft apart"}) {
+            QTest::newRow(edit) << QString(edit);
+        }
+    }
+
+    void editsOfThePanelsCanBeUndone()
+    {
+        QFETCH(QString, edit);
+        FabricPanel fabric(*document_);
+        ExperimentPanel experiment(*document_);
+        WeaveEditor weave(*document_);
+        CandidatesPanel candidates(*document_);
+        const std::string before = text();
+
+        if (edit == "weave pattern") {
+            auto* box = weave.findChild<QComboBox*>();
+            box->setEditText("twill 2/1 Z");
+            QTest::keyClick(box, Qt::Key_Return);
+        } else if (edit == "weave crossing") {
+            QTest::keyClick(weave.paper(), Qt::Key_Space);
+        } else if (edit == "repeat size") {
+            weave.findChild<QSpinBox*>()->stepUp();
+        } else if (edit == "add fabric") {
+            candidates.addFabric();
+        } else if (edit == "duplicate fabric") {
+            candidates.duplicateFabric();
+        } else if (edit == "delete fabric") {
+            candidates.deleteFabric();
+        } else if (edit == "add droplet") {
+            experiment.addDroplet();
+        } else if (edit == "remove droplet") {
+            experiment.removeDroplet();
+        } else if (edit == "add experiment") {
+            experiment.addExperiment();
+        } else if (edit == "finish") {
+            choose(fabric, "Finish", 2);
+        } else if (edit == "fibre") {
+            choose(fabric, "Fibre", 3);
+        } else if (edit == "weft apart") {
+            document_->edit("weft twist", "fabrics[0].weft.twist_per_m", [](Design& d) { d.fabrics[0].weft.twist_per_m = 321; });
+        }
+
+        QVERIFY(text() != before);
+        QCOMPARE(document_->history()->count(), 1);
+        QVERIFY(!document_->history()->undoText().isEmpty());
+        checkUndoAndRedo(before);
+    }
+
+    void stepsOfOneStrokeAreUndoneAtOnce()
+    {
+        FabricPanel fabric(*document_);
+        QuantityEdit* ends = field(fabric, "Ends");
+        const std::string before = text();
+
+        for (int i = 0; i < 5; ++i) {
+            QTest::keyClick(ends, Qt::Key_Up);
+        }
+
+        QCOMPARE(document_->history()->count(), 1);
+        QCOMPARE(document_->history()->undoText(), QString("ends per cm"));
+        document_->history()->undo();
+        QCOMPARE(text(), before);
+        QCOMPARE(*ends->value(), document_->fabric()->ends_per_cm);
+    }
+
+    void typedValuesAreStepsOfTheirOwn()
+    {
+        FabricPanel fabric(*document_);
+        QuantityEdit* ends = field(fabric, "Ends");
+        for (const char* typed : {"30", "31"}) {
+            ends->selectAll();
+            QTest::keyClicks(ends, typed);
+            QTest::keyClick(ends, Qt::Key_Return);
+        }
+        QCOMPARE(document_->history()->count(), 2);
+        QCOMPARE(document_->fabric()->ends_per_cm, 31.0);
+    }
+
+    void drawingAStrokeOnPointPaperIsOneStep()
+    {
+        document_->edit("weave", {}, [](Design& d) { d.fabrics[0].weave = weave_from_pattern("twill 2/2 Z"); });
+        WeaveEditor weave(*document_);
+        weave.resize(240, 320);
+        const std::string before = text();
+        const int steps = document_->history()->count();
+
+        Q_EMIT weave.paper()->crossingPainted(0, 0, true);
+        Q_EMIT weave.paper()->crossingPainted(1, 1, true);
+        Q_EMIT weave.paper()->strokeEnded();
+
+        QCOMPARE(document_->history()->count(), steps + 1);
+        document_->history()->undo();
+        QCOMPARE(text(), before);
+    }
+
+    void theWeftFollowsTheWarpUntilItIsTakenApart()
+    {
+        document_->edit("weft", {}, [](Design& d) { d.fabrics[0].weft = d.fabrics[0].warp; });
+        FabricPanel fabric(*document_);
+        QuantityEdit* twist = field(fabric, "Twist");
+
+        QTest::keyClick(twist, Qt::Key_Up);
+
+        QCOMPARE(document_->fabric()->weft.twist_per_m, document_->fabric()->warp.twist_per_m);
+    }
+
+    void whatIsSavedIsWhatIsOpened()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("saved.hygro");
+        document_->edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 33.25; });
+        QVERIFY(document_->modified());
+        QVERIFY(document_->saveAs(path));
+        QVERIFY(!document_->modified());
+        QCOMPARE(document_->title(), QString("saved.hygro"));
+
+        Document other;
+        QVERIFY(other.open(path));
+        QCOMPARE(format_project(*other.design()), text());
+        QCOMPARE(other.fabric()->ends_per_cm, 33.25);
+    }
+
+    void undoingPastASaveMarksTheDocumentModified()
+    {
+        QTemporaryDir folder;
+        document_->edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 33; });
+        QVERIFY(document_->saveAs(folder.filePath("saved.hygro")));
+        document_->history()->undo();
+        QVERIFY(document_->modified());
+        document_->history()->redo();
+        QVERIFY(!document_->modified());
+    }
+
+    void anExampleIsNeverWrittenOver() { QVERIFY(document_->path().isEmpty()); }
+
+    void aBrokenFileIsToldInASentenceAndChangesNothing()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("broken.hygro");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{ \"format\": \"something else\" }");
+        file.close();
+        QSignalSpy failed(document_.get(), &Document::failed);
+        const std::string before = text();
+
+        QVERIFY(!document_->open(path));
+
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed.first().first().toString().contains("broken.hygro"));
+        QCOMPARE(text(), before);
+    }
+
+    void anErrorIsFoundAtItsField()
+    {
+        document_->edit("ends", "fabrics[0].ends_per_cm", [](Design& d) { d.fabrics[0].ends_per_cm = -3; });
+        QVERIFY(document_->hasError());
+        QVERIFY(document_->fabricHasError());
+        QVERIFY(!document_->quantities());
+        QVERIFY(!document_->issuesAt("fabrics[0].ends_per_cm").empty());
+    }
+
+private:
+    std::string text() const { return format_project(*document_->design()); }
+
+    void checkUndoAndRedo(const std::string& before)
+    {
+        const std::string after = text();
+        document_->history()->undo();
+        QCOMPARE(text(), before);
+        document_->history()->redo();
+        QCOMPARE(text(), after);
+        document_->history()->undo();
+        QCOMPARE(text(), before);
+    }
+
+    static QuantityEdit* field(QWidget& panel, const QString& name)
+    {
+        for (QuantityEdit* edit : panel.findChildren<QuantityEdit*>()) {
+            if (edit->accessibleName() == name) {
+                return edit;
+            }
+        }
+        return nullptr;
+    }
+
+    static void choose(QWidget& panel, const QString& name, int index)
+    {
+        for (QComboBox* box : panel.findChildren<QComboBox*>()) {
+            if (box->accessibleName() == name) {
+                box->setCurrentIndex(index);
+                Q_EMIT box->activated(index);
+                Q_EMIT box->textActivated(box->itemText(index));
+                return;
+            }
+        }
+    }
+
+    std::unique_ptr<Document> document_;
+};
+
+QTEST_MAIN(TestDocument)
+#include "tst_document.moc"

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The whole window, driven as a designer would. Needs a display: xvfb-run.
+#include "core/project/project_file.h"
+#include "ui/appearance.h"
+#include "ui/chart.h"
+#include "ui/main_window.h"
+#include "ui/quantity_edit.h"
+#include "ui/simulation_panel.h"
+#include "ui/timeline.h"
+#include "ui/water_map_view.h"
+#include "ui/weave_editor.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+using namespace hygroloom;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain()
+    {
+        QSurfaceFormat format;
+        format.setVersion(3, 3);
+        format.setProfile(QSurfaceFormat::CoreProfile);
+        format.setDepthBufferSize(24);
+        QSurfaceFormat::setDefaultFormat(format);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName("hygroloom-test");
+        QCoreApplication::setApplicationName("hygroloom-test");
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
+        applyAppearance(Appearance::light);
+        window_ = std::make_unique<MainWindow>();
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+
+    void cleanupTestCase()
+    {
+        window_->simulation().cancel();
+        window_.reset();
+    }
+
+    void theExampleIsShownAtOnce()
+    {
+        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
+        window_->openShippedExample();
+        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
+        QVERIFY(window_->document().fabric());
+        QVERIFY(window_->viewport().mesh());
+        QVERIFY(window_->simulationPanel().canRun());
+        QVERIFY(window_->windowTitle().contains("cotton"));
+    }
+
+    void changingTheWeaveChangesThePicture()
+    {
+        const QImage before = settled();
+        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
+        auto* pattern = window_->findChild<WeaveEditor*>()->findChild<QComboBox*>();
+        pattern->setFocus();
+        pattern->lineEdit()->selectAll();
+        QTest::keyClicks(pattern->lineEdit(), "satin 5/2");
+        QTest::keyClick(pattern->lineEdit(), Qt::Key_Return);
+
+        QCOMPARE(window_->document().fabric()->weave.ends(), 5);
+        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
+        QCOMPARE(window_->viewport().mesh()->textile.weave.ends(), 5);
+        QVERIFY(settled() != before);
+        QVERIFY(window_->isWindowModified());
+    }
+
+    void undoBringsTheWeaveBack()
+    {
+        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
+        window_->document().history()->undo();
+        QCOMPARE(window_->document().fabric()->weave.pattern(), std::string("plain"));
+        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
+        QVERIFY(!window_->isWindowModified());
+    }
+
+    void undoReachesTheDesignFromAField()
+    {
+        QuantityEdit* ends = nullptr;
+        for (QuantityEdit* edit : window_->findChildren<QuantityEdit*>()) {
+            ends = edit->accessibleName() == "Ends" ? edit : ends;
+        }
+        QVERIFY(ends);
+        QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
+        ends->setFocus();
+        const double before = window_->document().fabric()->ends_per_cm;
+        ends->selectAll();
+        QTest::keyClicks(ends, "31");
+        QTest::keyClick(ends, Qt::Key_Return);
+        QCOMPARE(window_->document().fabric()->ends_per_cm, 31.0);
+        QTest::keyClick(ends, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->document().fabric()->ends_per_cm, before);
+    }
+
+    void aDesignThatCannotBeWovenRefusesToRun()
+    {
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = -1; });
+        QString reason;
+        QVERIFY(!window_->simulationPanel().canRun(&reason));
+        QVERIFY(reason.endsWith('.'));
+        window_->document().history()->undo();
+        QVERIFY(window_->simulationPanel().canRun());
+    }
+
+    void everyFieldHasAName()
+    {
+        for (QWidget* widget : window_->findChildren<QWidget*>()) {
+            const bool field = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QuantityEdit*>(widget)
+                || qobject_cast<QAbstractSlider*>(widget);
+            if (!field || widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) {
+                continue;
+            }
+            const auto* button = qobject_cast<QAbstractButton*>(widget);
+            QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+                     qPrintable(QString("%1 in %2").arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
+        }
+    }
+
+    void aRunShowsWaterOnTheMaps()
+    {
+        window_->document().edit("a short experiment", {}, [](Design& d) {
+            Experiment& e = d.experiments[0];
+            e.duration_s = 0.4;
+            e.sample_mm = {6, 6};
+            e.droplets = {Droplet{1, 0, {0, 0}, 0.05, 0}};
+        });
+        window_->simulationPanel().setFidelity(Fidelity::draft);
+        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
+        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
+        QSignalSpy maps(&window_->waterMaps(), &WaterMapView::mapChanged);
+
+        window_->startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
+        QCOMPARE(window_->workspace(), Workspace::simulate);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.count() > 0, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 120000);
+
+        QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::finished);
+        QVERIFY(window_->playback().frames() > 1);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
+        QVERIFY(window_->waterMaps().top().circle().radius > 0);
+        QVERIFY(window_->chart().points() > 1);
+        QVERIFY(!window_->resultsAreStale());
+    }
+
+    void scrubbingToTheStartShowsADryMap()
+    {
+        window_->playback().show(0);
+        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().top().map().maximum(), 0.0, 5000);
+        window_->playback().show(window_->playback().frames() - 1);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
+    }
+
+    void anEditMarksTheResultsStaleAndUndoDoesNot()
+    {
+        window_->document().edit("picks", {}, [](Design& d) { d.fabrics[0].picks_per_cm -= 1; });
+        QVERIFY(window_->resultsAreStale());
+        QVERIFY(window_->waterMaps().top().map().maximum() > 0);
+        window_->document().history()->undo();
+        QVERIFY(!window_->resultsAreStale());
+    }
+
+    void theRecordingOpensAgain()
+    {
+        const QString path = window_->playback().path();
+        const int frames = window_->playback().frames();
+        const double water = window_->waterMaps().top().map().maximum();
+        QSignalSpy opened(&window_->playback(), &Playback::opened);
+        QVERIFY(window_->openFile(path));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 10000);
+        QCOMPARE(window_->playback().frames(), frames);
+        QTRY_VERIFY_WITH_TIMEOUT(qAbs(window_->waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->chart().points() == frames, 10000);
+    }
+
+    void playingMovesThroughTheRecording()
+    {
+        window_->playback().show(0);
+        window_->timeline().togglePlaying();
+        QVERIFY(window_->timeline().playing());
+        QTRY_VERIFY_WITH_TIMEOUT(window_->playback().current() > 0, 5000);
+        if (window_->timeline().playing()) {
+            window_->timeline().togglePlaying();
+        }
+    }
+
+    void aRunCanBePausedAndStopped()
+    {
+        window_->document().edit("a long experiment", {}, [](Design& d) { d.experiments[0].duration_s = 60; });
+        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
+        QSignalSpy progressed(&window_->simulation(), &SimulationRun::progressed);
+        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
+        window_->startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1 && progressed.count() > 0, 20000);
+
+        window_->simulation().setPaused(true);
+        QVERIFY(window_->simulation().paused());
+        window_->simulation().setPaused(false);
+        window_->simulation().cancel();
+
+        QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 2000);
+        QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::cancelled);
+        QVERIFY(!window_->simulation().running());
+    }
+
+    void savingAndOpeningKeepsTheDesign()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("kept.hygro");
+        QVERIFY(window_->document().saveAs(path));
+        const std::string text = format_project(*window_->document().design());
+        QVERIFY(window_->openFile(path));
+        QCOMPARE(format_project(*window_->document().design()), text);
+        QVERIFY(window_->windowTitle().contains("kept.hygro"));
+    }
+
+    void aDroppedProjectIsOpened()
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/textile-A.hygro")});
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(window_->windowTitle().contains("textile-A"));
+        QVERIFY(QSettings().value("recent").toStringList().first().endsWith("textile-A.hygro"));
+    }
+
+    void closingAsksAboutUnsavedChanges()
+    {
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });
+        bool asked = false;
+        QTimer::singleShot(200, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked = true;
+                QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+            }
+        });
+        QVERIFY(!window_->close());
+        QVERIFY(asked);
+        window_->document().history()->undo();
+    }
+
+private:
+    QImage settled()
+    {
+        QTest::qWait(300);
+        return window_->viewport().picture();
+    }
+
+    QTemporaryDir settings_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/appearance.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusVariant>
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
+#include <QSettings>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+
+// Q_INIT_RESOURCE works outside of namespaces only.
+static void initializeResources()
+{
+    Q_INIT_RESOURCE(resources);
+}
+
+namespace hygroloom {
+
+namespace {
+
+/// Draws an SVG whose strokes are "#000" in a colour of the palette.
+class PaletteIcon : public QIconEngine {
+public:
+    PaletteIcon(QString name, QByteArray drawing, std::optional<Severity> severity)
+        : name_(std::move(name))
+        , drawing_(std::move(drawing))
+        , severity_(severity)
+    {
+    }
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
+    {
+        const QPalette palette = QApplication::palette();
+        const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::WindowText;
+        const QColor color = severity_ ? severityColor(*severity_, palette) : palette.color(group, role);
+        QSvgRenderer renderer(QByteArray(drawing_).replace("#000", color.name().toLatin1()));
+        renderer.render(painter, QRectF(rect));
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
+    {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return pixmap;
+    }
+
+    QIconEngine* clone() const override { return new PaletteIcon(*this); }
+    QString key() const override { return "hygroloom-palette-icon"; }
+
+private:
+    QString name_;
+    QByteArray drawing_;
+    std::optional<Severity> severity_;
+};
+
+QIcon paletteIcon(const QString& name, std::optional<Severity> severity)
+{
+    useResources();
+    QFile file(":/icons/" + name + ".svg");
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    return QIcon(new PaletteIcon(name, file.readAll(), severity));
+}
+
+QPalette palette(const QColor& window, const QColor& base, const QColor& button, const QColor& text, const QColor& quiet,
+                 const QColor& accent, const QColor& onAccent, const QColor& line)
+{
+    QPalette p;
+    p.setColor(QPalette::Window, window);
+    p.setColor(QPalette::Base, base);
+    p.setColor(QPalette::AlternateBase, window);
+    p.setColor(QPalette::Button, button);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::BrightText}) {
+        p.setColor(role, text);
+        p.setColor(QPalette::Disabled, role, quiet);
+    }
+    p.setColor(QPalette::PlaceholderText, quiet);
+    p.setColor(QPalette::ToolTipBase, base);
+    p.setColor(QPalette::Highlight, accent);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, line);
+    p.setColor(QPalette::HighlightedText, onAccent);
+    p.setColor(QPalette::Link, accent);
+    p.setColor(QPalette::LinkVisited, accent);
+    p.setColor(QPalette::Light, button.lighter(110));
+    p.setColor(QPalette::Midlight, button.lighter(104));
+    p.setColor(QPalette::Mid, line);
+    p.setColor(QPalette::Dark, line.darker(115));
+    p.setColor(QPalette::Shadow, line.darker(150));
+    return p;
+}
+
+QPalette lightPalette()
+{
+    return palette("#f3f4f5", "#ffffff", "#fbfbfc", "#1d2327", "#666e75", "#0b6aa8", "#ffffff", "#c3c8cd");
+}
+
+QPalette darkPalette()
+{
+    return palette("#2b3035", "#1d2124", "#363c42", "#e6e9eb", "#98a1a8", "#4aa3df", "#0d1114", "#454c53");
+}
+
+bool desktopIsDark()
+{
+    if (!QDBusConnection::sessionBus().isConnected()) {
+        return false;
+    }
+    QDBusMessage question = QDBusMessage::createMethodCall("org.freedesktop.portal.Desktop", "/org/freedesktop/portal/desktop",
+                                                           "org.freedesktop.portal.Settings", "Read");
+    question << "org.freedesktop.appearance" << "color-scheme";
+    const QDBusMessage answer = QDBusConnection::sessionBus().call(question, QDBus::Block, 200);
+    if (answer.type() != QDBusMessage::ReplyMessage || answer.arguments().isEmpty()) {
+        return false;
+    }
+    QVariant value = answer.arguments().first();
+    while (value.canConvert<QDBusVariant>()) {
+        value = value.value<QDBusVariant>().variant();
+    }
+    return value.toUInt() == 1;
+}
+
+} // namespace
+
+void useResources()
+{
+    initializeResources();
+}
+
+void applyAppearance(Appearance appearance)
+{
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    const bool dark = appearance == Appearance::dark || (appearance == Appearance::desktop && desktopIsDark());
+    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+}
+
+Appearance savedAppearance()
+{
+    const QString name = QSettings().value("appearance").toString();
+    return name == "light" ? Appearance::light : name == "dark" ? Appearance::dark : Appearance::desktop;
+}
+
+void saveAppearance(Appearance appearance)
+{
+    QSettings().setValue("appearance",
+                         appearance == Appearance::light ? "light" : appearance == Appearance::dark ? "dark" : "desktop");
+}
+
+bool isDark(const QPalette& palette)
+{
+    return palette.color(QPalette::Window).lightnessF() < 0.5F;
+}
+
+QIcon themedIcon(const QString& name)
+{
+    return paletteIcon(name, {});
+}
+
+QColor severityColor(Severity severity, const QPalette& palette)
+{
+    const bool dark = isDark(palette);
+    switch (severity) {
+    case Severity::error: return dark ? "#ff7b72" : "#b3261e";
+    case Severity::warning: return dark ? "#e3b341" : "#8f5a00";
+    case Severity::note: break;
+    }
+    return palette.color(QPalette::Link);
+}
+
+QIcon severityIcon(Severity severity)
+{
+    return paletteIcon(severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note", severity);
+}
+
+QString severityName(Severity severity)
+{
+    switch (severity) {
+    case Severity::error: return QApplication::translate("hygroloom", "Error");
+    case Severity::warning: return QApplication::translate("hygroloom", "Warning");
+    case Severity::note: break;
+    }
+    return QApplication::translate("hygroloom", "Note");
+}
+
+QColor quietText(const QPalette& palette)
+{
+    return palette.color(QPalette::Disabled, QPalette::WindowText);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How the program looks: light and dark palettes, icons that take the palette's colour, colours with a meaning.
+#pragma once
+
+#include "core/design/validate.h"
+
+#include <QIcon>
+#include <QPalette>
+
+namespace hygroloom {
+
+enum class Appearance { desktop, light, dark };
+
+/// Makes icons, shaders and the built-in example available; a static library does not do so by itself.
+void useResources();
+
+/// Sets the application's style and palette. desktop asks the desktop portal, and is light where nobody answers.
+void applyAppearance(Appearance appearance);
+Appearance savedAppearance();
+void saveAppearance(Appearance appearance);
+
+bool isDark(const QPalette& palette);
+
+/// An icon of resources/icons, drawn in the palette's text colour of the moment it is painted.
+QIcon themedIcon(const QString& name);
+
+QColor severityColor(Severity severity, const QPalette& palette);
+QIcon severityIcon(Severity severity);
+/// "Error", "Warning", "Note".
+QString severityName(Severity severity);
+
+/// Text that is less important than the rest, readable on window and base.
+QColor quietText(const QPalette& palette);
+
+} // namespace hygroloom

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Where the fabric is looked at from. Lengths in millimetres; z points out of the fabric's top face.
+#pragma once
+
+#include <QMatrix4x4>
+#include <QPointF>
+#include <QSizeF>
+#include <QVector3D>
+
+namespace hygroloom {
+
+struct Ray {
+    QVector3D from;
+    QVector3D direction; ///< unit
+};
+
+/// Turns round a target point: the turntable of modelling programs.
+class Camera {
+public:
+    QMatrix4x4 view() const;
+    QMatrix4x4 projection(const QSizeF& size) const;
+    QVector3D eye() const;
+    QVector3D target() const { return target_; }
+    /// Length on the target's plane that one pixel covers.
+    double millimetrePerPixel(const QSizeF& size) const;
+
+    /// Where a point is in the picture, and the ray under a point of the picture.
+    QPointF project(const QVector3D& point, const QSizeF& size) const;
+    Ray ray(const QPointF& at, const QSizeF& size) const;
+
+    void orbit(const QPointF& pixels);
+    void pan(const QPointF& pixels, const QSizeF& size);
+    /// Keeps the point under the pointer where it is. factor > 1 comes nearer.
+    void zoom(double factor, const QPointF& at, const QSizeF& size);
+    void centreOn(const QVector3D& point) { target_ = point; }
+    /// Shows the whole box, from the same direction.
+    void fit(const QVector3D& low, const QVector3D& high, const QSizeF& size);
+    /// Degrees: turn 0 looks along +y, lift 90 looks down on the fabric.
+    void lookFrom(double turn, double lift);
+
+private:
+    QVector3D direction() const; ///< from the target to the eye
+    QVector3D up() const;
+
+    QVector3D target_;
+    double distance_ = 20;
+    double turn_ = -28;
+    double lift_ = 48;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Curves of a run over time, with the shown moment as an upright line.
+#pragma once
+
+#include "ui/playback.h"
+
+#include <QWidget>
+
+class QChart;
+class QLineSeries;
+class QValueAxis;
+
+namespace hygroloom {
+
+class TimeChartView;
+
+/// Water on the left, wetted radius on the right. A click shows that moment.
+class Chart : public QWidget {
+    Q_OBJECT
+public:
+    explicit Chart(Playback& playback, QWidget* parent = nullptr);
+
+    /// Points of the curve of free water, for those who want to know that there are any.
+    int points() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Plot {
+        TimeChartView* view = nullptr;
+        QChart* chart = nullptr;
+        QValueAxis* time = nullptr;
+        QValueAxis* value = nullptr;
+        std::vector<QLineSeries*> lines;
+    };
+    Plot addPlot(const QString& title, const QStringList& names);
+    void refresh();
+    void fill(Plot& plot, const std::vector<double>& time, const std::vector<const std::vector<double>*>& values, double scale);
+    void applyPalette();
+
+    Playback& playback_;
+    Plot water_;
+    Plot radius_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/design_form.h"
+
+#include "ui/appearance.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int label_width = 104;
+
+QGridLayout* formGrid(QWidget* owner)
+{
+    auto* grid = new QGridLayout(owner);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(1, 3);
+    grid->setColumnStretch(2, 2);
+    grid->setColumnMinimumWidth(0, label_width);
+    return grid;
+}
+
+} // namespace
+
+DesignForm::DesignForm(Document& document, QWidget* parent)
+    : QWidget(parent)
+    , document_(document)
+    , grid_(formGrid(this))
+    , target_(grid_)
+{
+    connect(&document_, &Document::designChanged, this, &DesignForm::refresh);
+}
+
+void DesignForm::addSection(const QString& title, bool foldable, bool open)
+{
+    target_ = grid_;
+    const int row = grid_->rowCount();
+    if (row > 1) {
+        grid_->setRowMinimumHeight(row, 8);
+    }
+    if (!foldable) {
+        auto* heading = new QLabel(title);
+        QFont font = heading->font();
+        font.setBold(true);
+        heading->setFont(font);
+        grid_->addWidget(heading, row + 1, 0, 1, 3);
+        return;
+    }
+    auto* button = new QToolButton;
+    button->setText(title);
+    button->setAccessibleName(title);
+    button->setToolTip(tr("Show or hide these fields."));
+    button->setCheckable(true);
+    button->setChecked(open);
+    button->setAutoRaise(true);
+    button->setStyleSheet("QToolButton { border: none; padding: 2px 0; }");
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    QFont font = button->font();
+    font.setBold(true);
+    button->setFont(font);
+    auto* content = new QWidget(this);
+    target_ = formGrid(content);
+    const auto turn = [button, content](bool on) {
+        button->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+        content->setVisible(on);
+    };
+    turn(open);
+    connect(button, &QToolButton::toggled, content, turn);
+    grid_->addWidget(button, row + 1, 0, 1, 3);
+    grid_->addWidget(content, row + 2, 0, 1, 3);
+}
+
+QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignField& field, bool optional)
+{
+    auto* edit = new QuantityEdit(quantity);
+    edit->setOptional(optional);
+    edit->setHelp(field.help);
+    edit->setAccessibleName(field.label);
+    edit->setObjectName(field.undo);
+    addRow(field.label, edit);
+    connect(edit, &QuantityEdit::edited, this, [this, field](std::optional<double> value, bool) {
+        document_.edit(field.undo, field.where(), [&](Design& design) { field.write(design, value); });
+    });
+    connect(edit, &QuantityEdit::strokeEnded, this, [this] { document_.endStroke(); });
+    rows_.push_back({edit, field});
+    return edit;
+}
+
+void DesignForm::addRow(const QString& label, QWidget* widget)
+{
+    const int row = nextRow();
+    auto* name = new QLabel(label);
+    name->setBuddy(widget);
+    target_->addWidget(name, row, 0);
+    target_->addWidget(widget, row, 1);
+    if (widget->accessibleName().isEmpty()) {
+        widget->setAccessibleName(label);
+    }
+}
+
+void DesignForm::addWide(QWidget* widget)
+{
+    target_->addWidget(widget, nextRow(), 0, 1, 3);
+}
+
+QLabel* DesignForm::addDerived(const QString& label, const QString& help)
+{
+    const int row = nextRow();
+    auto* name = new QLabel(label);
+    auto* value = new QLabel;
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setAccessibleName(label);
+    if (!help.isEmpty()) {
+        name->setToolTip("<p>" + help + "</p>");
+        value->setToolTip("<p>" + help + "</p>");
+    }
+    target_->addWidget(name, row, 0);
+    target_->addWidget(value, row, 1, 1, 2);
+    return value;
+}
+
+QLabel* DesignForm::noteBeside(QWidget* field)
+{
+    int row = 0, column = 0, rows = 0, columns = 0;
+    target_->getItemPosition(target_->indexOf(field), &row, &column, &rows, &columns);
+    auto* note = new QLabel;
+    note->setForegroundRole(QPalette::PlaceholderText);
+    note->setAccessibleName(tr("The same in other units"));
+    target_->addWidget(note, row, 2);
+    return note;
+}
+
+void DesignForm::refresh()
+{
+    for (const Row& row : rows_) {
+        row.edit->setValue(row.field.read());
+        auto issues = document_.issuesAt(row.field.where());
+        if (issues.empty() && row.field.within) {
+            issues = document_.issuesAt(row.field.within());
+        }
+        row.edit->setIssues(issues);
+    }
+    for (const auto& work : afterwards_) {
+        work();
+    }
+}
+
+int DesignForm::nextRow()
+{
+    return target_->rowCount();
+}
+
+} // namespace hygroloom

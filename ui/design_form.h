@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Rows of fields that show values of the design and write them back as undoable edits.
+#pragma once
+
+#include "ui/document.h"
+#include "ui/quantity_edit.h"
+
+#include <QComboBox>
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+
+namespace hygroloom {
+
+/// Where a number lives in the design.
+struct DesignField {
+    QString label;
+    QString undo;                        ///< completes "Undo ...": "picks per cm"
+    std::function<std::string()> where;  ///< path into the project, for issues
+    std::function<std::optional<double>()> read;
+    std::function<void(Design&, std::optional<double>)> write;
+    QString help;
+    std::function<std::string()> within = {}; ///< path of the whole whose contradictions this field can mend
+};
+
+/// Refreshes itself whenever the document changes.
+class DesignForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit DesignForm(Document& document, QWidget* parent = nullptr);
+
+    /// A heading; the rows that follow fold away with it when foldable.
+    void addSection(const QString& title, bool foldable = false, bool open = true);
+    QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
+    /// Any other widget in the field column, with its label.
+    void addRow(const QString& label, QWidget* widget);
+    /// A widget over the whole width.
+    void addWide(QWidget* widget);
+    /// A pair of a name and a number that the program works out.
+    QLabel* addDerived(const QString& label, const QString& help = {});
+    /// The quiet text behind the last field.
+    QLabel* noteBeside(QWidget* field);
+    /// Work to do at each refresh, after the fields.
+    void onRefresh(std::function<void()> work) { afterwards_.push_back(std::move(work)); }
+    void refresh();
+
+    Document& document() { return document_; }
+
+private:
+    struct Row {
+        QuantityEdit* edit;
+        DesignField field;
+    };
+    int nextRow();
+
+    Document& document_;
+    QGridLayout* grid_;
+    std::vector<Row> rows_;
+    std::vector<std::function<void()>> afterwards_;
+    QGridLayout* target_ = nullptr;
+};
+
+} // namespace hygroloom

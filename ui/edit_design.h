@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The one undo command: every edit replaces the whole design, which is cheap to copy.
+#pragma once
+
+#include "core/design/design.h"
+
+#include <QUndoCommand>
+
+#include <memory>
+
+namespace hygroloom {
+
+class Document;
+
+/// What the document shows: the design, and which of its fabrics and experiments.
+struct DesignState {
+    std::shared_ptr<const Design> design;
+    int fabric = 0;
+    int experiment = 0;
+};
+
+/// Consecutive edits with the same non-empty field and stroke become one, so that a drag is undone at once.
+class EditDesign : public QUndoCommand {
+public:
+    EditDesign(Document& document, const QString& text, DesignState before, DesignState after, std::string field, int stroke);
+
+    void undo() override;
+    void redo() override;
+    int id() const override { return 1; }
+    bool mergeWith(const QUndoCommand* other) override;
+
+private:
+    Document& document_;
+    DesignState before_;
+    DesignState after_;
+    std::string field_;
+    int stroke_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/experiment_panel.h"
+
+#include "ui/appearance.h"
+
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+QToolButton* iconButton(const QString& icon, const QString& name)
+{
+    auto* button = new QToolButton;
+    button->setIcon(themedIcon(icon));
+    button->setAutoRaise(true);
+    button->setToolTip(name);
+    button->setAccessibleName(name);
+    return button;
+}
+
+std::string freeName(const Design& design, std::string wish)
+{
+    std::string name = wish;
+    for (int i = 2; find_experiment(design, name); ++i) {
+        name = wish + " " + std::to_string(i);
+    }
+    return name;
+}
+
+} // namespace
+
+ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
+    : QScrollArea(parent)
+    , document_(document)
+    , form_(new DesignForm(document))
+{
+    addChoice();
+    addConditions();
+    addDroplets();
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(form_);
+    layout->addStretch();
+    setWidget(content);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    form_->onRefresh([this] {
+        refreshChoice();
+        refreshDroplets();
+    });
+    form_->refresh();
+}
+
+DesignField ExperimentPanel::field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
+                                   const QString& help)
+{
+    return {label, undo, std::move(where),
+            [this, read = std::move(read)] { return document_.experiment() ? read(*document_.experiment()) : std::nullopt; },
+            [this, write = std::move(write)](Design& design, std::optional<double> value) {
+                if (value) {
+                    write(design.experiments[static_cast<std::size_t>(document_.experimentIndex())], *value);
+                }
+            },
+            help};
+}
+
+DesignField ExperimentPanel::fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
+{
+    return field(label, undo, [this, where] { return "experiments[" + std::to_string(document_.experimentIndex()) + "]." + where; },
+                 std::move(read), std::move(write), help);
+}
+
+DesignField ExperimentPanel::dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
+                                          const QString& help)
+{
+    return field(
+        label, undo,
+        [this, where] {
+            return "experiments[" + std::to_string(document_.experimentIndex()) + "].droplets[" + std::to_string(droplet_) + "]." + where;
+        },
+        [this, member](const Experiment& e) -> std::optional<double> {
+            if (droplet_ >= static_cast<int>(e.droplets.size())) {
+                return std::nullopt;
+            }
+            Droplet drop = e.droplets[static_cast<std::size_t>(droplet_)];
+            return member(drop);
+        },
+        [this, member](Experiment& e, double value) {
+            if (droplet_ < static_cast<int>(e.droplets.size())) {
+                member(e.droplets[static_cast<std::size_t>(droplet_)]) = value;
+            }
+        },
+        help);
+}
+
+void ExperimentPanel::addChoice()
+{
+    choice_ = new QComboBox;
+    choice_->setAccessibleName(tr("Experiment"));
+    choice_->setMinimumContentsLength(8);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    QToolButton* add = iconButton("add", tr("Add an experiment"));
+    rename_ = iconButton("rename", tr("Rename the experiment"));
+    remove_ = iconButton("delete", tr("Delete the experiment"));
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(choice_, 1);
+    layout->addWidget(add);
+    layout->addWidget(rename_);
+    layout->addWidget(remove_);
+    form_->addWide(line);
+    connect(choice_, &QComboBox::activated, &document_, &Document::setExperimentIndex);
+    connect(add, &QToolButton::clicked, this, &ExperimentPanel::addExperiment);
+    connect(rename_, &QToolButton::clicked, this, &ExperimentPanel::renameExperiment);
+    connect(remove_, &QToolButton::clicked, this, &ExperimentPanel::removeExperiment);
+}
+
+void ExperimentPanel::addConditions()
+{
+    form_->addSection(tr("Climate"));
+    form_->addQuantity(Quantity::temperature(-10, 60), fixedField(tr("Temperature"), tr("temperature"), "climate.temperature_c",
+        [](const Experiment& e) { return std::optional(e.climate.temperature_c); }, [](Experiment& e, double v) { e.climate.temperature_c = v; }));
+    form_->addQuantity(Quantity::percent(0, 1), fixedField(tr("Humidity"), tr("relative humidity"), "climate.relative_humidity",
+        [](const Experiment& e) { return std::optional(e.climate.relative_humidity); }, [](Experiment& e, double v) { e.climate.relative_humidity = v; },
+        tr("Relative humidity of the air, and of the fabric before the first drop.")));
+    form_->addQuantity(Quantity::speed(20), fixedField(tr("Air speed"), tr("air speed"), "climate.air_speed_m_s",
+        [](const Experiment& e) { return std::optional(e.climate.air_speed_m_s); }, [](Experiment& e, double v) { e.climate.air_speed_m_s = v; }));
+    form_->addSection(tr("Sample"));
+    form_->addQuantity(Quantity::length(0.1, 2000), fixedField(tr("Along the weft"), tr("sample width"), "sample_mm[0]",
+        [](const Experiment& e) { return std::optional(e.sample_mm[0]); }, [](Experiment& e, double v) { e.sample_mm[0] = v; }));
+    form_->addQuantity(Quantity::length(0.1, 2000), fixedField(tr("Along the warp"), tr("sample height"), "sample_mm[1]",
+        [](const Experiment& e) { return std::optional(e.sample_mm[1]); }, [](Experiment& e, double v) { e.sample_mm[1] = v; }));
+    form_->addQuantity(Quantity::time(0.001, 86400), fixedField(tr("Duration"), tr("duration"), "duration_s",
+        [](const Experiment& e) { return std::optional(e.duration_s); }, [](Experiment& e, double v) { e.duration_s = v; }));
+    auto* liquid = new QComboBox;
+    liquid->addItem(tr("Water"));
+    liquid->setToolTip(tr("Water is the liquid this version knows."));
+    form_->addRow(tr("Liquid"), liquid);
+}
+
+void ExperimentPanel::addDroplets()
+{
+    form_->addSection(tr("Droplets"));
+    droplets_ = new QListWidget;
+    droplets_->setAccessibleName(tr("Droplets"));
+    droplets_->setFixedHeight(72);
+    auto* buttons = new QVBoxLayout;
+    QToolButton* add = iconButton("add", tr("Add a droplet"));
+    remove_droplet_ = iconButton("remove", tr("Remove the droplet"));
+    buttons->setSpacing(4);
+    buttons->addWidget(add);
+    buttons->addWidget(remove_droplet_);
+    buttons->addStretch();
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(droplets_, 1);
+    layout->addLayout(buttons);
+    form_->addWide(line);
+    no_droplet_ = new QLabel(tr("No droplet yet. Add one to wet the fabric."));
+    no_droplet_->setWordWrap(true);
+    form_->addWide(no_droplet_);
+    connect(add, &QToolButton::clicked, this, &ExperimentPanel::addDroplet);
+    connect(remove_droplet_, &QToolButton::clicked, this, &ExperimentPanel::removeDroplet);
+    connect(droplets_, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row >= 0 && row != droplet_) {
+            droplet_ = row;
+            form_->refresh();
+        }
+    });
+    using D = Droplet&;
+    droplet_fields_ = {
+        form_->addQuantity(Quantity::volume(0.001, 5000),
+                           dropletField(tr("Volume"), tr("droplet volume"), "volume_ul", [](D d) -> double& { return d.volume_ul; })),
+        form_->addQuantity(Quantity::time(0, 86400),
+                           dropletField(tr("Time"), tr("droplet time"), "time_s", [](D d) -> double& { return d.time_s; }, tr("When it appears."))),
+        form_->addQuantity(Quantity::length(-1000, 1000), dropletField(tr("Place along weft"), tr("droplet place"), "at_mm[0]",
+                                                                       [](D d) -> double& { return d.at_mm[0]; }, tr("From the sample's centre."))),
+        form_->addQuantity(Quantity::length(-1000, 1000), dropletField(tr("Place along warp"), tr("droplet place"), "at_mm[1]",
+                                                                       [](D d) -> double& { return d.at_mm[1]; }, tr("From the sample's centre."))),
+        form_->addQuantity(Quantity::length(0, 100), dropletField(tr("Height"), tr("droplet height"), "height_mm",
+                                                                  [](D d) -> double& { return d.height_mm; }, tr("Of its lowest point over the fabric."))),
+        form_->addQuantity(Quantity::speed(5), dropletField(tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
+                                                            tr("Downwards, when it appears.")))};
+}
+
+void ExperimentPanel::refreshChoice()
+{
+    const QSignalBlocker quiet(choice_);
+    choice_->clear();
+    for (const Experiment& experiment : document_.design()->experiments) {
+        choice_->addItem(QString::fromStdString(experiment.name));
+    }
+    choice_->setCurrentIndex(document_.experiment() ? document_.experimentIndex() : -1);
+    choice_->setEnabled(choice_->count() > 0);
+    remove_->setEnabled(document_.experiment());
+    rename_->setEnabled(document_.experiment());
+}
+
+void ExperimentPanel::refreshDroplets()
+{
+    const QSignalBlocker quiet(droplets_);
+    const Experiment* experiment = document_.experiment();
+    const int count = experiment ? static_cast<int>(experiment->droplets.size()) : 0;
+    const int chosen = std::clamp(droplet_, 0, std::max(0, count - 1));
+    if (chosen != droplet_) {
+        droplet_ = chosen;
+        form_->refresh();
+        return;
+    }
+    droplets_->clear();
+    for (int i = 0; i < count; ++i) {
+        const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
+        droplets_->addItem(tr("%1: %2 µl at %3 s (%4, %5)")
+                               .arg(i + 1)
+                               .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1), shownNumber(drop.at_mm[1], 1)));
+    }
+    droplets_->setCurrentRow(count > 0 ? droplet_ : -1);
+    remove_droplet_->setEnabled(count > 0);
+    no_droplet_->setVisible(count == 0);
+    for (QWidget* widget : droplet_fields_) {
+        widget->setEnabled(count > 0);
+    }
+}
+
+void ExperimentPanel::edit(const QString& undo, const std::function<void(Experiment&)>& change)
+{
+    if (document_.experiment()) {
+        const auto index = static_cast<std::size_t>(document_.experimentIndex());
+        document_.edit(undo, {}, [&](Design& design) { change(design.experiments[index]); });
+    }
+}
+
+void ExperimentPanel::addDroplet()
+{
+    const Experiment* experiment = document_.experiment();
+    if (!experiment) {
+        return;
+    }
+    // After the last one by default: two drops in one place at one time would overlap.
+    Droplet drop = experiment->droplets.empty() ? Droplet{} : experiment->droplets.back();
+    if (!experiment->droplets.empty()) {
+        drop.time_s += std::min(1.0, std::max(0.0, experiment->duration_s - drop.time_s) / 2);
+    }
+    droplet_ = static_cast<int>(experiment->droplets.size());
+    edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
+}
+
+void ExperimentPanel::removeDroplet()
+{
+    const Experiment* experiment = document_.experiment();
+    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
+        edit(tr("remove droplet"), [&](Experiment& e) { e.droplets.erase(e.droplets.begin() + droplet_); });
+    }
+}
+
+void ExperimentPanel::addExperiment()
+{
+    document_.editState(tr("add experiment"), [this](Design& design, DesignState& state) {
+        Experiment experiment = document_.experiment() ? *document_.experiment() : Experiment{};
+        experiment.name = freeName(design, experiment.name.empty() ? tr("one drop").toStdString() : experiment.name);
+        design.experiments.push_back(experiment);
+        state.experiment = static_cast<int>(design.experiments.size()) - 1;
+    });
+}
+
+void ExperimentPanel::renameExperiment()
+{
+    if (!document_.experiment()) {
+        return;
+    }
+    bool accepted = false;
+    const QString old = QString::fromStdString(document_.experiment()->name);
+    const QString name = QInputDialog::getText(this, tr("Rename experiment"), tr("Name:"), QLineEdit::Normal, old, &accepted).trimmed();
+    if (accepted && !name.isEmpty() && name != old) {
+        edit(tr("rename experiment"), [&](Experiment& e) { e.name = name.toStdString(); });
+    }
+}
+
+void ExperimentPanel::removeExperiment()
+{
+    document_.editState(tr("delete experiment"), [](Design& design, DesignState& state) {
+        design.experiments.erase(design.experiments.begin() + state.experiment);
+        state.experiment = std::max(0, state.experiment - 1);
+    });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The chosen experiment: climate, liquid, sample, duration, droplets.
+#pragma once
+
+#include "ui/design_form.h"
+
+#include <QScrollArea>
+
+class QListWidget;
+class QToolButton;
+
+namespace hygroloom {
+
+class ExperimentPanel : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit ExperimentPanel(Document& document, QWidget* parent = nullptr);
+
+    void addExperiment();
+    void addDroplet();
+    void removeDroplet();
+
+private:
+    using Read = std::function<std::optional<double>(const Experiment&)>;
+    using Write = std::function<void(Experiment&, double)>;
+    DesignField field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
+                      const QString& help = {});
+    DesignField fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
+    DesignField dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&), const QString& help = {});
+    void addChoice();
+    void addConditions();
+    void addDroplets();
+    void refreshChoice();
+    void refreshDroplets();
+    void renameExperiment();
+    void removeExperiment();
+    void edit(const QString& undo, const std::function<void(Experiment&)>& change);
+
+    Document& document_;
+    DesignForm* form_;
+    QComboBox* choice_ = nullptr;
+    QToolButton* remove_ = nullptr;
+    QToolButton* rename_ = nullptr;
+    QListWidget* droplets_ = nullptr;
+    QToolButton* remove_droplet_ = nullptr;
+    QLabel* no_droplet_ = nullptr;
+    std::vector<QWidget*> droplet_fields_;
+    int droplet_ = 0;
+};
+
+} // namespace hygroloom

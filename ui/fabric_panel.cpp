@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/fabric_panel.h"
+
+#include "core/base/units.h"
+#include "ui/yarn_panel.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+struct Finish {
+    const char* name;
+    double contact_angle_deg; ///< typical, of water, advancing
+};
+
+constexpr Finish finishes[] = {
+    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Hydrophilic finish"), 20},
+    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Scoured, bleached"), 35},
+    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Wicking finish"), 45},
+    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Unfinished synthetic"), 75},
+    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Water repellent"), 120},
+};
+
+} // namespace
+
+FabricPanel::FabricPanel(Document& document, QWidget* parent)
+    : QScrollArea(parent)
+    , document_(document)
+    , form_(new DesignForm(document))
+{
+    addConstruction();
+    YarnPanel* warp = new YarnPanel(*form_, false, this);
+    YarnPanel* weft = new YarnPanel(*form_, true, this);
+    Q_UNUSED(warp)
+    Q_UNUSED(weft)
+    addFlyaway();
+    addMeasured();
+
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(form_);
+    layout->addStretch();
+    setWidget(content);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    form_->refresh();
+}
+
+DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
+{
+    return {label, undo, [this, where] { return "fabrics[" + std::to_string(document_.fabricIndex()) + "]." + where; },
+            [this, read = std::move(read)] { return document_.fabric() ? read(*document_.fabric()) : std::nullopt; },
+            [this, write = std::move(write)](Design& design, std::optional<double> value) {
+                write(design.fabrics[static_cast<std::size_t>(document_.fabricIndex())], value);
+            },
+            help};
+}
+
+void FabricPanel::addConstruction()
+{
+    form_->addSection(tr("Construction"));
+    QuantityEdit* ends = form_->addQuantity(Quantity::sett(0.5, 500), field(tr("Ends"), tr("ends per cm"), "ends_per_cm",
+        [](const Fabric& f) { return std::optional(f.ends_per_cm); }, [](Fabric& f, std::optional<double> v) { f.ends_per_cm = v.value_or(f.ends_per_cm); },
+        tr("Warp yarns per centimetre. “89 epi” may be typed.")));
+    QLabel* endsNote = form_->noteBeside(ends);
+    QuantityEdit* picks = form_->addQuantity(Quantity::sett(0.5, 500), field(tr("Picks"), tr("picks per cm"), "picks_per_cm",
+        [](const Fabric& f) { return std::optional(f.picks_per_cm); }, [](Fabric& f, std::optional<double> v) { f.picks_per_cm = v.value_or(f.picks_per_cm); },
+        tr("Weft yarns per centimetre. “89 ppi” may be typed.")));
+    QLabel* picksNote = form_->noteBeside(picks);
+    QuantityEdit* thickness = form_->addQuantity(Quantity::length(0.01, 50), field(tr("Thickness"), tr("thickness"), "thickness_mm",
+        [](const Fabric& f) { return f.thickness_mm; }, [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; },
+        tr("Empty: worked out from the yarns.")), true);
+    QuantityEdit* angle = form_->addQuantity(Quantity::angle(0, 180), field(tr("Contact angle"), tr("contact angle"), "contact_angle_deg",
+        [](const Fabric& f) { return f.contact_angle_deg; }, [](Fabric& f, std::optional<double> v) { f.contact_angle_deg = v; },
+        tr("Of water on the finished fabric, advancing. Empty: that of each yarn's fibres. Above 90° water is not drawn in.")), true);
+    auto* automatic = new QCheckBox(tr("Auto"));
+    automatic->setAccessibleName(tr("Work the thickness out from the yarns"));
+    automatic->setToolTip(automatic->accessibleName());
+    qobject_cast<QGridLayout*>(form_->layout())->addWidget(automatic, qobject_cast<QGridLayout*>(form_->layout())->rowCount() - 2, 2);
+    connect(automatic, &QCheckBox::clicked, this, [this](bool on) {
+        const auto index = static_cast<std::size_t>(document_.fabricIndex());
+        const double derived = document_.quantities() ? std::round(document_.quantities()->thickness_mm * 1000) / 1000 : 0.5;
+        document_.edit(tr("thickness"), {}, [&](Design& design) {
+            design.fabrics[index].thickness_mm = on ? std::nullopt : std::optional(derived);
+        });
+    });
+    auto* finish = new QComboBox;
+    finish->addItem(tr("As the fibres"));
+    for (const Finish& one : finishes) {
+        finish->addItem(tr("%1, %2°").arg(tr(one.name)).arg(one.contact_angle_deg));
+    }
+    finish->addItem(tr("Own contact angle"));
+    finish->setMinimumContentsLength(8);
+    finish->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    finish->setToolTip("<p>" + tr("A finish sets a typical contact angle; measure yours where it matters.") + "</p>");
+    form_->addRow(tr("Finish"), finish);
+    connect(finish, &QComboBox::activated, this, [this](int index) {
+        if (index > static_cast<int>(std::size(finishes))) {
+            form_->refresh();
+            return;
+        }
+        const auto fabric = static_cast<std::size_t>(document_.fabricIndex());
+        document_.edit(tr("finish"), {}, [&](Design& design) {
+            design.fabrics[fabric].contact_angle_deg = index == 0 ? std::nullopt : std::optional(finishes[index - 1].contact_angle_deg);
+        });
+    });
+    addDerived();
+    form_->onRefresh([=, this] {
+        const Fabric* f = document_.fabric();
+        for (QWidget* widget : {static_cast<QWidget*>(ends), static_cast<QWidget*>(picks), static_cast<QWidget*>(thickness),
+                                static_cast<QWidget*>(angle), static_cast<QWidget*>(automatic), static_cast<QWidget*>(finish)}) {
+            widget->setEnabled(f != nullptr);
+        }
+        endsNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->ends_per_cm), 0)) : QString());
+        picksNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->picks_per_cm), 0)) : QString());
+        automatic->setChecked(f && !f->thickness_mm);
+        const auto& q = document_.quantities();
+        thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
+        angle->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
+        int row = f && f->contact_angle_deg ? static_cast<int>(std::size(finishes)) + 1 : 0;
+        for (std::size_t i = 0; f && i < std::size(finishes); ++i) {
+            row = f->contact_angle_deg == finishes[i].contact_angle_deg ? static_cast<int>(i) + 1 : row;
+        }
+        finish->setCurrentIndex(row);
+    });
+}
+
+void FabricPanel::addDerived()
+{
+    form_->addSection(tr("Follows from this"));
+    QLabel* weight = form_->addDerived(tr("Weight"), tr("Areal density, dry."));
+    QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Share of the area that yarns cover, c₁ + c₂ − c₁c₂."));
+    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("One less the share of fibre in the fabric's volume."));
+    QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
+    QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends, and between neighbouring picks."));
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        const QString none = QStringLiteral("–");
+        weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
+        cover->setText(q ? shownNumber(q->cover_factor, 2) + (q->jammed ? tr(", jammed") : QString()) : none);
+        porosity->setText(q ? shownNumber(q->porosity, 2) : none);
+        layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
+        gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
+    });
+}
+
+void FabricPanel::addFlyaway()
+{
+    form_->addSection(tr("Flyaways"), true, false);
+    const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member, const Quantity& quantity) {
+        form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
+                                           [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
+    };
+    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20));
+    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50));
+}
+
+void FabricPanel::addMeasured()
+{
+    form_->addSection(tr("Measured in the laboratory"), true, false);
+    const auto add = [this](const QString& label, const QString& undo, const char* where, std::optional<double> Measured::*member,
+                            const Quantity& quantity) {
+        return form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return f.measured.*member; },
+                                                  [member](Fabric& f, std::optional<double> v) { f.measured.*member = v; },
+                                                  tr("Replaces the derived value. Empty: the derived one is used.")),
+                                  true);
+    };
+    Quantity weight = Quantity::fraction(1, 10000);
+    weight.unit = "g/m²";
+    weight.units = {{{"g/m²", "g/m2", "gsm"}, [](double v) { return v; }}, {{"oz/yd²", "oz/yd2", "oz"}, [](double v) { return v * 33.906; }}};
+    weight.step = 1;
+    Quantity radius = Quantity::length(0.05, 1000);
+    radius.unit = "µm";
+    radius.units = {{{"µm", "um"}, [](double v) { return v; }}, {{"mm"}, [](double v) { return v * 1000; }}};
+    Quantity crimp = Quantity::fraction(0, 100);
+    crimp.unit = "%";
+    crimp.units = {{{"%"}, [](double v) { return v; }}};
+    crimp.step = 0.5;
+    QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.999));
+    QuantityEdit* areal = add(tr("Weight"), tr("measured weight"), "areal_density_g_m2", &Measured::areal_density_g_m2, weight);
+    QuantityEdit* capillary = add(tr("Pore radius"), tr("measured pore radius"), "capillary_radius_um", &Measured::capillary_radius_um, radius);
+    add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 20));
+    QuantityEdit* measuredCrimp = add(tr("Crimp"), tr("measured crimp"), "crimp_percent", &Measured::crimp_percent, crimp);
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);
+        areal->setDerived(q ? std::optional(q->areal_density_g_m2) : std::nullopt);
+        capillary->setDerived(q ? std::optional(q->warp.pore_radius_um) : std::nullopt);
+        measuredCrimp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
+    });
+}
+
+} // namespace hygroloom

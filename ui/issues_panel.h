@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What is wrong with the project, in sentences.
+#pragma once
+
+#include "ui/document.h"
+
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+
+namespace hygroloom {
+
+class IssuesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit IssuesPanel(Document& document, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// The user wants to see the field at this path.
+    void issueActivated(const QString& where);
+
+private:
+    void refresh();
+
+    Document& document_;
+    QListWidget* list_;
+    QLabel* empty_;
+};
+
+} // namespace hygroloom

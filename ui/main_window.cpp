@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/main_window.h"
+
+#include "core/project/project_file.h"
+#include "ui/appearance.h"
+#include "ui/candidates_panel.h"
+#include "ui/chart.h"
+#include "ui/experiment_panel.h"
+#include "ui/fabric_panel.h"
+#include "ui/issues_panel.h"
+#include "ui/point_paper.h"
+#include "ui/simulation_panel.h"
+#include "ui/timeline.h"
+#include "ui/water_map_view.h"
+#include "ui/weave_editor.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFile>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QScreen>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int layout_version = 1;
+
+/// What a run depends on, as text: equal texts mean that the results still hold.
+std::string dependence(const Design& design, const std::string& fabric, const std::string& experiment)
+{
+    Design part;
+    part.materials = design.materials;
+    if (const Fabric* found = find_fabric(design, fabric)) {
+        part.fabrics.push_back(*found);
+    }
+    if (const Experiment* found = find_experiment(design, experiment)) {
+        part.experiments.push_back(*found);
+    }
+    return format_project(part);
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent)
+{
+    useResources();
+    setObjectName("main window");
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    buildPanels();
+    buildActions();
+    connectParts();
+    // With its frame the window fits the screen it opens on.
+    const QSize room = screen()->availableSize() - QSize(16, 48);
+    resize(QSize(1360, 860).boundedTo(room));
+    for (const Workspace workspace : {Workspace::simulate, Workspace::design}) {
+        arrange(workspace);
+        first_states_[static_cast<int>(workspace)] = saveState(layout_version);
+    }
+    QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    states_[0] = settings.value("window/design").toByteArray();
+    states_[1] = settings.value("window/simulate").toByteArray();
+    if (!states_[0].isEmpty()) {
+        restoreState(states_[0], layout_version);
+    }
+    maps_->setVisible(false);
+    refreshTitle();
+    refreshPicture();
+    refreshIssueCount();
+    refreshActions();
+}
+
+MainWindow::~MainWindow()
+{
+    // The parts tell about their end; nobody is left to listen.
+    run_.disconnect(this);
+    playback_.disconnect(this);
+    document_.disconnect(this);
+    run_.cancel();
+}
+
+void MainWindow::buildPanels()
+{
+    viewport_ = new Viewport;
+    maps_ = new WaterMapView(playback_);
+    auto* middle = new QSplitter(Qt::Horizontal);
+    middle->setChildrenCollapsible(false);
+    middle->addWidget(viewport_);
+    middle->addWidget(maps_);
+    middle->setStretchFactor(0, 3);
+    middle->setStretchFactor(1, 2);
+    middle->setSizes({600, 400});
+    setCentralWidget(middle);
+
+    const auto dock = [this](const char* name, const QString& title, QWidget* widget) {
+        auto* made = new QDockWidget(title, this);
+        made->setObjectName(name);
+        made->setAccessibleName(title);
+        made->setWidget(widget);
+        return made;
+    };
+    candidates_ = new CandidatesPanel(document_);
+    weave_ = new WeaveEditor(document_);
+    fabric_panel_ = new FabricPanel(document_);
+    experiment_panel_ = new ExperimentPanel(document_);
+    simulation_panel_ = new SimulationPanel(document_, run_);
+    issues_ = new IssuesPanel(document_);
+    timeline_ = new Timeline(playback_);
+    chart_ = new Chart(playback_);
+    auto* moment = new QWidget;
+    auto* layout = new QVBoxLayout(moment);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(timeline_);
+    layout->addWidget(chart_, 1);
+    candidates_dock_ = dock("candidates", tr("Candidates"), candidates_);
+    weave_dock_ = dock("weave", tr("Weave"), weave_);
+    fabric_dock_ = dock("fabric", tr("Fabric"), fabric_panel_);
+    experiment_dock_ = dock("experiment", tr("Experiment"), experiment_panel_);
+    simulation_dock_ = dock("simulation", tr("Simulation"), simulation_panel_);
+    issues_dock_ = dock("issues", tr("Issues"), issues_);
+    timeline_dock_ = dock("timeline", tr("Time"), moment);
+
+    issue_count_ = new QToolButton;
+    issue_count_->setAutoRaise(true);
+    issue_count_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    statusBar()->addPermanentWidget(issue_count_);
+    connect(issue_count_, &QToolButton::clicked, this, [this] {
+        issues_dock_->setVisible(!issues_dock_->isVisible());
+        issues_dock_->raise();
+    });
+}
+
+void MainWindow::arrange(Workspace workspace)
+{
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    for (QDockWidget* dock : {candidates_dock_, weave_dock_, fabric_dock_, experiment_dock_, simulation_dock_, issues_dock_, timeline_dock_}) {
+        dock->setFloating(false);
+    }
+    addDockWidget(Qt::LeftDockWidgetArea, candidates_dock_);
+    addDockWidget(Qt::LeftDockWidgetArea, weave_dock_);
+    splitDockWidget(candidates_dock_, weave_dock_, Qt::Vertical);
+    addDockWidget(Qt::RightDockWidgetArea, fabric_dock_);
+    addDockWidget(Qt::RightDockWidgetArea, experiment_dock_);
+    splitDockWidget(fabric_dock_, experiment_dock_, Qt::Vertical);
+    splitDockWidget(experiment_dock_, simulation_dock_, Qt::Vertical);
+    addDockWidget(Qt::BottomDockWidgetArea, timeline_dock_);
+    addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
+    splitDockWidget(timeline_dock_, issues_dock_, Qt::Vertical);
+    const bool design = workspace == Workspace::design;
+    candidates_dock_->setVisible(design);
+    weave_dock_->setVisible(design);
+    fabric_dock_->setVisible(design);
+    experiment_dock_->setVisible(!design);
+    simulation_dock_->setVisible(!design);
+    timeline_dock_->setVisible(!design);
+    issues_dock_->setVisible(false);
+    if (design) {
+        resizeDocks({candidates_dock_, weave_dock_}, {220, 380}, Qt::Vertical);
+        resizeDocks({candidates_dock_, fabric_dock_}, {230, 320}, Qt::Horizontal);
+    } else {
+        resizeDocks({experiment_dock_, simulation_dock_}, {400, 300}, Qt::Vertical);
+        resizeDocks({experiment_dock_}, {310}, Qt::Horizontal);
+        resizeDocks({timeline_dock_}, {200}, Qt::Vertical);
+    }
+}
+
+void MainWindow::setWorkspace(Workspace workspace)
+{
+    if (workspace == workspace_) {
+        return;
+    }
+    states_[static_cast<int>(workspace_)] = saveState(layout_version);
+    workspace_ = workspace;
+    const QByteArray& state = states_[static_cast<int>(workspace)];
+    restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
+    maps_->setVisible(workspace == Workspace::simulate);
+    workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
+    refreshPicture();
+}
+
+void MainWindow::resetLayout()
+{
+    states_[0].clear();
+    states_[1].clear();
+    arrange(workspace_);
+    first_states_[static_cast<int>(workspace_)] = saveState(layout_version);
+}
+
+void MainWindow::connectParts()
+{
+    connect(&document_, &Document::designChanged, this, [this] {
+        refreshStale();
+        refreshPicture();
+        refreshIssueCount();
+    });
+    connect(&document_, &Document::pathChanged, this, &MainWindow::refreshTitle);
+    connect(&document_, &Document::modifiedChanged, this, &MainWindow::refreshTitle);
+    connect(&document_, &Document::failed, this, &MainWindow::tellProblem);
+    connect(&playback_, &Playback::failed, this, &MainWindow::tellProblem);
+    connect(simulation_panel_, &SimulationPanel::runRequested, this, &MainWindow::startRun);
+    connect(simulation_panel_, &SimulationPanel::canRunChanged, this, &MainWindow::refreshActions);
+    connect(weave_->paper(), &PointPaper::crossingHovered, viewport_, &Viewport::setHighlight);
+    connect(viewport_, &Viewport::repeatHovered, weave_->paper(), &PointPaper::setHighlight);
+    connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
+        (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);
+    });
+    connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
+        const QString earlier = playback_.path();
+        playback_.begin(run, run_path_);
+        if (earlier.startsWith(recordings_.path())) {
+            QFile::remove(earlier);
+        }
+    });
+    connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
+    connect(&run_, &SimulationRun::pausedChanged, this, &MainWindow::refreshActions);
+    connect(&run_, &SimulationRun::ended, this, &MainWindow::showRunEnd);
+    connect(&playback_, &Playback::runChanged, this, [this] {
+        refreshStale();
+        refreshPicture();
+        refreshActions();
+    });
+    connect(&playback_, &Playback::frameShown, this, [this] {
+        if (workspace_ == Workspace::simulate && playback_.frame()) {
+            viewport_->showFrame(playback_.frame(), playback_.maximumSaturation());
+        }
+    });
+    connect(&playback_, &Playback::opened, this, [this](const QString& path) {
+        addRecentFile(path);
+        if (!document_.modified()) {
+            document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
+        }
+        setWorkspace(Workspace::simulate);
+    });
+}
+
+void MainWindow::refreshTitle()
+{
+    const QString title = document_.title().isEmpty() ? tr("Untitled") : document_.title();
+    setWindowTitle(tr("%1[*] – Hygroloom").arg(title));
+    setWindowModified(document_.modified());
+    setWindowFilePath(document_.path());
+    refreshActions();
+}
+
+void MainWindow::refreshPicture()
+{
+    if (workspace_ == Workspace::simulate && playback_.run()) {
+        viewport_->showRun(playback_.run());
+        if (playback_.frame()) {
+            viewport_->showFrame(playback_.frame(), playback_.maximumSaturation());
+        }
+        viewport_->setNotice(stale_ ? tr("Stale: results of an earlier design. Run again to renew them.") : QString());
+        return;
+    }
+    if (!document_.fabric()) {
+        viewport_->showNothing(tr("This project has no fabric. Add one with Fabric ▸ Add Fabric."));
+        return;
+    }
+    if (document_.fabricHasError()) {
+        QString why;
+        for (const Issue& issue : document_.issues()) {
+            if (issue.severity == Severity::error) {
+                why = QString::fromStdString(issue.text);
+                break;
+            }
+        }
+        viewport_->setNotice(tr("Not up to date: %1").arg(why));
+        return;
+    }
+    if (workspace_ == Workspace::simulate && document_.experiment() && !document_.hasError()) {
+        viewport_->showSample(document_.design(), document_.fabricIndex(), *document_.experiment());
+    } else {
+        viewport_->showFabric(document_.design(), document_.fabricIndex());
+    }
+}
+
+void MainWindow::refreshStale()
+{
+    bool stale = false;
+    if (const auto& run = playback_.run()) {
+        const bool chosen = document_.fabric() && document_.experiment() && document_.fabric()->name == run->fabric
+            && document_.experiment()->name == run->experiment;
+        stale = !chosen || dependence(run->design, run->fabric, run->experiment) != dependence(*document_.design(), run->fabric, run->experiment);
+    }
+    stale_ = stale;
+}
+
+void MainWindow::refreshIssueCount()
+{
+    int counts[3] = {};
+    for (const Issue& issue : document_.issues()) {
+        ++counts[static_cast<int>(issue.severity)];
+    }
+    QStringList parts;
+    const auto count = [&](Severity severity, const QString& one, const QString& many) {
+        if (const int found = counts[static_cast<int>(severity)]) {
+            parts << (found == 1 ? one : many.arg(found));
+        }
+    };
+    count(Severity::error, tr("1 error"), tr("%1 errors"));
+    count(Severity::warning, tr("1 warning"), tr("%1 warnings"));
+    count(Severity::note, tr("1 note"), tr("%1 notes"));
+    const Severity worst = counts[2] ? Severity::error : counts[1] ? Severity::warning : Severity::note;
+    issue_count_->setText(parts.isEmpty() ? tr("No issues") : parts.join(", "));
+    issue_count_->setIcon(parts.isEmpty() ? QIcon() : severityIcon(worst));
+    issue_count_->setAccessibleName(tr("Issues: %1").arg(issue_count_->text()));
+    issue_count_->setToolTip(tr("Show or hide the issues of the project."));
+}
+
+void MainWindow::startRun()
+{
+    if (!simulation_panel_->canRun()) {
+        return;
+    }
+    setWorkspace(Workspace::simulate);
+    RunOptions options;
+    options.fidelity = simulation_panel_->fidelity();
+    run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
+    options.recording = run_path_.toStdString();
+    run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_panel_->backend());
+    refreshActions();
+}
+
+void MainWindow::showRunEnd(SimulationRun::Outcome outcome, const QString& sentence)
+{
+    playback_.end();
+    refreshActions();
+    if (outcome == SimulationRun::Outcome::device_failed && simulation_panel_->backend() != "cpu") {
+        const auto answer = QMessageBox::question(this, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence));
+        if (answer == QMessageBox::Yes) {
+            simulation_panel_->setBackend("cpu");
+            startRun();
+        }
+    } else if (!sentence.isEmpty()) {
+        tellProblem(sentence);
+    }
+}
+
+void MainWindow::tellProblem(const QString& sentence)
+{
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Hygroloom"), sentence, QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->modifiers() & ~Qt::KeypadModifier) {
+        QMainWindow::keyPressEvent(event);
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Space: timeline_->togglePlaying(); return;
+    case Qt::Key_F: viewport_->fit(); return;
+    case Qt::Key_1: viewport_->lookFrom(0, 0); return;
+    case Qt::Key_3: viewport_->lookFrom(90, 0); return;
+    case Qt::Key_7: viewport_->lookFrom(0, 90); return;
+    default: QMainWindow::keyPressEvent(event);
+    }
+}
+
+} // namespace hygroloom

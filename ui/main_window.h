@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The window: puts the panels round the picture, and connects them.
+#pragma once
+
+#include "ui/color_map.h"
+#include "ui/document.h"
+#include "ui/playback.h"
+#include "ui/simulation_run.h"
+#include "ui/viewport.h"
+
+#include <QMainWindow>
+#include <QTemporaryDir>
+
+class QActionGroup;
+class QLabel;
+class QToolButton;
+
+namespace hygroloom {
+
+class CandidatesPanel;
+class Chart;
+class ExperimentPanel;
+class FabricPanel;
+class IssuesPanel;
+class SimulationPanel;
+class Timeline;
+class WaterMapView;
+class WeaveEditor;
+
+enum class Workspace { design, simulate };
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// A project or a recording, told apart by its ending. False after the user was told why not.
+    bool openFile(const QString& path);
+    /// The example that ships with the program; an empty project where it cannot be found.
+    void openShippedExample();
+
+    Document& document() { return document_; }
+    Playback& playback() { return playback_; }
+    SimulationRun& simulation() { return run_; }
+    SimulationPanel& simulationPanel() { return *simulation_panel_; }
+    Viewport& viewport() { return *viewport_; }
+    WaterMapView& waterMaps() { return *maps_; }
+    Chart& chart() { return *chart_; }
+    Timeline& timeline() { return *timeline_; }
+    Workspace workspace() const { return workspace_; }
+    void setWorkspace(Workspace workspace);
+    bool resultsAreStale() const { return stale_; }
+
+public Q_SLOTS:
+    void startRun();
+    void resetLayout();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // main_window.cpp
+    void buildPanels();
+    void connectParts();
+    void arrange(Workspace workspace);
+    void refreshTitle();
+    void refreshPicture();
+    void refreshStale();
+    void refreshIssueCount();
+    void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
+    void tellProblem(const QString& sentence);
+    // main_window_actions.cpp
+    void buildActions();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildViewMenu();
+    void buildFabricMenu();
+    void buildExperimentMenu();
+    void buildHelpMenu();
+    void buildToolBar();
+    void refreshActions();
+    void about();
+    // main_window_files.cpp
+    void newProject();
+    void chooseFile();
+    bool save();
+    bool saveAs();
+    void saveRecordingAs();
+    void saveScreenshot();
+    bool mayDiscard();
+    bool mayStopRun();
+    void addRecentFile(const QString& path);
+    void refreshRecentFiles();
+
+    Document document_;
+    QTemporaryDir recordings_; // outlives those who read and write in it
+    Playback playback_;
+    SimulationRun run_;
+    NewestJob copier_;
+    int runs_ = 0;
+    QString run_path_;
+    Workspace workspace_ = Workspace::design;
+    QByteArray states_[2];
+    QByteArray first_states_[2];
+    bool stale_ = false;
+
+    Viewport* viewport_ = nullptr;
+    WaterMapView* maps_ = nullptr;
+    CandidatesPanel* candidates_ = nullptr;
+    WeaveEditor* weave_ = nullptr;
+    FabricPanel* fabric_panel_ = nullptr;
+    ExperimentPanel* experiment_panel_ = nullptr;
+    SimulationPanel* simulation_panel_ = nullptr;
+    IssuesPanel* issues_ = nullptr;
+    Timeline* timeline_ = nullptr;
+    Chart* chart_ = nullptr;
+    QDockWidget* candidates_dock_ = nullptr;
+    QDockWidget* weave_dock_ = nullptr;
+    QDockWidget* fabric_dock_ = nullptr;
+    QDockWidget* experiment_dock_ = nullptr;
+    QDockWidget* simulation_dock_ = nullptr;
+    QDockWidget* issues_dock_ = nullptr;
+    QDockWidget* timeline_dock_ = nullptr;
+    QToolButton* issue_count_ = nullptr;
+
+    QAction* open_ = nullptr;
+    QAction* save_ = nullptr;
+    QAction* save_recording_ = nullptr;
+    QAction* screenshot_ = nullptr;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
+    QAction* start_ = nullptr;
+    QAction* pause_ = nullptr;
+    QAction* stop_ = nullptr;
+    QAction* play_ = nullptr;
+    QAction* fit_ = nullptr;
+    QAction* plan_ = nullptr;
+    QAction* take_design_ = nullptr;
+    QMenu* recent_ = nullptr;
+    QActionGroup* workspaces_ = nullptr;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Opening, saving, recent files, dropped files, closing.
+#include "ui/candidates_panel.h"
+#include "ui/examples.h"
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QStatusBar>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int most_recent_files = 8;
+
+bool isRecording(const QString& path)
+{
+    return path.endsWith(".hygrorec", Qt::CaseInsensitive);
+}
+
+QString readablePath(const QMimeData* data)
+{
+    for (const QUrl& url : data->urls()) {
+        const QString path = url.toLocalFile();
+        if (path.endsWith(".hygro", Qt::CaseInsensitive) || isRecording(path)) {
+            return path;
+        }
+    }
+    return {};
+}
+
+QString withEnding(const QString& path, const QString& ending)
+{
+    return path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending;
+}
+
+} // namespace
+
+bool MainWindow::openFile(const QString& path)
+{
+    if (isRecording(path)) {
+        if (run_.running() && !mayStopRun()) {
+            return false;
+        }
+        playback_.open(QFileInfo(path).absoluteFilePath());
+        return true;
+    }
+    if (!mayDiscard() || !document_.open(path)) {
+        return false;
+    }
+    if (!run_.running()) {
+        playback_.clear();
+    }
+    addRecentFile(document_.path());
+    return true;
+}
+
+void MainWindow::openShippedExample()
+{
+    if (const QString path = shippedExample(); !path.isEmpty()) {
+        document_.openExample(path);
+    }
+}
+
+void MainWindow::newProject()
+{
+    if (mayDiscard()) {
+        Design design;
+        design.experiments.push_back(Experiment{});
+        design.experiments.front().name = tr("one drop").toStdString();
+        document_.take(design, {});
+        candidates_->addFabric();
+        document_.history()->clear();
+        if (!run_.running()) {
+            playback_.clear();
+        }
+    }
+}
+
+void MainWindow::chooseFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open"), QFileInfo(document_.path()).absolutePath(),
+                                                      tr("Projects and recordings (*.hygro *.hygrorec);;All files (*)"));
+    if (!path.isEmpty()) {
+        openFile(path);
+    }
+}
+
+bool MainWindow::save()
+{
+    return document_.path().isEmpty() ? saveAs() : document_.save();
+}
+
+bool MainWindow::saveAs()
+{
+    QString start = document_.path();
+    if (start.isEmpty()) {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        start = QDir(folder).filePath(document_.fabric() ? QString::fromStdString(document_.fabric()->name) + ".hygro" : "project.hygro");
+    }
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), start, tr("Projects (*.hygro)"));
+    if (path.isEmpty() || !document_.saveAs(withEnding(path, ".hygro"))) {
+        return false;
+    }
+    addRecentFile(document_.path());
+    statusBar()->showMessage(tr("Saved %1.").arg(document_.path()), 4000);
+    return true;
+}
+
+void MainWindow::saveRecordingAs()
+{
+    if (!playback_.run() || playback_.live()) {
+        return;
+    }
+    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                                      : QFileInfo(document_.path()).absolutePath();
+    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) + ".hygrorec";
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Recording"), QDir(folder).filePath(name), tr("Recordings (*.hygrorec)"));
+    if (chosen.isEmpty()) {
+        return;
+    }
+    const QString from = playback_.path(), to = withEnding(chosen, ".hygrorec");
+    if (QFileInfo(from) == QFileInfo(to)) {
+        return;
+    }
+    // Recordings may be large.
+    copier_.run([this, from, to](const NewestJob::Turn& turn) {
+        QFile::remove(to);
+        QFile file(from);
+        const bool done = file.copy(to);
+        const QString why = file.errorString();
+        turn.deliver([this, done, to, why] {
+            if (done) {
+                addRecentFile(to);
+                statusBar()->showMessage(tr("Saved %1.").arg(to), 4000);
+            } else {
+                tellProblem(tr("The recording cannot be written to %1: %2.").arg(to, why));
+            }
+        });
+    });
+}
+
+void MainWindow::saveScreenshot()
+{
+    const QImage picture = viewport_->picture();
+    if (picture.isNull()) {
+        tellProblem(tr("This display cannot draw the fabric, so there is no picture to save."));
+        return;
+    }
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    const QString name = (document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric")) + ".png";
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Picture"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
+    if (chosen.isEmpty()) {
+        return;
+    }
+    const QString path = withEnding(chosen, ".png");
+    if (picture.save(path)) {
+        statusBar()->showMessage(tr("Saved %1.").arg(path), 4000);
+    } else {
+        tellProblem(tr("The picture cannot be written to %1.").arg(path));
+    }
+}
+
+bool MainWindow::mayDiscard()
+{
+    if (!document_.modified()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.title()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setInformativeText(tr("They are lost otherwise."));
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+bool MainWindow::mayStopRun()
+{
+    if (!run_.running()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("A run is in progress"), tr("Stop the run?"), QMessageBox::Cancel, this);
+    box.setInformativeText(tr("What it has simulated so far stays only if you save the recording."));
+    box.addButton(tr("Stop the Run"), QMessageBox::AcceptRole);
+    box.exec();
+    if (box.clickedButton() == box.button(QMessageBox::Cancel)) {
+        return false;
+    }
+    run_.cancel();
+    return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!mayStopRun() || !mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    states_[static_cast<int>(workspace_)] = saveState(1);
+    settings.setValue("window/design", states_[0]);
+    settings.setValue("window/simulate", states_[1]);
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!readablePath(event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    if (const QString path = readablePath(event->mimeData()); !path.isEmpty()) {
+        event->acceptProposedAction();
+        openFile(path);
+    }
+}
+
+void MainWindow::addRecentFile(const QString& path)
+{
+    QSettings settings;
+    QStringList files = settings.value("recent").toStringList();
+    files.removeAll(path);
+    files.prepend(path);
+    settings.setValue("recent", files.mid(0, most_recent_files));
+    refreshRecentFiles();
+}
+
+void MainWindow::refreshRecentFiles()
+{
+    recent_->clear();
+    const QStringList files = QSettings().value("recent").toStringList();
+    for (const QString& path : files) {
+        QAction* action = recent_->addAction(QFileInfo(path).fileName());
+        action->setToolTip(path);
+        action->setStatusTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
+    }
+    if (!files.isEmpty()) {
+        recent_->addSeparator();
+        connect(recent_->addAction(tr("&Clear List")), &QAction::triggered, this, [this] {
+            QSettings().remove("recent");
+            refreshRecentFiles();
+        });
+    }
+    recent_->setEnabled(!files.isEmpty());
+}
+
+} // namespace hygroloom

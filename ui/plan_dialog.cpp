@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/plan_dialog.h"
+
+#include "ui/quantity.h"
+
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+QString fidelityName(Fidelity fidelity)
+{
+    switch (fidelity) {
+    case Fidelity::draft: return PlanDialog::tr("Draft");
+    case Fidelity::standard: return PlanDialog::tr("Standard");
+    case Fidelity::reference: break;
+    }
+    return PlanDialog::tr("Reference");
+}
+
+QString roughDuration(double seconds)
+{
+    if (seconds < 1) {
+        return PlanDialog::tr("under 1 s");
+    }
+    if (seconds < 100) {
+        return PlanDialog::tr("about %1 s").arg(shownNumber(seconds, 0));
+    }
+    if (seconds < 5400) {
+        return PlanDialog::tr("about %1 min").arg(shownNumber(seconds / 60, 0));
+    }
+    return PlanDialog::tr("about %1 h").arg(shownNumber(seconds / 3600, 1));
+}
+
+QString roughBytes(double bytes)
+{
+    return bytes < 1e9 ? PlanDialog::tr("%1 MB").arg(shownNumber(bytes / 1e6, 0)) : PlanDialog::tr("%1 GB").arg(shownNumber(bytes / 1e9, 1));
+}
+
+PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
+    : QDialog(parent)
+{
+    setWindowTitle(tr("What is modelled, and why"));
+    const auto text = [](const std::string& words) { return QString::fromStdString(words).toHtmlEscaped(); };
+    QString html = "<h3>" + tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), fidelityName(plan.fidelity).toLower()) + "</h3>";
+    html += "<table cellpadding='4' width='100%'>";
+    for (const PlannedPart& part : plan.parts) {
+        QString state = part.on ? tr("modelled") : tr("left out");
+        if (part.forced) {
+            state += tr(", as you asked");
+        }
+        html += "<tr><td width='16%'><b>" + text(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + text(part.reason) + "</td></tr>";
+    }
+    html += "</table><p><b>" + tr("Region.") + "</b> "
+        + tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " " + text(plan.region_reason)
+        + "</p><p><b>" + tr("Resolution.") + "</b> "
+        + tr("%1 particles per droplet, a picture every %2 s, yarn steps of at most %3 s.")
+              .arg(plan.particles_per_droplet)
+              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.network_step_limit, 4))
+        + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
+        + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), roughBytes(plan.expected_bytes))
+        + " " + text(plan.expectation_source) + "</p>";
+    auto* browser = new QTextBrowser;
+    browser->setHtml(html);
+    browser->setFrameShape(QFrame::NoFrame);
+    browser->setAccessibleName(windowTitle());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(browser);
+    layout->addWidget(buttons);
+    resize(640, 460);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// "What is modelled, and why": a plan in words.
+#pragma once
+
+#include "core/sim/model_plan.h"
+
+#include <QDialog>
+
+namespace hygroloom {
+
+class PlanDialog : public QDialog {
+    Q_OBJECT
+public:
+    PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent = nullptr);
+};
+
+QString fidelityName(Fidelity fidelity);
+/// "about 40 s", "about 3 min".
+QString roughDuration(double seconds);
+QString roughBytes(double bytes);
+
+} // namespace hygroloom

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One face of the fabric from above: water per area in cells of n x n crossings.
+#pragma once
+
+#include "core/analysis/cell_map.h"
+#include "ui/color_map.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace hygroloom {
+
+class WaterMap : public QWidget {
+    Q_OBJECT
+public:
+    explicit WaterMap(const QString& title, QWidget* parent = nullptr);
+
+    /// size: of the fabric, m; cells at the far edges may reach beyond it.
+    void setMap(const CellMap& map, const Circle& circle, const QSizeF& size);
+    void clear();
+    void setRange(double maximum, WaterColors colors);
+    const CellMap& map() const { return map_; }
+    const Circle& circle() const { return circle_; }
+    QSize sizeHint() const override { return {220, 220}; }
+    QSize minimumSizeHint() const override { return {120, 110}; }
+
+Q_SIGNALS:
+    /// What is under the pointer, in words; empty outside.
+    void pointed(const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QRectF mapArea() const;
+    void render();
+
+    QString title_;
+    CellMap map_;
+    Circle circle_;
+    QSizeF size_;
+    QImage image_;
+    double maximum_ = 1;
+    WaterColors colors_ = WaterColors::blue;
+    QPoint cell_{-1, -1};
+};
+
+} // namespace hygroloom

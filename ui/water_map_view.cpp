@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/water_map_view.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int legend_width = 92;
+
+} // namespace
+
+WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
+    : QWidget(parent)
+    , playback_(playback)
+    , top_(new WaterMap(tr("Top")))
+    , bottom_(new WaterMap(tr("Bottom")))
+    , value_(new QLabel)
+    , empty_(new QLabel(tr("Run the experiment to see how the water spreads on both faces.")))
+    , cells_(new QSpinBox)
+    , legend_(new QWidget)
+    , maps_(new QBoxLayout(QBoxLayout::TopToBottom))
+{
+    cells_->setRange(1, 50);
+    cells_->setValue(2);
+    cells_->setAccessibleName(tr("Crossings along a map cell"));
+    cells_->setToolTip("<p>" + tr("Each cell of the maps is the mean over so many by so many crossings.") + "</p>");
+    value_->setAccessibleName(tr("Value under the pointer"));
+    empty_->setWordWrap(true);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setForegroundRole(QPalette::PlaceholderText);
+    legend_->setFixedWidth(legend_width);
+    legend_->setMinimumHeight(120);
+
+    maps_->setSpacing(4);
+    maps_->addWidget(top_, 1);
+    maps_->addWidget(bottom_, 1);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(0);
+    middle->addLayout(maps_, 1);
+    middle->addWidget(legend_);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(8, 0, 8, 4);
+    foot->addWidget(value_, 1);
+    auto* name = new QLabel(tr("Cell, crossings"));
+    name->setBuddy(cells_);
+    foot->addWidget(name);
+    foot->addWidget(cells_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 6, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(middle, 1);
+    layout->addWidget(empty_);
+    layout->addLayout(foot);
+    setMinimumWidth(280);
+
+    connect(cells_, &QSpinBox::valueChanged, this, [this] {
+        maximum_ = 0;
+        refresh();
+    });
+    for (WaterMap* map : {top_, bottom_}) {
+        connect(map, &WaterMap::pointed, value_, &QLabel::setText);
+    }
+    connect(&playback_, &Playback::runChanged, this, [this] {
+        maximum_ = 0;
+        refresh();
+    });
+    connect(&playback_, &Playback::frameShown, this, &WaterMapView::refresh);
+    refresh();
+}
+
+void WaterMapView::setCrossingsPerCell(int crossings)
+{
+    cells_->setValue(crossings);
+}
+
+void WaterMapView::setWaterColors(WaterColors colors)
+{
+    colors_ = colors;
+    refresh();
+}
+
+void WaterMapView::refresh()
+{
+    empty_->setVisible(!playback_.frame());
+    if (!playback_.frame() || !playback_.firstFrame() || !playback_.run()) {
+        mapper_.drop();
+        top_->clear();
+        bottom_->clear();
+        update();
+        return;
+    }
+    mapper_.run([this, run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
+        const CellMap top = cell_map(run->textile, *frame, *first, MapSide::top, cells);
+        const CellMap bottom = cell_map(run->textile, *frame, *first, MapSide::bottom, cells);
+        const Circle topCircle = wetted_circle(run->textile, *frame, Face::top);
+        const Circle bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
+        turn.deliver([this, run, cells, top, bottom, topCircle, bottomCircle] {
+            if (run != playback_.run() || cells != cells_->value()) {
+                return;
+            }
+            maximum_ = std::max({maximum_, top.maximum(), bottom.maximum()});
+            const double range = roundedUp(maximum_);
+            top_->setRange(range, colors_);
+            bottom_->setRange(range, colors_);
+            const QSizeF size(run->textile.ends() * run->textile.warp.pitch, run->textile.picks() * run->textile.weft.pitch);
+            top_->setMap(top, topCircle, size);
+            bottom_->setMap(bottom, bottomCircle, size);
+            update();
+            Q_EMIT mapChanged();
+        });
+    });
+}
+
+void WaterMapView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    maps_->setDirection(width() - legend_width > 1.3 * height() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
+void WaterMapView::paintEvent(QPaintEvent*)
+{
+    if (!playback_.frame() || top_->map().columns < 1) {
+        return;
+    }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QRectF room = legend_->geometry();
+    drawLegend(painter, QRectF(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height())), tr("Water"), 1000 * roundedUp(maximum_),
+               tr("g/m²"), colors_);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Both faces side by side with one range of colours.
+#pragma once
+
+#include "ui/playback.h"
+#include "ui/water_map.h"
+
+class QBoxLayout;
+class QLabel;
+class QSpinBox;
+
+namespace hygroloom {
+
+class WaterMapView : public QWidget {
+    Q_OBJECT
+public:
+    explicit WaterMapView(Playback& playback, QWidget* parent = nullptr);
+
+    const WaterMap& top() const { return *top_; }
+    const WaterMap& bottom() const { return *bottom_; }
+    void setCrossingsPerCell(int crossings);
+    void setWaterColors(WaterColors colors);
+
+Q_SIGNALS:
+    void mapChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void refresh();
+
+    Playback& playback_;
+    WaterMap* top_;
+    WaterMap* bottom_;
+    QLabel* value_;
+    QLabel* empty_;
+    QSpinBox* cells_;
+    QWidget* legend_;
+    QBoxLayout* maps_;
+    double maximum_ = 0; ///< kg/m2, of all maps of this run so far
+    WaterColors colors_ = WaterColors::blue;
+    NewestJob mapper_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/yarn_panel.h"
+
+#include "core/base/units.h"
+#include "core/design/yarn_sections.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+bool sameMaterial(const std::vector<MaterialShare>& a, const std::vector<MaterialShare>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const MaterialShare& x, const MaterialShare& y) { return x.name == y.name && x.share == y.share; });
+}
+
+bool sameYarn(const Yarn& a, const Yarn& b)
+{
+    return sameMaterial(a.material, b.material) && a.diameter_mm == b.diameter_mm && a.linear_density_tex == b.linear_density_tex
+        && a.packing_factor == b.packing_factor && a.fibres_per_yarn == b.fibres_per_yarn && a.twist_per_m == b.twist_per_m
+        && a.twist_direction == b.twist_direction;
+}
+
+} // namespace
+
+YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
+    : QObject(parent)
+    , form_(form)
+    , weft_(weft)
+{
+    const QString kind = weft ? tr("weft") : tr("warp");
+    form.addSection(weft ? tr("Weft yarn") : tr("Warp yarn"), true);
+    if (weft) {
+        same_ = new QCheckBox(tr("Same as warp"));
+        same_->setAccessibleName(tr("Weft yarn is the same as the warp yarn"));
+        form.addWide(same_);
+        connect(same_, &QCheckBox::clicked, this, [this](bool on) {
+            unlinked_ = on ? std::string() : form_.document().fabric()->name;
+            if (on && !sameYarn(form_.document().fabric()->warp, form_.document().fabric()->weft)) {
+                const auto index = static_cast<std::size_t>(form_.document().fabricIndex());
+                form_.document().edit(tr("weft same as warp"), {}, [index](Design& design) {
+                    design.fabrics[index].weft = design.fabrics[index].warp;
+                });
+            }
+            refresh();
+        });
+    }
+    addMaterials();
+
+    const auto field = [&](const QString& label, const QString& undo, const char* where, std::function<std::optional<double>(const Yarn&)> read,
+                           std::function<void(Yarn&, std::optional<double>)> write, const QString& help = {}) {
+        return DesignField{label, kind + " " + undo, [this, where] { return path(where); },
+                           [this, read] { return yarn() ? read(*yarn()) : std::nullopt; }, writing(std::move(write)), help};
+    };
+    const auto sizeField = [&](auto&&... arguments) {
+        DesignField made = field(std::forward<decltype(arguments)>(arguments)...);
+        made.within = [this] { return path("").substr(0, path("").size() - 1); };
+        return made;
+    };
+    // Diameter, linear density and packing factor determine one another: the third gives way.
+    diameter_ = form.addQuantity(Quantity::length(0.01, 10),
+                                 sizeField(tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
+                                       [](Yarn& y, std::optional<double> v) {
+                                           y.diameter_mm = v;
+                                           if (v && y.linear_density_tex && y.packing_factor) {
+                                               y.linear_density_tex.reset();
+                                           }
+                                       },
+                                       tr("Of the free, round yarn. Empty: worked out from linear density and packing.")),
+                                 true);
+    density_ = form.addQuantity(Quantity::linearDensity(0.5, 5000),
+                                sizeField(tr("Linear density"), tr("linear density"), "linear_density_tex",
+                                      [](const Yarn& y) { return y.linear_density_tex; },
+                                      [](Yarn& y, std::optional<double> v) {
+                                          y.linear_density_tex = v;
+                                          if (v && y.diameter_mm && y.packing_factor) {
+                                              y.diameter_mm.reset();
+                                          }
+                                      },
+                                      tr("Grams per kilometre. Ne, Nm and denier may be typed: “30 Ne”.")),
+                                true);
+    density_note_ = form.noteBeside(density_);
+    packing_ = form.addQuantity(Quantity::fraction(0.02, densest_packing),
+                                sizeField(tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
+                                      [](Yarn& y, std::optional<double> v) {
+                                          y.packing_factor = v;
+                                          if (v && y.diameter_mm && y.linear_density_tex) {
+                                              y.diameter_mm.reset();
+                                          }
+                                      },
+                                      tr("Fibre volume over yarn volume; 0.5 to 0.65 for spun yarns.")),
+                                true);
+    QuantityEdit* twist = form.addQuantity(
+        Quantity::twist(5000), field(tr("Twist"), tr("twist"), "twist_per_m", [](const Yarn& y) { return std::optional(y.twist_per_m); },
+                                     [](Yarn& y, std::optional<double> v) { y.twist_per_m = v.value_or(0); }));
+    twist_direction_ = new QComboBox;
+    twist_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
+    form.addRow(tr("Twist direction"), twist_direction_);
+    connect(twist_direction_, &QComboBox::activated, this, [this, kind](int index) {
+        editYarn(tr("%1 twist direction").arg(kind), path("twist_direction"),
+                 [index](Yarn& y) { y.twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    });
+    QuantityEdit* fibres = form.addQuantity(
+        Quantity::count(1, 500), field(tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
+                                        [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
+                                        [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
+                                        tr("Bundles of real fibres, as drawn and exported.")));
+    crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric it lies in."));
+    pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres, which draw the water in."));
+    fields_ = {fibre_, blend_, share_, diameter_, density_, packing_, twist, twist_direction_, fibres};
+    form.onRefresh([this] { refresh(); });
+}
+
+void YarnPanel::addMaterials()
+{
+    fibre_ = new QComboBox;
+    blend_ = new QComboBox;
+    form_.addRow(tr("Fibre"), fibre_);
+    form_.addRow(tr("Blended with"), blend_);
+    for (QComboBox* box : {fibre_, blend_}) {
+        box->setMinimumContentsLength(8);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    }
+    const QString kind = weft_ ? tr("weft") : tr("warp");
+    connect(fibre_, &QComboBox::textActivated, this, [this, kind](const QString& name) {
+        editYarn(tr("%1 fibre").arg(kind), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
+    });
+    connect(blend_, &QComboBox::activated, this, [this, kind](int index) {
+        const std::string name = blend_->itemText(index).toStdString();
+        editYarn(tr("%1 blend").arg(kind), path("material"), [&](Yarn& y) {
+            const double share = y.material.size() > 1 ? y.material.front().share : 0.5;
+            y.material.resize(1);
+            y.material.front().share = index == 0 ? 1.0 : share;
+            if (index > 0) {
+                y.material.push_back({name, 1 - share});
+            }
+        });
+    });
+    share_ = form_.addQuantity(Quantity::percent(0.01, 1),
+                               {tr("Share of first"), tr("%1 blend share").arg(kind), [this] { return path("material[0].share"); },
+                                [this] { return yarn() && !yarn()->material.empty() ? std::optional(yarn()->material.front().share) : std::nullopt; },
+                                writing([](Yarn& y, std::optional<double> v) {
+                                    if (y.material.size() == 2 && v) {
+                                        y.material[0].share = *v;
+                                        y.material[1].share = 1 - *v;
+                                    }
+                                }),
+                                tr("By dry mass.")});
+}
+
+const Yarn* YarnPanel::yarn() const
+{
+    const Fabric* fabric = form_.document().fabric();
+    return !fabric ? nullptr : weft_ ? &fabric->weft : &fabric->warp;
+}
+
+std::function<void(Design&, std::optional<double>)> YarnPanel::writing(std::function<void(Yarn&, std::optional<double>)> change)
+{
+    return [this, change = std::move(change)](Design& design, std::optional<double> value) {
+        Fabric& fabric = design.fabrics[static_cast<std::size_t>(form_.document().fabricIndex())];
+        const bool linked = !weft_ && fabric.name != unlinked_ && sameYarn(fabric.warp, fabric.weft);
+        change(weft_ ? fabric.weft : fabric.warp, value);
+        if (linked && !form_.property("weft apart").toBool()) {
+            fabric.weft = fabric.warp;
+        }
+    };
+}
+
+void YarnPanel::editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change)
+{
+    const auto write = writing([&](Yarn& y, std::optional<double>) { change(y); });
+    form_.document().edit(undo, field, [&](Design& design) { write(design, {}); });
+    form_.document().endStroke();
+}
+
+std::string YarnPanel::path(const char* field) const
+{
+    return "fabrics[" + std::to_string(form_.document().fabricIndex()) + (weft_ ? "].weft." : "].warp.") + field;
+}
+
+void YarnPanel::refresh()
+{
+    const Yarn* y = yarn();
+    for (QWidget* field : fields_) {
+        field->setEnabled(y != nullptr);
+    }
+    if (same_) {
+        same_->setEnabled(y != nullptr);
+    }
+    if (!y) {
+        return;
+    }
+    refreshMaterials();
+    twist_direction_->setCurrentIndex(y->twist_direction == TwistDirection::s ? 0 : 1);
+    share_->setEnabled(y->material.size() == 2);
+    if (same_) {
+        const Fabric& fabric = *form_.document().fabric();
+        const bool same = sameYarn(fabric.warp, fabric.weft) && fabric.name != unlinked_;
+        form_.setProperty("weft apart", !same);
+        same_->setChecked(same);
+        for (QWidget* field : fields_) {
+            field->setEnabled(!same && (field != share_ || y->material.size() == 2));
+        }
+    }
+    const auto& quantities = form_.document().quantities();
+    const YarnQuantities* q = !quantities ? nullptr : weft_ ? &quantities->weft : &quantities->warp;
+    diameter_->setDerived(q ? std::optional(q->diameter_mm) : std::nullopt);
+    density_->setDerived(q ? std::optional(q->linear_density_tex) : std::nullopt);
+    packing_->setDerived(q ? std::optional(q->packing_factor) : std::nullopt);
+    density_note_->setText(q ? tr("Ne %1").arg(shownNumber(ne_from_tex(q->linear_density_tex), 1)) : QString());
+    crimp_->setText(q ? tr("%1 %").arg(shownNumber(q->crimp_percent, 1)) : QStringLiteral("–"));
+    pore_->setText(q ? tr("%1 µm").arg(shownNumber(q->pore_radius_um, 1)) : QStringLiteral("–"));
+}
+
+void YarnPanel::refreshMaterials()
+{
+    QStringList names;
+    for (const Material& material : form_.document().design()->materials) {
+        names << QString::fromStdString(material.name);
+    }
+    for (const Material& material : material_library()) {
+        if (const QString name = QString::fromStdString(material.name); !names.contains(name)) {
+            names << name;
+        }
+    }
+    const auto fill = [](QComboBox* box, QStringList items, const QString& current) {
+        if (!items.contains(current)) {
+            items << current;
+        }
+        QStringList present;
+        for (int i = 0; i < box->count(); ++i) {
+            present << box->itemText(i);
+        }
+        if (present != items) {
+            box->clear();
+            box->addItems(items);
+        }
+        box->setCurrentText(current);
+    };
+    const auto& material = yarn()->material;
+    const QString none = tr("nothing");
+    fill(fibre_, names, material.empty() ? QString() : QString::fromStdString(material.front().name));
+    fill(blend_, QStringList{none} + names, material.size() > 1 ? QString::fromStdString(material[1].name) : none);
+}
+
+} // namespace hygroloom
