@@ -26,10 +26,18 @@ std::vector<hsize_t> extents(hid_t dataset)
     return sizes;
 }
 
+/// Datasets carry no time stamps, so that the same run writes the same bytes.
+Handle untimed_properties()
+{
+    Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "The recording cannot be written.");
+    H5Pset_obj_track_times(properties.get(), false);
+    return properties;
+}
+
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values, const std::vector<hsize_t>& sizes, const char* unit)
 {
     const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose, "The recording cannot be written.");
-    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "The recording cannot be written.");
+    const Handle properties = untimed_properties();
     if (sizes[0] >= 1024) {
         std::vector<hsize_t> chunk = sizes;
         chunk[0] = std::min<hsize_t>(chunk[0], 65536);
@@ -87,7 +95,8 @@ void write_text(hid_t parent, const std::string& name, const std::string& value)
     H5Tset_size(type.get(), std::max<std::size_t>(1, value.size()));
     H5Tset_cset(type.get(), H5T_CSET_UTF8);
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "The recording cannot be written.");
-    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "The recording cannot be written.");
+    const Handle properties = untimed_properties();
+    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose, "The recording cannot be written.");
     const std::string padded = value.empty() ? std::string(1, '\0') : value;
     check(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "The recording cannot be written.");
 }
@@ -152,7 +161,7 @@ Handle create_table(hid_t parent, const std::string& name, hsize_t columns, cons
 {
     const hsize_t now[2] = {0, columns}, most[2] = {H5S_UNLIMITED, columns}, chunk[2] = {128, columns};
     const Handle space(H5Screate_simple(2, now, most), H5Sclose, "The recording cannot be written.");
-    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "The recording cannot be written.");
+    const Handle properties = untimed_properties();
     H5Pset_chunk(properties.get(), 2, chunk);
     Handle table(H5Dcreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
                  "The recording cannot be written.");

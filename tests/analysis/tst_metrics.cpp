@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Numbers and maps from made-up frames whose answers are known.
+#include "core/analysis/cell_map.h"
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "tests/support/drop_design.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+Frame dry_frame(const Textile& t)
+{
+    Frame f;
+    const auto n = static_cast<std::size_t>(t.segments());
+    for (auto* v : {&f.saturation, &f.liquid, &f.regain, &f.vapour}) v->assign(n, 0.0f);
+    f.temperature.assign(n, 298.15f);
+    return f;
+}
+
+/// Every segment within a radius of a point is wet.
+Frame stained_frame(const Textile& t, double x, double y, double radius)
+{
+    Frame f = dry_frame(t);
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < t.ends(); ++end)
+            for (int pick = 0; pick < t.picks(); ++pick)
+                if (std::hypot(t.x_of_end(end) - x, t.y_of_pick(pick) - y) <= radius) {
+                    f.saturation[static_cast<std::size_t>(t.segment(kind, end, pick))] = 0.5f;
+                    f.liquid[static_cast<std::size_t>(t.segment(kind, end, pick))] = 1e-9f;
+                }
+    return f;
+}
+
+Textile cloth(int ends, int picks)
+{
+    const Design design = drop_design();
+    return build_textile(design, design.fabrics[0], {0, 0, ends, picks});
+}
+
+} // namespace
+
+class TestMetrics : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void circleHoldsEveryPointAndNoSmallerOneDoes()
+    {
+        for (std::uint64_t trial = 0; trial < 50; ++trial) {
+            std::vector<std::array<double, 2>> points;
+            const std::uint64_t n = 1 + trial % 9;
+            for (std::uint64_t i = 0; i < n; ++i) points.push_back({random_uniform(trial, 0, i), random_uniform(trial, 1, i)});
+            const Circle circle = smallest_enclosing_circle(points);
+            for (const auto& p : points) QVERIFY(std::hypot(p[0] - circle.x, p[1] - circle.y) <= circle.radius + 1e-12);
+            // The smallest circle is spanned by two or by three of the points: try them all.
+            double best = n == 1 ? 0.0 : 1e9;
+            const auto holds = [&](double x, double y, double r) {
+                return std::all_of(points.begin(), points.end(), [&](const auto& p) { return std::hypot(p[0] - x, p[1] - y) <= r + 1e-9; });
+            };
+            for (const auto& a : points)
+                for (const auto& b : points) {
+                    const double x = 0.5 * (a[0] + b[0]), y = 0.5 * (a[1] + b[1]), r = 0.5 * std::hypot(a[0] - b[0], a[1] - b[1]);
+                    if (holds(x, y, r)) best = std::min(best, r);
+                    for (const auto& c : points) {
+                        const double d = 2 * (a[0] * (b[1] - c[1]) + b[0] * (c[1] - a[1]) + c[0] * (a[1] - b[1]));
+                        if (std::abs(d) < 1e-12) continue;
+                        const double a2 = a[0] * a[0] + a[1] * a[1], b2 = b[0] * b[0] + b[1] * b[1], c2 = c[0] * c[0] + c[1] * c[1];
+                        const double ux = (a2 * (b[1] - c[1]) + b2 * (c[1] - a[1]) + c2 * (a[1] - b[1])) / d;
+                        const double uy = (a2 * (c[0] - b[0]) + b2 * (a[0] - c[0]) + c2 * (b[0] - a[0])) / d;
+                        const double ur = std::hypot(a[0] - ux, a[1] - uy);
+                        if (holds(ux, uy, ur)) best = std::min(best, ur);
+                    }
+                }
+            QVERIFY(std::abs(circle.radius - best) < 1e-9);
+        }
+    }
+    void noPointsHaveNoCircleAndPointsOnALineHaveTheirHalf()
+    {
+        QVERIFY(smallest_enclosing_circle({}).radius < 0);
+        QCOMPARE(smallest_enclosing_circle({{1, 2}, {1, 2}, {1, 2}}).radius, 0.0);
+        QVERIFY(std::abs(smallest_enclosing_circle({{0, 0}, {1, 1}, {2, 2}, {4, 4}}).radius - std::sqrt(8.0)) < 1e-12);
+    }
+    void wettedCircleFindsTheStain()
+    {
+        const Textile t = cloth(60, 60);
+        const Circle circle = wetted_circle(t, stained_frame(t, 1e-3, -2e-3, 4e-3), Face::top);
+        QVERIFY(std::abs(circle.x - 1e-3) < 3e-4 && std::abs(circle.y + 2e-3) < 3e-4);
+        QVERIFY(std::abs(circle.radius - 4e-3) < 3e-4);
+        QVERIFY(wetted_circle(t, dry_frame(t), Face::bottom).radius < 0);
+    }
+    void metricsFollowTheFrames()
+    {
+        RunRecord run;
+        run.textile = cloth(60, 60);
+        MetricsCollector collector;
+        collector.start(run);
+        double radius = 0;
+        for (int i = 0; i <= 10; ++i) {
+            Frame f = stained_frame(run.textile, 0, 0, 5e-4 * i);
+            f.time = i;
+            f.ledger.water_delivered = i == 0 ? 0.0 : 1e-5;
+            f.ledger.water_free = i > 0 && i < 7 ? 1e-6 : 0.0;
+            collector.add(f);
+            radius = 5e-4 * i;
+        }
+        const Metrics m = collector.metrics();
+        QVERIFY(std::abs(m.maximum_wetted_radius_top - radius) < 3e-4);
+        QCOMPARE(m.absorbency_time.value(), 7.0);
+        QCOMPARE(int(m.series.time.size()), 11);
+        QVERIFY(std::abs(m.wetted_area_ellipse_warp - radius) < 2e-4); // a filled disc's semi-axis is its radius
+        QVERIFY(m.series.radius_top[10] > m.series.radius_top[5]);
+    }
+    void waterLeftOverMeansNoAbsorbencyTime()
+    {
+        RunRecord run;
+        run.textile = cloth(10, 10);
+        MetricsCollector collector;
+        collector.start(run);
+        Frame f = dry_frame(run.textile);
+        f.ledger.water_delivered = f.ledger.water_free = 1e-6;
+        collector.add(f);
+        QVERIFY(!collector.metrics().absorbency_time);
+    }
+    void mapKeepsTheWater_data()
+    {
+        QTest::addColumn<int>("n");
+        for (int n : {1, 2, 3, 7, 100}) QTest::addRow("%d x %d crossings", n, n) << n;
+    }
+    void mapKeepsTheWater()
+    {
+        QFETCH(int, n);
+        const Textile t = cloth(21, 16);
+        const Frame frame = stained_frame(t, 0, 0, 2e-3);
+        double sides = 0;
+        for (MapSide side : {MapSide::top, MapSide::bottom, MapSide::total}) {
+            const CellMap map = cell_map(t, frame, dry_frame(t), side, n);
+            QCOMPARE(map.columns, (21 + n - 1) / n);
+            double water = 0;
+            for (int row = 0; row < map.rows; ++row)
+                for (int column = 0; column < map.columns; ++column)
+                    water += map.at(column, row) * std::min(n, 21 - column * n) * std::min(n, 16 - row * n) * t.warp.pitch * t.weft.pitch;
+            if (side == MapSide::total) QVERIFY(std::abs(water - sides) < 1e-15);
+            else sides += water;
+        }
+        const auto wet = std::count_if(frame.liquid.begin(), frame.liquid.end(), [](float m) { return m > 0; });
+        QVERIFY(std::abs(sides - 1e-9 * static_cast<double>(wet)) < 1e-14);
+    }
+    void mapIsWrittenWithItsProvenance()
+    {
+        QTemporaryDir folder;
+        RunRecord run;
+        run.textile = cloth(6, 4);
+        run.fabric = "cloth";
+        const CellMap map = cell_map(run.textile, stained_frame(run.textile, 0, 0, 1), dry_frame(run.textile), MapSide::top, 2);
+        write_cell_map_csv(map, run, 1.5, MapSide::top, folder.filePath("map.csv").toStdString());
+        QFile file(folder.filePath("map.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArrayList lines = file.readAll().trimmed().split('\n');
+        QVERIFY(lines.contains("# time_s=1.5"));
+        QVERIFY(lines.contains("column,row,x_mm,y_mm,water_g_m2"));
+        QCOMPARE(int(std::count_if(lines.begin(), lines.end(), [](const QByteArray& l) { return !l.startsWith('#'); })), 1 + 3 * 2);
+        QVERIFY_EXCEPTION_THROWN(write_cell_map_csv(map, run, 0, MapSide::top, folder.filePath("no/map.csv").toStdString()), FileError);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMetrics)
+#include "tst_metrics.moc"

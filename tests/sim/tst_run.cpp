@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth drinks and a repellent one does not.
+#include "core/base/error.h"
+#include "core/sim/backend.h"
+#include "core/sim/runner.h"
+#include "tests/support/drop_design.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <thread>
+
+using namespace hygroloom;
+
+namespace {
+
+std::vector<Frame> run(const Design& design, int threads, const ForcedParts& forced = {})
+{
+    std::vector<Frame> frames;
+    RunOptions options;
+    options.fidelity = Fidelity::draft;
+    options.threads = threads;
+    options.forced = forced;
+    RunControl control;
+    RunCallbacks callbacks;
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) { frames.push_back(*frame); };
+    const auto backend = make_cpu_backend();
+    run_experiment(design, "cloth", "drop", options, *backend, control, callbacks);
+    return frames;
+}
+
+} // namespace
+
+class TestRun : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void ledgerClosesAndContentsStayInBounds_data()
+    {
+        QTest::addColumn<double>("angle");
+        for (double angle : {0.0, 35.0, 89.9, 90.0, 120.0, 180.0}) QTest::addRow("%g degrees", angle) << angle;
+    }
+    void ledgerClosesAndContentsStayInBounds()
+    {
+        QFETCH(double, angle);
+        const std::vector<Frame> frames = run(drop_design(angle, 0.2), 0, {{"vapour", true}, {"heat", true}});
+        QCOMPARE(int(frames.size()), 101);
+        for (const Frame& f : frames) {
+            QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-9 * 2e-6);
+            for (std::size_t i = 0; i < f.saturation.size(); ++i) {
+                QVERIFY(f.saturation[i] >= 0 && f.saturation[i] <= 1.000001f);
+                QVERIFY(f.regain[i] >= 0 && f.regain[i] <= 0.2401f);
+                QVERIFY(f.vapour[i] >= 0 && std::isfinite(f.temperature[i]));
+            }
+        }
+        const Ledger& end = frames.back().ledger;
+        if (angle >= 90) QCOMPARE(end.water_liquid, 0.0);
+        if (angle < 60) QVERIFY(end.water_liquid > 0.2 * end.water_delivered);
+    }
+    void energyLedgerCloses()
+    {
+        const Ledger end = run(drop_design(35, 0.3), 0, {{"vapour", true}, {"heat", true}}).back().ledger;
+        QVERIFY(end.energy_released != 0);
+        QVERIFY(std::abs(end.energy_imbalance()) < 1e-9 * (std::abs(end.energy_released) + std::abs(end.energy_lost)));
+    }
+    void threadsDoNotChangeAByte()
+    {
+        const std::vector<Frame> one = run(drop_design(35, 0.3), 1), all = run(drop_design(35, 0.3), 0), four = run(drop_design(35, 0.3), 4);
+        QCOMPARE(one.size(), all.size());
+        for (std::size_t k = 0; k < one.size(); ++k)
+            for (const std::vector<Frame>* other : {&all, &four}) {
+                QCOMPARE((*other)[k].saturation, one[k].saturation);
+                QCOMPARE((*other)[k].regain, one[k].regain);
+                QCOMPARE((*other)[k].temperature, one[k].temperature);
+                QVERIFY((*other)[k].positions == one[k].positions);
+            }
+    }
+    void lessWettingClothDrinksMoreSlowly()
+    {
+        double before = 1e9;
+        for (double angle : {10.0, 50.0, 80.0, 88.0}) {
+            const double drunk = run(drop_design(angle, 0.25), 0).back().ledger.water_liquid;
+            QVERIFY(drunk < before);
+            before = drunk;
+        }
+    }
+    void stainOfABalancedPlainWeaveIsRound()
+    {
+        const Frame end = run(drop_design(35, 0.5), 0).back();
+        const int n = static_cast<int>(end.saturation.size() / 2);
+        double warp = 0, weft = 0;
+        for (int i = 0; i < n; ++i) {
+            warp += static_cast<double>(end.liquid[static_cast<std::size_t>(i)]);
+            weft += static_cast<double>(end.liquid[static_cast<std::size_t>(n + i)]);
+        }
+        QVERIFY2(std::abs(warp - weft) < 0.1 * (warp + weft), qPrintable(QString("%1 %2").arg(warp).arg(weft)));
+    }
+    void cancellingEndsTheRunWithinAFifthOfASecond()
+    {
+        Design design = drop_design(35, 100);
+        RunControl control;
+        QElapsedTimer since;
+        std::atomic<bool> cancelled{false};
+        std::thread run_thread([&] {
+            const auto backend = make_cpu_backend();
+            try {
+                run_experiment(design, "cloth", "drop", {}, *backend, control, {});
+            } catch (const Cancelled&) {
+                cancelled = true;
+            }
+        });
+        QTest::qSleep(400);
+        since.start();
+        control.cancel = true;
+        run_thread.join();
+        QVERIFY(cancelled);
+        QVERIFY2(since.elapsed() < 200, qPrintable(QString::number(since.elapsed())));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRun)
+#include "tst_run.moc"

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The network's stages alone: conserved, bounded, and in agreement with what they approximate.
+#include "core/sim/steps/yarn_exchange.h"
+
+#include <QTest>
+
+#include <numeric>
+
+using namespace hygroloom;
+
+namespace {
+
+/// Arrays behind the views, one line of segments in each system unless said.
+struct Network {
+    int ends, picks, shells;
+    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux;
+    std::vector<std::uint8_t> warp_up;
+    std::vector<std::int64_t> absorbed;
+    std::vector<int> contact;
+
+    Network(int ends_, int picks_, int shells_ = 4) : ends(ends_), picks(picks_), shells(shells_)
+    {
+        const auto n = static_cast<std::size_t>(2 * ends * picks);
+        for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux}) v->assign(n, 0.0);
+        length.assign(n, 3e-4);
+        regain.assign(n * static_cast<std::size_t>(shells), 0.0);
+        warp_up.assign(n / 2, 1);
+        absorbed.assign(n, 0);
+        contact.assign(n, no_particle);
+    }
+    Segments views()
+    {
+        Segments s;
+        s.ends = ends;
+        s.picks = picks;
+        s.shells = shells;
+        s.length = length.data();
+        s.warp_up = warp_up.data();
+        s.liquid = liquid.data();
+        s.vapour = vapour.data();
+        s.warmth = warmth.data();
+        s.regain = regain.data();
+        s.absorbed = absorbed.data();
+        s.contact = contact.data();
+        s.evaporated = evaporated.data();
+        s.released = released.data();
+        s.lost = lost.data();
+        s.work0 = work0.data();
+        s.work1 = work1.data();
+        s.work2 = work2.data();
+        s.flux = flux.data();
+        return s;
+    }
+};
+
+YarnParameters cotton()
+{
+    YarnParameters y;
+    y.pore_area = 1.6e-8;
+    y.fibre_area = 1.6e-8;
+    y.fibre_radius = 8e-6;
+    y.fibre_density = 1550;
+    y.fibre_specific_heat = 1250;
+    y.fibre_conductivity = 0.35;
+    y.isotherm = {0.071, 0.24, 0.03331, 10.48, 0.8627};
+    y.diffusivity = {DiffusionLaw::constant, 5e-14};
+    y.liquid_diffusivity = 2e-5;
+    y.exponent = 2;
+    y.vapour_diffusivity = 2e-5;
+    y.suction_radius = 1e-5;
+    return y;
+}
+
+ClimateParameters room()
+{
+    ClimateParameters c;
+    c.temperature = 298.15;
+    c.humidity = 0.65;
+    c.vapour = 0.65 * saturation_concentration(c.temperature);
+    c.heat_transfer = 9;
+    c.mass_transfer = 3.2e-3;
+    c.surface_tension = 0.072;
+    c.viscosity = 0.9e-3;
+    c.density = 997;
+    return c;
+}
+
+double total(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+} // namespace
+
+class TestYarnSteps : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void wickingKeepsTheLiquidAndItsBounds_data()
+    {
+        QTest::addColumn<double>("dt");
+        QTest::addColumn<double>("exponent");
+        for (double dt : {1e-9, 1e-6, 1e-3, 1.0, 1e3})
+            for (double exponent : {1.0 / 3.0, 2.0, 50.0}) QTest::addRow("dt %g p %g", dt, exponent) << dt << exponent;
+    }
+    void wickingKeepsTheLiquidAndItsBounds()
+    {
+        QFETCH(double, dt);
+        QFETCH(double, exponent);
+        Network n(1, 97);
+        YarnParameters yarn = cotton();
+        yarn.exponent = exponent;
+        const double capacity = 997 * yarn.pore_area * n.length[0];
+        for (int i = 0; i < 97; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity * (i % 7 == 0 ? 1.0 : i % 3 == 0 ? 0.4 : 0.0);
+        const double before = total(n.liquid);
+        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), yarn, 0, 97, dt, 997, 0}(0);
+        QVERIFY(std::abs(total(n.liquid) - before) < 1e-14 * before);
+        for (int i = 0; i < 97; ++i) {
+            QVERIFY(n.liquid[static_cast<std::size_t>(i)] >= 0);
+            QVERIFY(n.liquid[static_cast<std::size_t>(i)] <= capacity * (1 + 1e-12));
+        }
+    }
+    void wickingEvensOutInTheEnd()
+    {
+        Network n(1, 30);
+        const YarnParameters yarn = cotton();
+        const double capacity = 997 * yarn.pore_area * n.length[0];
+        for (int i = 0; i < 15; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity;
+        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), yarn, 0, 30, 10, 997, 0}(0);
+        for (int i = 0; i < 30; ++i) QVERIFY(std::abs(n.liquid[static_cast<std::size_t>(i)] / capacity - 0.5) < 1e-3);
+    }
+    void wickingAgreesWithTinyExplicitSteps()
+    {
+        Network n(1, 40);
+        const YarnParameters yarn = cotton();
+        const double capacity = 997 * yarn.pore_area * n.length[0], h = n.length[0];
+        std::vector<double> s(40, 0.0);
+        for (std::size_t i = 15; i < 25; ++i) s[i] = 0.9;
+        for (std::size_t i = 0; i < 40; ++i) n.liquid[i] = capacity * s[i];
+        const double time = 0.1, dt = 2e-5;
+        for (int step = 0; step < 5000; ++step) {
+            std::vector<double> flux(41, 0.0);
+            for (std::size_t i = 0; i + 1 < 40; ++i)
+                flux[i + 1] = yarn.liquid_diffusivity * (std::pow(s[i], 3) - std::pow(s[i + 1], 3)) / 3.0 / (h * h);
+            for (std::size_t i = 0; i < 40; ++i) s[i] += dt * (flux[i] - flux[i + 1]);
+        }
+        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), yarn, 0, 40, time / 1000, 997, 0}(0);
+        for (std::size_t i = 0; i < 40; ++i) QVERIFY(std::abs(n.liquid[i] / capacity - s[i]) < 2e-3);
+    }
+    void heatAlongAYarnIsConservedWhileLiquidCarriesIt()
+    {
+        Network n(1, 33);
+        const YarnParameters yarn = cotton();
+        const double capacity = 997 * yarn.pore_area * n.length[0];
+        for (std::size_t i = 0; i < 33; ++i) {
+            n.liquid[i] = i < 12 ? capacity : 0;
+            n.warmth[i] = i < 6 ? 5.0 : i == 20 ? -3.0 : 0.0;
+        }
+        Segments s = n.views();
+        const auto heat = [&] {
+            double sum = 0;
+            for (int i = 0; i < 33; ++i) sum += heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i)) * s.warmth[i];
+            return sum;
+        };
+        const double before = heat();
+        for (double dt : {1e-4, 1e-2, 1.0}) {
+            WickAlongYarn{s, yarn, 0, 33, dt, 997, 0}(0);
+            ConductAlongYarn{s, yarn, 0, 33, dt, 997}(0);
+            QVERIFY(std::abs(heat() - before) < 1e-12 * std::abs(before));
+            for (double w : n.warmth) QVERIFY(w <= 5.0 + 1e-12 && w >= -3.0 - 1e-12);
+        }
+    }
+    void finerPoresSuckLiquidOver()
+    {
+        Network n(1, 1);
+        YarnParameters coarse = cotton(), fine = cotton();
+        coarse.suction_radius = 2e-5;
+        fine.suction_radius = 1e-5;
+        const double capacity = 997 * coarse.pore_area * n.length[0];
+        n.liquid = {0.3 * capacity, 0.3 * capacity};
+        const CrossingParameters crossing{1e-6, 0, 0};
+        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), coarse, fine, crossing, room(), 1.0, true, false, false}(0);
+        QVERIFY(n.liquid[1] > 0.5 * capacity);
+        QVERIFY(std::abs(n.liquid[0] + n.liquid[1] - 0.6 * capacity) < 1e-14 * capacity);
+        // Equal suction: the pore filled is equally wide in both, r ~ s^(1/3).
+        QVERIFY(std::abs(2.0 * std::cbrt(n.liquid[0] / capacity) - std::cbrt(n.liquid[1] / capacity)) < 1e-3);
+    }
+    void crossingNeverOverfillsOrEmptiesBelowNothing()
+    {
+        Network n(1, 1);
+        const YarnParameters yarn = cotton();
+        const double capacity = 997 * yarn.pore_area * n.length[0];
+        n.liquid = {capacity, 0.999 * capacity};
+        const CrossingParameters crossing{1.0, 0, 0};
+        ExchangeAtCrossing{n.views(), yarn, yarn, crossing, room(), 1e3, true, false, false}(0);
+        for (double m : n.liquid) QVERIFY(m >= 0 && m <= capacity * (1 + 1e-12));
+    }
+    void segmentInBalanceStaysAsItIs()
+    {
+        Network n(1, 1);
+        const ClimateParameters climate = room();
+        YarnParameters yarn = cotton();
+        yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, 0.65, climate.temperature);
+        std::fill(n.regain.begin(), n.regain.end(), yarn.initial_regain);
+        for (std::size_t i = 0; i < 2; ++i) n.vapour[i] = climate.vapour * pore_air(yarn, n.length[i], 0, climate.density);
+        const Network before = n;
+        for (int step = 0; step < 100; ++step) ExchangeInSegment{n.views(), yarn, yarn, climate, 8e-8, 10.0, true, true, true}(0);
+        QCOMPARE(n.regain, before.regain);
+        QCOMPARE(n.vapour, before.vapour);
+        QCOMPARE(n.warmth, before.warmth);
+    }
+    void exchangeBalancesAtTheExtremes_data()
+    {
+        QTest::addColumn<double>("celsius");
+        QTest::addColumn<double>("humidity");
+        QTest::addColumn<double>("saturation");
+        QTest::addColumn<double>("dt");
+        for (double celsius : {-10.0, 0.0, 25.0, 60.0})
+            for (double humidity : {0.0, 0.65, 1.0})
+                for (double saturation : {0.0, 1e-6, 0.3, 1.0})
+                    for (double dt : {1e-6, 1e-2, 10.0})
+                        QTest::addRow("%g C, %g, s %g, dt %g", celsius, humidity, saturation, dt) << celsius << humidity << saturation << dt;
+    }
+    void exchangeBalancesAtTheExtremes()
+    {
+        QFETCH(double, celsius);
+        QFETCH(double, humidity);
+        QFETCH(double, saturation);
+        QFETCH(double, dt);
+        Network n(1, 1);
+        ClimateParameters climate = room();
+        climate.temperature = kelvin_from_celsius(celsius);
+        climate.humidity = humidity;
+        climate.vapour = humidity * saturation_concentration(climate.temperature);
+        YarnParameters yarn = cotton();
+        yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, climate.temperature);
+        yarn.initial_regain = 0.03;
+        std::fill(n.regain.begin(), n.regain.end(), 0.03);
+        const double capacity = climate.density * yarn.pore_area * n.length[0];
+        n.liquid = {saturation * capacity, 0};
+        n.vapour[0] = 0.5 * saturation_concentration(climate.temperature) * pore_air(yarn, n.length[0], n.liquid[0], climate.density);
+        n.warmth[0] = 2.0;
+        Segments s = n.views();
+        const auto water = [&] { return s.liquid[0] + s.vapour[0] + bound_water(s, yarn, 0) + s.evaporated[0]; };
+        const auto energy = [&] {
+            return heat_capacity(yarn, s.length[0], s.liquid[0] + bound_water(s, yarn, 0)) * s.warmth[0] - s.released[0] + s.lost[0];
+        };
+        const double water_before = water(), energy_before = energy();
+        for (int step = 0; step < 200; ++step) {
+            ExchangeInSegment{s, yarn, yarn, climate, 8e-8, dt, true, true, true}(0);
+            QVERIFY(std::isfinite(s.warmth[0]) && std::isfinite(s.vapour[0]));
+            QVERIFY(s.liquid[0] >= 0 && s.liquid[0] <= capacity * (1 + 1e-12) && s.vapour[0] >= 0);
+            for (int k = 0; k < s.shells; ++k) QVERIFY(s.regain[k] >= 0 && s.regain[k] <= 0.24);
+            const double temperature = celsius + s.warmth[0];
+            QVERIFY2(temperature > -40 && temperature < 120, qPrintable(QString::number(temperature)));
+            QVERIFY(std::abs(water() - water_before) < 1e-12 * (water_before + std::abs(s.evaporated[0])));
+            QVERIFY(std::abs(energy() - energy_before) < 1e-10 * (std::abs(energy_before) + std::abs(s.released[0]) + std::abs(s.lost[0])));
+        }
+    }
+    void dryFibreInSaturatedAirWarms() // the heat of sorption leaves through the face
+    {
+        Network n(1, 1);
+        ClimateParameters climate = room();
+        climate.humidity = 1.0;
+        climate.vapour = saturation_concentration(climate.temperature);
+        YarnParameters yarn = cotton();
+        yarn.resting_regain = 0.2;
+        Segments s = n.views();
+        double warmest = 0;
+        for (int step = 0; step < 2000; ++step) {
+            ExchangeInSegment{s, yarn, yarn, climate, 8e-8, 0.1, true, true, true}(0);
+            warmest = std::max(warmest, s.warmth[0]);
+        }
+        QVERIFY(warmest > 3 && warmest < 40);
+        QVERIFY(s.released[0] > 0);
+    }
+    void absorbedQuantaBecomeLiquid()
+    {
+        Network n(1, 2);
+        n.absorbed[1] = 1 << 30;
+        n.warmth[1] = 4.0;
+        const YarnParameters yarn = cotton();
+        TakeAbsorbed{n.views(), yarn, yarn}(1);
+        QCOMPARE(n.liquid[1], std::ldexp(1.0, 30 - 64));
+        QCOMPARE(n.absorbed[1], std::int64_t(0));
+        QVERIFY(n.warmth[1] < 4.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestYarnSteps)
+#include "tst_yarn_steps.moc"
