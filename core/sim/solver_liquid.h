@@ -145,9 +145,9 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 {
-    each_particle("touch", TouchSegments{particle_views(), contact_.data(), Real(0.6) * spacing_});
-    each_particle("give", GiveToSegment{particle_views(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt});
-    each_particle("forget", ForgetContact{particle_views(), contact_.data()});
+    each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
+    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt});
+    each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
 /// Capillary, advective and viscous limits; a step never carries a particle through a yarn.

@@ -139,22 +139,54 @@ struct MeetYarns {
     }
 };
 
+/// Gap between two intervals given by their middles and half lengths; 0 where they overlap.
+HL_FN Real interval_gap(Real a, Real half_a, Real b, Real half_b)
+{
+    const Real gap = (a > b ? a - b : b - a) - half_a - half_b;
+    return gap > 0 ? gap : Real(0);
+}
+
+/// Calls visit(segment) for every segment whose box the particle's cube of liquid touches: the crossing under it and those beside.
+template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t, const Vec3& x, Real spacing, const Visit& visit)
+{
+    const int end = static_cast<int>(std::floor(x.x / t.warp.pitch + Real(0.5) * Real(t.ends)));
+    const int pick = static_cast<int>(std::floor(x.y / t.weft.pitch + Real(0.5) * Real(t.picks)));
+    const Real half = Real(0.5) * spacing;
+    const Real nearly = Real(0.1) * spacing; // a resting particle's middle lies half a spacing from the skin
+    for (int e = end - 1; e <= end + 1; ++e)
+        for (int k = pick - 1; k <= pick + 1; ++k) {
+            if (e < 0 || e >= t.ends || k < 0 || k >= t.picks) continue;
+            const Real xe = (Real(e) - Real(0.5) * Real(t.ends - 1)) * t.warp.pitch;
+            const Real yk = (Real(k) - Real(0.5) * Real(t.picks - 1)) * t.weft.pitch;
+            const Real up = t.is_warp_up(e, k) ? Real(1) : Real(-1);
+            if (interval_gap(x.x, half, xe, t.warp.half_width) <= 0 && interval_gap(x.y, half, yk, Real(0.5) * t.weft.pitch) <= 0 &&
+                interval_gap(x.z, half, up * t.warp.amplitude, t.warp.half_height) <= nearly)
+                visit(e * t.picks + k);
+            if (interval_gap(x.y, half, yk, t.weft.half_width) <= 0 && interval_gap(x.x, half, xe, Real(0.5) * t.warp.pitch) <= 0 &&
+                interval_gap(x.z, half, -up * t.weft.amplitude, t.weft.half_height) <= nearly)
+                visit(t.ends * t.picks + k * t.ends + e);
+        }
+}
+
 /// Every segment notes the first particle that touches it.
 struct TouchSegments {
     Particles p;
+    TextileShape textile;
     int* contact;
-    Real within;
 
     HL_FN void operator()(int i) const
     {
-        if (p.alive[i] && p.wall_segment[i] >= 0 && p.wall_distance[i] < within) atomic_min(contact + p.wall_segment[i], i);
+        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { atomic_min(contact + segment, i); });
     }
 };
 
-/// The noted particle gives its segment what suction lets through the skin in this step, in whole quanta, never more than the pores
-/// hold. A particle touches one segment only, so no two drink from it. It keeps its size until it is empty, and then is gone.
-struct GiveToSegment {
+/// The noted particle gives its segments what suction lets through their skins in this step, in whole quanta, never more than the
+/// pores hold. A segment drinks from one particle only, so nothing is given twice. A particle keeps its size until it is empty, and
+/// then is gone.
+struct GiveToSegments {
     Particles p;
+    TextileShape textile;
     Segments s;
     YarnParameters warp;
     YarnParameters weft;
@@ -163,8 +195,14 @@ struct GiveToSegment {
 
     HL_FN void operator()(int i) const
     {
-        const int segment = p.wall_segment[i];
-        if (segment < 0 || s.contact[segment] != i) return;
+        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
+            if (s.contact[segment] == i) give(i, segment);
+        });
+        if (p.content[i] == 0) p.alive[i] = 0;
+    }
+    HL_FN void give(int i, int segment) const
+    {
         const YarnParameters& yarn = s.is_warp(segment) ? warp : weft;
         const double capacity = density * yarn.pore_area * s.length[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
@@ -174,16 +212,17 @@ struct GiveToSegment {
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         s.absorbed[segment] += given;
         p.content[i] -= given;
-        if (p.content[i] == 0) p.alive[i] = 0;
     }
 };
 
 struct ForgetContact {
     Particles p;
+    TextileShape textile;
     int* contact;
     HL_FN void operator()(int i) const
     {
-        if (p.wall_segment[i] >= 0) contact[p.wall_segment[i]] = no_particle;
+        if (p.wall_segment[i] >= 0)
+            for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { contact[segment] = no_particle; });
     }
 };
 
