@@ -20,5 +20,5 @@ fi
 
 jobs=$(nproc 2>/dev/null || echo 1)
 [ "$jobs" -le 2 ] || jobs=2
-cmake --preset release
+cmake --preset release --log-level=NOTICE
 cmake --build --preset release --parallel "$jobs" "$@"

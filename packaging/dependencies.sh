@@ -26,12 +26,13 @@ done
 as_root=""
 if [ "$(id -u)" -ne 0 ]; then
   if ! command -v sudo >/dev/null 2>&1; then
-    echo "These packages are missing and need root to install:$missing" >&2
+    echo "Packages are missing, and installing them needs root. Ask whoever administers this machine to run:" >&2
+    echo "  apt-get install --no-install-recommends$missing" >&2
     exit 1
   fi
   as_root="sudo"
 fi
 echo "Installing with apt:$missing"
-export DEBIAN_FRONTEND=noninteractive
 $as_root apt-get update -qq
-$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq -o Dpkg::Use-Pty=0 \
+  --no-install-recommends $missing >/dev/null

@@ -48,9 +48,9 @@ foreach(file IN LISTS sources)
   endif()
 endforeach()
 
-file(GLOB_RECURSE builds ${SOURCE}/app/CMakeLists.txt ${SOURCE}/core/*.cmake ${SOURCE}/core/CMakeLists.txt ${SOURCE}/ui/CMakeLists.txt
-  ${SOURCE}/tests/*/CMakeLists.txt ${SOURCE}/gpu/CMakeLists.txt ${SOURCE}/CMakeLists.txt)
-foreach(file IN LISTS builds)
+file(GLOB_RECURSE builds ${SOURCE}/core/*.cmake ${SOURCE}/tests/CMakeLists.txt ${SOURCE}/packaging/*.cmake) # never all of SOURCE: build/ lies in it
+file(GLOB tops ${SOURCE}/CMakeLists.txt ${SOURCE}/*/CMakeLists.txt)
+foreach(file IN LISTS builds tops)
   file(READ ${file} text)
   string(REGEX REPLACE "#[^\n]*" "" code "${text}")
   string(REGEX REPLACE "option\\(HYGROLOOM_CUDA[^\n]*" "" code "${code}")

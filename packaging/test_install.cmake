@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+# An installed tree is complete and works from where it lies. Run by ctest: cmake -DBUILD=<build folder> -P test_install.cmake
+set(tree ${BUILD}/install-test)
+file(REMOVE_RECURSE ${tree})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${tree} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+set(expected bin/hygroloom-cli share/doc/hygroloom/LICENSE share/hygroloom/examples/one-drop-on-cotton.hygro
+  share/hygroloom/schema/hygroloom-project-1.schema.json)
+if(EXISTS ${BUILD}/bin/hygroloom)
+  list(APPEND expected bin/hygroloom share/applications/hygroloom.desktop share/metainfo/org.hygroloom.Hygroloom.metainfo.xml
+    share/mime/packages/hygroloom.xml share/icons/hicolor/scalable/apps/hygroloom.svg)
+endif()
+foreach(file IN LISTS expected)
+  if(NOT EXISTS ${tree}/${file})
+    message(FATAL_ERROR "Not installed: ${file}")
+  endif()
+endforeach()
+execute_process(COMMAND ${tree}/bin/hygroloom-cli check ${tree}/share/hygroloom/examples/one-drop-on-cotton.hygro
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(REMOVE_RECURSE ${tree})
