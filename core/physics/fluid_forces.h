@@ -29,7 +29,7 @@ HL_FN Real pair_cohesion(Real surface_tension, Real spacing, Real support)
 /// the work of adhesion, so that Young and Dupre's law holds. Positive pulls.
 HL_FN Real wall_pull(Real work_of_adhesion, Real distance, Real support)
 {
-    // The potential is twice the kernel's plane integral, which falls by 2 pi d W(d).
+    // The potential is twice the integral of W over the plane at that distance, which falls by 2 pi d W(d).
     return work_of_adhesion * Real(4.0 * pi) * distance * spline_kernel(distance, support);
 }
 

@@ -45,13 +45,6 @@ private Q_SLOTS:
                 }
         QVERIFY(length(sum) < 1e-6);
     }
-    void halfTheKernelLiesBeyondAPlaneThroughItsMiddle()
-    {
-        double sum = 0;
-        constexpr int n = 2000;
-        for (int i = 0; i < n; ++i) sum += double(spline_plane_integral(Real((i + 0.5) / n), Real(1))) / n;
-        QVERIFY(std::abs(sum - 0.5) < 1e-4);
-    }
     void pressureStiffnessHasThePublishedValues() // cubic lattice, cubic spline
     {
         QVERIFY(std::abs(pressure_stiffness(1.0, 2.0) - 1.1769) < 1e-3);
