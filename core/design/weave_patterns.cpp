@@ -41,7 +41,7 @@ std::vector<int> numbers(const std::string& pattern, const std::string& text)
 std::string joined(const std::vector<int>& values)
 {
     std::string text;
-    for (int value : values) text += (text.empty() ? "" : "/") + std::to_string(value);
+    for (int value : values) text.append(text.empty() ? "" : "/").append(std::to_string(value));
     return text;
 }
 
