@@ -74,8 +74,6 @@ public:
         std::copy(sorted_.begin(), sorted_.end(), keys.data());
     }
 
-    void wait() {}
-
 private:
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
     std::vector<int> places_, sorted_;

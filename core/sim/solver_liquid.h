@@ -40,7 +40,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &sorted_position_,
                     &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
-    for (auto* b : {&density_, &pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     neighbours_.resize(capacity * largest_neighbour_count);
@@ -192,7 +192,6 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.wall_normal = wall_normal_.data();
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
-    p.density = density_.data();
     p.pressure = pressure_.data();
     p.content = content_.data();
     p.alive = alive_.data();

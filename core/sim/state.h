@@ -54,7 +54,6 @@ struct Particles {
     Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
     Real* wall_distance = nullptr;   ///< to its skin
     int* wall_segment = nullptr;     ///< or -1
-    Real* density = nullptr;         ///< kg/m3, predicted
     Real* pressure = nullptr;        ///< Pa
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;

@@ -46,7 +46,7 @@ std::vector<VerifyResult> conservation(const VerifyValues& v, Backend& backend)
         energy = std::max(energy, std::abs(l.energy_imbalance()) / std::max(1e-12, std::abs(l.energy_released)));
     };
     run_experiment(design, "cotton", "drop", options, backend, control, callbacks);
-    return {{"mass_drift", mass, 0, 1e-9}, {"energy_drift", energy, 0, 1e-6}};
+    return {{"mass_drift", mass, 0, 1e-9}, {"energy_drift", energy, 0, 1e-9}};
 }
 
 /// Greatest difference of a field over its greatest value.

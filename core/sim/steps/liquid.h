@@ -148,9 +148,7 @@ struct CorrectPressure {
     {
         Real sum = spline_kernel(0, p.support);
         for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(p.predicted[i] - p.predicted[j]), p.support); });
-        const Real density = p.mass * sum;
-        const Real excess = density - liquid.density;
-        p.density[i] = density;
+        const Real excess = p.mass * sum - liquid.density;
         const Real pressure = p.pressure[i] + stiffness * excess;
         p.pressure[i] = pressure > 0 ? pressure : Real(0);
         if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));

@@ -129,7 +129,7 @@ struct ExchangeInSegment {
             warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
-        accept(i, yarn, fibre, base, response, air, wet, warmth, outcome, capacity);
+        accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
@@ -322,8 +322,8 @@ struct ExchangeInSegment {
     }
 
     /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
-    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double air,
-                      double wet, double warmth, const Outcome& o, double capacity) const
+    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double wet,
+                      double warmth, const Outcome& o, double capacity) const
     {
         const double temperature = climate.temperature + warmth;
         double taken = 0;
@@ -364,7 +364,6 @@ struct ExchangeInSegment {
         s.released[i] += released;
         s.lost[i] += lost - water_specific_heat * water_change * reached;
         s.warmth[i] = reached;
-        (void)air;
     }
 };
 
