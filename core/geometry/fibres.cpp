@@ -44,8 +44,25 @@ double ply_radius(int plies)
 
 double equivalent_radius(const YarnType& type) { return std::sqrt(type.area / pi); }
 
-/// Mean of the fibres' length over the yarn's, fibres spread evenly over a circle (Treloar 1956): of a helix of k = tan of the surface angle.
-double helix_lengthening(double k) { return k < 1e-4 ? 1 + 0.25 * k * k : 2 / (3 * k * k) * (std::pow(1 + k * k, 1.5) - 1); }
+/// How much denser a yarn's axis is than its mean; the surface is as much less dense.
+double core_density(const YarnType& type) { return std::clamp(densest_core / type.packing - 1, 0.0, 0.5); }
+
+/// Squared share of the radius that a rank has: rho2 (1 + core) - core rho4 = rank, for a packing that falls as 1 + core (1 - 2 rho2).
+template <typename Number> Number squared_radius(Number core, Number rank)
+{
+    if (core <= 0) return rank;
+    const Number sum = 1 + core;
+    return (sum - std::sqrt(std::max(Number(0), sum * sum - 4 * core * rank))) / (2 * core);
+}
+
+/// Mean of the fibres' length over the yarn's; slope is the tangent of the helix angle at the surface.
+double helix_lengthening(double slope, double core)
+{
+    constexpr int steps = 64;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) sum += std::sqrt(1 + slope * slope * squared_radius(core, (i + 0.5) / steps));
+    return sum / steps;
+}
 
 double length_factor(const Textile& textile, YarnKind kind, const YarnType& type)
 {
@@ -112,10 +129,11 @@ double loop_arc(double turns_per_height, double radius)
 double drawn_fibre_radius(const YarnType& type)
 {
     const double radius = equivalent_radius(type), ply = ply_radius(type.plies);
-    const double single = helix_lengthening(2 * pi * std::abs(type.twist) * radius * ply);
-    const double round = 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply);
-    const double lengthening = type.plies > 1 ? single * std::sqrt(1 + round * round) : single;
-    return std::sqrt(type.area * type.packing / (pi * type.fibres * lengthening));
+    const double thick = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
+    const double reach = std::max(0.1 * radius * ply, radius * ply - thick);        // of the middles
+    const double round = type.plies > 1 ? 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply) : 0;
+    const double lengthening = helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round);
+    return thick / std::sqrt(lengthening);
 }
 
 FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
@@ -141,7 +159,7 @@ YarnFibres::YarnFibres(const Textile& textile, const FibreOptions& options, Yarn
     rings_ = static_cast<std::size_t>(crossings) * static_cast<std::size_t>(options.samples_per_crossing) + 1;
     fibre_radius_ = drawn_fibre_radius(type_);
     hair_radius_ = metre_from_um(type_.fibre.fibre_radius_um);
-    core_ = static_cast<float>(std::clamp(densest_core / type_.packing - 1, 0.0, 0.5));
+    core_ = static_cast<float>(core_density(type_));
     inner_ = static_cast<float>(std::max(0.1, 1 - fibre_radius_ / (ply_radius(type_.plies) * equivalent_radius(type_))));
     migration_ = static_cast<float>(std::abs(type_.twist) > 1 ? turns_per_migration / std::abs(type_.twist) : untwisted_migration);
 
@@ -270,10 +288,7 @@ void YarnFibres::place(int fibre, std::size_t index, float* out) const
     const Ring& ring = ring_[index];
     const auto i = static_cast<std::size_t>(fibre);
     const float rank = triangle_wave(phase_[i] + ring.along / migration_);
-    // Share of the fibres within rho: rho2 (1 + core) - core rho4, for a packing that falls from 1 + core times the mean to 1 - core times.
-    const float sum = 1 + core_;
-    const float squared = core_ > 0 ? (sum - std::sqrt(std::max(0.0f, sum * sum - 4 * core_ * rank))) / (2 * core_) : rank;
-    const float rho = inner_ * std::sqrt(0.005f + 0.995f * squared);
+    const float rho = inner_ * std::sqrt(0.005f + 0.995f * squared_radius(core_, rank)); // never quite through the axis
     float sine = start_angle_sin_[i] * ring.twist_cos + start_angle_cos_[i] * ring.twist_sin;
     float cosine = start_angle_cos_[i] * ring.twist_cos - start_angle_sin_[i] * ring.twist_sin;
     float distance = rho;

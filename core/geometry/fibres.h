@@ -92,7 +92,7 @@ private:
     int fibres_ = 0;
     std::size_t rings_ = 0;
     double fibre_radius_ = 0, hair_radius_ = 0;
-    float core_ = 0;           ///< how much denser the middle is, see packing_at()
+    float core_ = 0;           ///< how much denser the axis is than the mean
     float inner_ = 1;          ///< share of the section's half axes that fibres' middles reach
     float migration_ = 0;      ///< m of yarn from surface to surface
     double along0_ = 0, along1_ = 0;
