@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
+#include "core/design/flyaway.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@ constexpr double golden_angle = 2.399963229728653; // 2 pi (1 - 1/golden ratio):
 constexpr double turns_per_migration = 4;          // from the axis to the surface and back
 constexpr double untwisted_migration = 5e-3;       // m, where there is no twist
 constexpr double densest_core = 0.9;               // hexagonal packing is 0.907
-constexpr double loop_width = 1.5;                 // half the base of a loop / its height
 constexpr double loop_flank = 1.0;                 // half bases in which the fibre comes up to the skin
 constexpr double hair_root = 0.7;                  // share of the way from the axis to the skin
 
@@ -109,21 +109,6 @@ float triangle_wave(float t)
     return t < 0.5f ? 2 * t : 2 - 2 * t;
 }
 
-/// Length of a loop of height 1 over its base, on a yarn whose fibres run at a slope k to the axis at radius r (both over the height).
-double loop_arc(double turns_per_height, double radius)
-{
-    constexpr int steps = 64;
-    double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double x = loop_width * (2 * (i + 0.5) / steps - 1);
-        const double bump = std::pow(std::cos(0.5 * pi * x / loop_width), 2);
-        const double slope = -0.5 * pi / loop_width * std::sin(pi * x / loop_width);
-        const double round = 2 * pi * turns_per_height * (radius + bump);
-        sum += std::sqrt(1 + slope * slope + round * round);
-    }
-    return sum * 2 * loop_width / steps;
-}
-
 } // namespace
 
 double drawn_fibre_radius(const YarnType& type)
@@ -138,16 +123,10 @@ double drawn_fibre_radius(const YarnType& type)
 
 FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
 {
+    const double twist = type.plies > 1 ? 0.0 : std::abs(type.twist); // a plied yarn's fibres lie about along it
     FlyawayLength length;
-    const double height = metre_from_mm(textile.flyaway.loop_height_mm);
-    if (height > 0) {
-        constexpr int steps = 16;
-        for (int i = 0; i < steps; ++i) {
-            const double h = height * (0.5 + 0.5 * (i + 0.5) / steps);
-            const double twist = type.plies > 1 ? 0.0 : type.twist;
-            length.loops += 1e3 * textile.flyaway.loop_density_per_mm * h * loop_arc(std::abs(twist) * h, equivalent_radius(type) / h) / steps;
-        }
-    }
+    length.loops = 1e3 * textile.flyaway.loop_density_per_mm *
+                   mean_loop_length(metre_from_mm(textile.flyaway.loop_height_mm), twist, equivalent_radius(type));
     length.hairs = 1e3 * textile.flyaway.hair_density_per_mm * metre_from_mm(textile.flyaway.hair_length_mm);
     return length;
 }
@@ -240,7 +219,7 @@ void YarnFibres::find_loops(std::uint64_t stream)
     for (std::int64_t k = first; k <= last; ++k) {
         const auto draw = [&](int part) { return random_uniform(options_.seed, stream, draw_index(draw_loop, part, k)); };
         const auto fibre = std::min(static_cast<std::size_t>(draw(0) * fibres_), loops_.size() - 1);
-        const double h = height * (0.5 + 0.5 * draw(1));
+        const double h = height * (lowest_loop + (1 - lowest_loop) * draw(1));
         loops_[fibre].push_back({static_cast<float>((static_cast<double>(k) + draw(2)) / density), static_cast<float>(h), static_cast<float>(loop_width * h)});
     }
 }
@@ -276,7 +255,7 @@ void YarnFibres::find_hairs(std::uint64_t stream)
         const Vec3d fold = std::cos(steepness) * out - std::sin(steepness) * flat, side = cross(hair.direction, fold);
         const double plane = 2 * pi * draw(4);
         hair.bend = std::cos(plane) * fold + std::sin(plane) * side;
-        hair.length = mean * (0.5 + draw(5));
+        hair.length = mean * (shortest_hair + 2 * (1 - shortest_hair) * draw(5));
         hair.angle = 0.2 + 1.8 * draw(6);
         hair.ring = index + 1;
         hairs_.push_back(hair);
