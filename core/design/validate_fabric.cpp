@@ -82,31 +82,6 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     }
 }
 
-void validate_weave(const Weave& weave, const std::string& where, IssueList& list)
-{
-    if (weave.ends() > largest_repeat || weave.picks() > largest_repeat) {
-        list.error(
-            "range", where,
-            fmt::format("A repeat may have up to {} ends and picks; given are {} and {}.", largest_repeat, weave.ends(), weave.picks()));
-        return;
-    }
-    const auto unbound = [&](const char* name, int threads, int crossings, auto up) {
-        int count = 0, first = 0;
-        for (int thread = 0; thread < threads; ++thread) {
-            int ups = 0;
-            for (int at = 0; at < crossings; ++at) ups += up(thread, at);
-            if (ups != 0 && ups != crossings) continue;
-            if (count++ == 0) first = thread;
-        }
-        if (count > 0)
-            list.add(Severity::warning, "unbound_thread", where,
-                     fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", count, threads, name,
-                                 name, first + 1));
-    };
-    unbound("ends", weave.ends(), weave.picks(), [&](int end, int pick) { return weave.warp_up(end, pick); });
-    unbound("picks", weave.picks(), weave.ends(), [&](int pick, int end) { return weave.warp_up(end, pick); });
-}
-
 void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
     const FreeYarn warp = free_yarn(fabric.warp, blended_material(design, fabric.warp.material).density_kg_m3);
@@ -134,6 +109,7 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
     };
     check("ends", "ends_per_cm", fabric.ends_per_cm, warp, fitted.warp);
     check("picks", "picks_per_cm", fabric.picks_per_cm, weft, fitted.weft);
+    validate_sett(fabric, warp.diameter, weft.diameter, where, list);
 }
 
 void validate_measured(const Measured& measured, const std::string& where, IssueList& list)
@@ -167,7 +143,7 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     const int before = list.errors();
     validate_yarn(design, fabric.warp, where + ".warp", list);
     validate_yarn(design, fabric.weft, where + ".weft", list);
-    validate_weave(fabric.weave, where + ".weave", list);
+    validate_weave(fabric, where, list);
     list.range(where + ".ends_per_cm", "number of ends per cm", fabric.ends_per_cm, 0.5, 500);
     list.range(where + ".picks_per_cm", "number of picks per cm", fabric.picks_per_cm, 0.5, 500);
     list.range_if_given(where + ".thickness_mm", "thickness of a fabric", fabric.thickness_mm, 0.01, 50, "mm");

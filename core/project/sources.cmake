@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   project/atomic_file.cpp
+  project/draft_json.cpp
   project/json_reader.cpp
   project/mesh_file.cpp
   project/migrations.cpp
