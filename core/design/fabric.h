@@ -25,10 +25,18 @@ struct Measured {
     bool operator==(const Measured&) const = default;
 };
 
+struct YarnRun {
+    int yarn = 0;  ///< 0: the fabric's own warp (weft) yarn, n: extra_yarns[n - 1]
+    int count = 1;
+    bool operator==(const YarnRun&) const = default;
+};
+
 struct Fabric {
     std::string name;
     Yarn warp;
     Yarn weft;
+    std::vector<Yarn> extra_yarns;
+    std::vector<YarnRun> warp_order, weft_order; ///< empty: all alike; repeats
     Weave weave;
     double ends_per_cm = 20;
     double picks_per_cm = 20;

@@ -4,11 +4,18 @@
 
 #include "core/design/material.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace hygroloom {
 
 enum class TwistDirection { s, z };
+
+/// sRGB.
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Color&) const = default;
+};
 
 /// A yarn has a diameter, or a linear density with a packing factor; all three must agree.
 /// With a diameter alone, or a linear density alone, the packing factor is default_packing_factor.
@@ -20,6 +27,10 @@ struct Yarn {
     int fibres_per_yarn = 30;                  ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
     TwistDirection twist_direction = TwistDirection::z;
+    int plies = 1;
+    double ply_twist_per_m = 0;
+    TwistDirection ply_twist_direction = TwistDirection::s;
+    std::optional<Color> color;
     bool operator==(const Yarn&) const = default;
 };
 
