@@ -9,4 +9,9 @@ target_sources(hygroloom_core PRIVATE
   project/project_read.cpp
   project/project_value.cpp
   project/project_write.cpp
+  project/weave_picture.cpp
+  project/wif_draft.cpp
+  project/wif_file.cpp
+  project/wif_import.cpp
+  project/wif_write.cpp
 )
