@@ -173,7 +173,8 @@ PackedColor packed(const std::optional<Color>& color)
 }
 
 /// The commonest colour becomes that of the base yarn, each other one an extra yarn like it.
-std::vector<YarnRun> order_of(const std::vector<std::optional<Color>>& colors, Yarn& base, std::vector<Yarn>& extra)
+std::vector<YarnRun> order_of(const std::vector<std::optional<Color>>& colors, Yarn& base, std::vector<Yarn>& extra,
+                              std::vector<ImportLine>& report)
 {
     std::map<PackedColor, int> counts;
     for (const auto& color : colors) ++counts[packed(color)];
@@ -183,14 +184,23 @@ std::vector<YarnRun> order_of(const std::vector<std::optional<Color>>& colors, Y
     base.color = usual;
     std::map<PackedColor, int> numbers{{packed(usual), 0}};
     std::vector<int> yarns;
+    bool told = false;
     for (const auto& color : colors) {
         const auto [number, fresh] = numbers.try_emplace(packed(color), 0);
         if (fresh) {
             Yarn yarn = base;
             yarn.color = color;
             const auto known = std::find(extra.begin(), extra.end(), yarn);
-            number->second = static_cast<int>(known - extra.begin()) + 1;
-            if (known == extra.end()) extra.push_back(yarn);
+            if (known == extra.end() && extra.size() == most_extra_yarns) {
+                if (!told)
+                    report.push_back({Severity::warning, fmt::format("A fabric has up to {} extra yarns; further colours were given "
+                                                                     "to the commonest yarn.",
+                                                                     most_extra_yarns)});
+                told = true;
+            } else {
+                number->second = static_cast<int>(known - extra.begin()) + 1;
+                if (known == extra.end()) extra.push_back(yarn);
+            }
         }
         yarns.push_back(number->second);
     }
@@ -212,8 +222,8 @@ void take_colors(const WifDraft& draft, const std::optional<OwnFabric>& own, Fab
         colors_agree(fabric, fabric.weft, fabric.weft_order, draft.weft.colors))
         return;
     fabric.extra_yarns.clear();
-    fabric.warp_order = order_of(draft.warp.colors, fabric.warp, fabric.extra_yarns);
-    fabric.weft_order = order_of(draft.weft.colors, fabric.weft, fabric.extra_yarns);
+    fabric.warp_order = order_of(draft.warp.colors, fabric.warp, fabric.extra_yarns, report);
+    fabric.weft_order = order_of(draft.weft.colors, fabric.weft, fabric.extra_yarns, report);
     const auto count = [](const std::vector<YarnRun>& order) {
         std::vector<int> yarns;
         int threads = 0;
