@@ -170,7 +170,7 @@ DraftImport import_picture(std::string_view bytes, const std::string& name)
     bool greys = false;
     for (std::uint8_t grey : picture.grey) {
         up.push_back(grey < 128);
-        greys = greys || (grey != picture.grey.front() && grey > 16 && grey < 239);
+        greys = greys || (grey > 16 && grey < 239);
     }
     DraftImport result = imported(name, picture.width, picture.height, up, "picture");
     if (greys)

@@ -54,6 +54,11 @@ private:
     void note(std::string sentence) { report_.push_back({Severity::note, std::move(sentence)}); }
     void warn(std::string sentence) { report_.push_back({Severity::warning, std::move(sentence)}); }
 
+    static std::string counted(int count, const char* one, const char* more)
+    {
+        return fmt::format("{} {}", count, count == 1 ? one : more);
+    }
+
     void look_at_head()
     {
         if (!file_.find("WIF")) {
@@ -134,8 +139,12 @@ private:
                 values[at] = entry.value;
             }
         }
-        if (unreadable > 0) warn(fmt::format("{} entries of [{}] have no number before the = and were left out.", unreadable, name));
-        if (beyond > 0) warn(fmt::format("{} entries of [{}] lie beyond number {} and were left out.", beyond, name, most));
+        if (unreadable > 0)
+            warn(fmt::format("{} of [{}] without a number before the = {} left out.", counted(unreadable, "entry", "entries"), name,
+                             unreadable == 1 ? "was" : "were"));
+        if (beyond > 0)
+            warn(fmt::format("{} of [{}] beyond number {} {} left out.", counted(beyond, "entry", "entries"), name, most,
+                             beyond == 1 ? "was" : "were"));
         return values;
     }
 
@@ -157,8 +166,8 @@ private:
                     list.push_back(*number - first_);
             }
         }
-        if (unreadable > 0) warn(fmt::format("{} values of [{}] are no numbers and were left out.", unreadable, name));
-        if (beyond > 0) warn(fmt::format("{} values of [{}] are greater than {} and were left out.", beyond, name, most_shafts));
+        if (unreadable > 0) warn(fmt::format("{} of [{}] left out: no number.", counted(unreadable, "value", "values"), name));
+        if (beyond > 0) warn(fmt::format("{} of [{}] left out: greater than {}.", counted(beyond, "value", "values"), name, most_shafts));
         return result;
     }
 
@@ -240,7 +249,8 @@ private:
         for (std::vector<int>& pick : treadling)
             unknown += static_cast<int>(std::erase_if(pick, [&](int treadle) { return treadle >= draft.treadles; }));
         if (unknown > 0)
-            warn(fmt::format("{} entries of [TREADLING] name treadles beyond number {} and were left out.", unknown, draft.treadles));
+            warn(fmt::format("{} in [TREADLING] left out: there is no treadle beyond number {}.", counted(unknown, "treadle", "treadles"),
+                             draft.treadles));
         if (used_size(treadling) == 0) refuse("No pick of [TREADLING] presses a treadle that exists.");
         draft.tie_up = std::move(tie_up);
         draft.treadling = std::move(treadling);
@@ -335,8 +345,8 @@ private:
         for (std::size_t i = 0; i < std::min(colors.size(), threads.colors.size()); ++i)
             if (!colors[i].empty() && !color_in(colors[i], threads.colors[i])) ++unknown;
         if (unknown > 0)
-            warn(fmt::format("{} entries of [{} COLORS] name colours that the table does not have; the usual colour was taken.", unknown,
-                             system));
+            warn(fmt::format("{} of [{} COLORS] not in the colour table; the usual colour was taken.",
+                             counted(unknown, "colour", "colours"), system));
         threads.spacing_cm = mean_length(system, "Spacing", count, threads.spacing_default);
         threads.thickness_cm = mean_length(system, "Thickness", count, threads.thickness_default);
         return threads;

@@ -248,10 +248,8 @@ WifFile parse_wif(std::string_view text)
     }
     for (const WifSection& section : file.sections)
         if (section.strays > 0)
-            file.remarks.push_back(
-                {Severity::warning, fmt::format("{} {} in [{}] {} no entries of the form key=value and {} left out.", section.strays,
-                                                section.strays == 1 ? "line" : "lines", section.name, section.strays == 1 ? "is" : "are",
-                                                section.strays == 1 ? "was" : "were")});
+            file.remarks.push_back({Severity::warning, fmt::format("{} {} of [{}] left out: not of the form key=value.", section.strays,
+                                                                   section.strays == 1 ? "line" : "lines", section.name)});
     return file;
 }
 

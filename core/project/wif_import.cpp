@@ -328,7 +328,8 @@ void tell_of_text(const WifFile& file, std::vector<ImportLine>& report)
             report.push_back({Severity::note, fmt::format("{}: {} (not kept).", key, value->substr(0, 200))});
     if (const WifSection* notes = file.find("NOTES"))
         for (std::size_t i = 0; i < std::min<std::size_t>(notes->entries.size(), 20); ++i)
-            report.push_back({Severity::note, fmt::format("Note: {} (not kept).", notes->entries[i].value.substr(0, 200))});
+            if (!notes->entries[i].value.empty())
+                report.push_back({Severity::note, fmt::format("Note: {} (not kept).", notes->entries[i].value.substr(0, 200))});
 }
 
 } // namespace
