@@ -121,10 +121,10 @@ int check(const ProjectOptions& options)
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FabricQuantities quantities = derive_quantities(design, fabric);
         json["fabrics"].push_back(fabric_json(fabric, quantities));
-        add_weave_json(json["fabrics"].back(), fabric, quantities);
+        add_weave_json(json["fabrics"].back(), design, fabric);
         if (options.json) continue;
         print_fabric(fabric, quantities);
-        print_weave(fabric, quantities);
+        print_weave(design, fabric);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));
     return has_error(issues) ? exit_invalid : exit_ok;

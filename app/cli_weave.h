@@ -2,14 +2,14 @@
 // What check tells of a fabric's weave and sett.
 #pragma once
 
-#include "core/design/fabric_quantities.h"
+#include "core/design/design.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace hygroloom {
 
 /// Keys "weave" and "jam".
-void add_weave_json(nlohmann::ordered_json& json, const Fabric& fabric, const FabricQuantities& quantities);
-void print_weave(const Fabric& fabric, const FabricQuantities& quantities);
+void add_weave_json(nlohmann::ordered_json& json, const Design& design, const Fabric& fabric);
+void print_weave(const Design& design, const Fabric& fabric);
 
 } // namespace hygroloom

@@ -37,4 +37,15 @@ JamGauge jam_gauge(const Weave& weave, double ends_per_cm, double picks_per_cm, 
             of_system(picks_per_cm, ends_per_cm, weft_diameter_mm, warp_diameter_mm, along_warp, along_weft)};
 }
 
+JamGauge jam_gauge(const Fabric& fabric, const FittedYarns& yarns)
+{
+    const auto mean = [](const YarnOrder& order, const std::vector<FittedYarn>& types) {
+        double diameter = 0;
+        for (std::size_t type = 0; type < types.size(); ++type) diameter += order.share[type] * types[type].free.diameter;
+        return diameter;
+    };
+    return jam_gauge(fabric.weave, fabric.ends_per_cm, fabric.picks_per_cm, mean(yarns.warp_order, yarns.warp),
+                     mean(yarns.weft_order, yarns.weft));
+}
+
 } // namespace hygroloom

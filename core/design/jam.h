@@ -2,7 +2,7 @@
 // How near a sett is to the closest that can be woven, by two rules of the trade. Yarns flatten, so real cloth passes 100 %.
 #pragma once
 
-#include "core/design/weave.h"
+#include "core/design/yarn_sections.h"
 
 namespace hygroloom {
 
@@ -25,5 +25,8 @@ struct JamGauge {
 /// yarns: cos a + cos b = 1 for the weave angles a, b of the two systems; carried over to weaves with floats as by Love (1954): where a
 /// yarn passes over several, they lie side by side. Diameters are those of the free yarns, in mm.
 JamGauge jam_gauge(const Weave& weave, double ends_per_cm, double picks_per_cm, double warp_diameter_mm, double weft_diameter_mm);
+
+/// With the mean diameters of the free yarns, in the order they come in.
+JamGauge jam_gauge(const Fabric& fabric, const FittedYarns& yarns);
 
 } // namespace hygroloom

@@ -61,9 +61,9 @@ void validate_weave(const Fabric& fabric, const std::string& where, IssueList& l
     warn_of_floats("weft", analysis.weft_face, analysis.weft_back, fabric.ends_per_cm, at, list);
 }
 
-void validate_sett(const Fabric& fabric, double warp_diameter, double weft_diameter, const std::string& where, IssueList& list)
+void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list)
 {
-    const JamGauge jam = jam_gauge(fabric.weave, fabric.ends_per_cm, fabric.picks_per_cm, warp_diameter, weft_diameter);
+    const JamGauge jam = jam_gauge(fabric, yarns);
     warn_of_jam("ends", jam.warp, where + ".ends_per_cm", list);
     warn_of_jam("picks", jam.weft, where + ".picks_per_cm", list);
 }
