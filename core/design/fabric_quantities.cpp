@@ -151,9 +151,7 @@ void note_section(std::vector<std::string>& notes, const char* name, const Fitte
         notes.push_back(fmt::format("The {} yarns become {:.3g} mm wide, keeping their area.", name, section.width));
 }
 
-} // namespace
-
-FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
+FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
 {
     const FittedYarns fitted = fit_yarns(design, fabric);
     const FittedYarn &warp = fitted.warp[0], &weft = fitted.weft[0];
@@ -198,6 +196,39 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     if (q.jammed)
         q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;
+}
+
+} // namespace
+
+FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
+{
+    Fabric unmeasured = fabric;
+    unmeasured.measured = {};
+    return quantities_of(design, unmeasured);
+}
+
+FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
+{
+    FabricQuantities q = quantities_of(design, fabric);
+    const double scale = fibre_scale(q, fabric.measured);
+    for (YarnQuantities* yarn : {&q.warp, &q.weft}) {
+        yarn->pore_radius_um *= (1 - scale * yarn->packing_factor_in_fabric) / (scale * (1 - yarn->packing_factor_in_fabric));
+        yarn->linear_density_tex *= scale;
+        yarn->packing_factor *= scale;
+        yarn->packing_factor_in_fabric *= scale;
+        yarn->pore_radius_um = fabric.measured.capillary_radius_um.value_or(yarn->pore_radius_um);
+    }
+    q.areal_density_g_m2 *= scale;
+    q.fibre_volume_fraction *= scale;
+    q.porosity = fabric.measured.porosity.value_or(1 - scale * (1 - q.porosity));
+    return q;
+}
+
+double fibre_scale(const FabricQuantities& q, const Measured& measured)
+{
+    if (measured.areal_density_g_m2) return *measured.areal_density_g_m2 / q.areal_density_g_m2;
+    if (measured.porosity) return (1 - *measured.porosity) / (1 - q.porosity);
+    return 1;
 }
 
 } // namespace hygroloom

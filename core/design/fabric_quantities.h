@@ -38,9 +38,14 @@ struct FabricQuantities {
     std::vector<std::string> notes;      ///< what was done to the sections, in sentences
 };
 
-/// Precondition: validate() found no error in this fabric.
+/// By formula alone, laboratory values left aside. Precondition: validate() found no error in this fabric.
 /// Sections: physics.md's rule (free linear density kept; height limited by the thickness, width by the pitch).
-/// Laboratory values in fabric.measured are not applied here; they are shown beside these.
 FabricQuantities derive_quantities(const Design& design, const Fabric& fabric);
+
+/// The same with what a laboratory measured in its place, and what follows from that: what geometry and simulation use.
+FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric);
+
+/// How much more fibre the yarns hold than derived, by the measured areal density or else the measured porosity; 1 when neither is given.
+double fibre_scale(const FabricQuantities& derived, const Measured& measured);
 
 } // namespace hygroloom
