@@ -19,12 +19,12 @@ constexpr int texels_per_crossing = 20;
 double light_at_height(double height, double half_thickness)
 {
     const double t = std::clamp((height / half_thickness + 1.0) / 1.75, 0.0, 1.0);
-    return 0.62 + 0.38 * t * t * (3 - 2 * t);
+    return 0.70 + 0.30 * t * t * (3 - 2 * t);
 }
 
 double contrast(double openness)
 {
-    return 0.25 + 0.75 * openness;
+    return 0.45 + 0.55 * std::sqrt(openness); // light that comes from skin to skin softens the shade
 }
 
 std::int16_t shortened(double share)

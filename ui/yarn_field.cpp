@@ -119,8 +119,8 @@ double YarnField::distance(const Vec3d& point) const
 
 double YarnField::openness(const Vec3d& point, const Vec3d& normal) const
 {
-    constexpr double steps[] = {0.12, 0.3, 0.65, 1.2}; // of half the fabric's thickness
-    constexpr double weights[] = {0.2, 0.3, 0.3, 0.2};
+    constexpr double steps[] = {0.1, 0.22, 0.45, 0.85}; // of half the fabric's thickness
+    constexpr double weights[] = {0.25, 0.3, 0.25, 0.2};
     double hidden = 0;
     for (int i = 0; i < 4; ++i) {
         const double step = steps[i] * textile_.half_thickness();

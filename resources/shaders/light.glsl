@@ -13,13 +13,13 @@ vec3 lamp_direction(vec3 to_eye)
 vec3 light_on(vec3 base, vec3 n, float weight, vec3 lamp)
 {
     float sky = 0.5 * (weight + n.z * side);
-    return base * (0.36 * sky + 0.76 * max(dot(n, lamp), 0.0) + 0.07 * weight);
+    return base * (0.38 * sky + 0.64 * max(dot(n, lamp), 0.0) + 0.12 * weight);
 }
 
 // The deeper in the fabric, the less light.
 float light_at_height(float height)
 {
-    return 0.62 + 0.38 * smoothstep(-1.0, 0.75, height * side / half_thickness);
+    return 0.70 + 0.30 * smoothstep(-1.0, 0.75, height * side / half_thickness);
 }
 
 // Colour of a yarn with so much water, a share of the full colours.

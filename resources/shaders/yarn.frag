@@ -47,11 +47,17 @@ void main()
     float phase = 11.0 * (on_yarn.y - turns * on_yarn.x);
     float blur = clamp(1.0 - 1.6 * fwidth(phase), 0.0, 1.0);
     float wave = 6.2831853 * phase;
+    // Seen from near, single fibres among them.
+    float fine_phase = 4.0 * phase + 0.35 * sin(wave + 5.0 * on_yarn.x);
+    float fine = clamp(1.0 - 1.6 * fwidth(fine_phase), 0.0, 1.0);
+    float fine_wave = 6.2831853 * fine_phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    blur *= 1.0 - smoothstep(0.8, 0.95, abs(dot(n, along))); // none on cut ends
+    float on_skin = 1.0 - smoothstep(0.8, 0.95, abs(dot(n, along))); // none on cut ends
+    blur *= on_skin * (1.0 - 0.5 * fine);
+    fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
-    vec3 bent = normalize(n + 0.22 * blur * cos(wave) * around);
-    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave));
+    vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.30 * fine * cos(fine_wave)) * around);
+    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.16 * fine * (0.5 - 0.5 * sin(fine_wave));
 
     float cover = smoothstep(0.25 * bare, 1.5 * bare, wet);
     vec3 lamp = lamp_direction(to_eye);
