@@ -18,7 +18,7 @@ out vec4 color;
 
 vec4 layer(float which)
 {
-    vec4 texel = texture(repeat_picture, vec3(crossing / period, which));
+    vec4 texel = texture(repeat_picture, vec3(crossing / period, which), -0.4);
     return vec4((texel.xyz * 255.0 - 128.0) / 127.0, texel.w);
 }
 
@@ -32,7 +32,7 @@ void main()
     vec3 lamp = lamp_direction(to_eye);
     float first = side > 0.0 ? 0.0 : 2.0;
     vec4 warp = layer(first), weft = layer(first + 1.0);
-    float covered = texture(repeat_picture, vec3(crossing / period, 4.0)).r;
+    float covered = texture(repeat_picture, vec3(crossing / period, 4.0), -0.4).r;
     vec2 share = crossing / crossings;
     vec3 end_dry = texture(end_colors, vec2(share.x, 0.5)).rgb, pick_dry = texture(pick_colors, vec2(share.y, 0.5)).rgb;
     vec2 which = floor(crossing);
