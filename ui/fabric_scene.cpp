@@ -14,6 +14,7 @@ namespace hygroloom {
 namespace {
 
 constexpr double fade_seconds = 0.22;
+constexpr double belt_start = 1.15 * belt_pixels[0]; // so far, hardly any tubes are seen in the belt
 
 /// The half spaces that the picture shows, in the scene's coordinates.
 std::array<QVector4D, 6> planes_of(const QMatrix4x4& clip)
@@ -33,6 +34,12 @@ bool outside(const QVector4D& plane, const QVector3D& low, const QVector3D& high
 }
 
 } // namespace
+
+double pitch_scale(const PreviewFabric& fabric, const SceneView& view)
+{
+    const QVector3D pitch = fabric.pitch();
+    return view.detail * std::sqrt(pitch.x() * pitch.y());
+}
 
 std::size_t triangles_of(const MeshKey& key)
 {
@@ -96,15 +103,15 @@ void FabricScene::findVisible(const SceneView& view)
     }
 }
 
-int FabricScene::levelOf(Cell cell, const SceneView& view, int shown) const
+std::pair<double, double> FabricScene::pitchPixels(Cell cell, const SceneView& view) const
 {
     const TextileRegion part = fabric_->crossings(cell);
-    const QVector3D low = fabric_->low(part), high = fabric_->high(part), pitch = fabric_->pitch();
-    // As seen from the cell's nearest point, so that no part of it is too coarse.
-    const QVector3D eye = view.camera.target() + static_cast<float>(view.camera.depth(view.camera.target())) * view.camera.direction();
-    const QVector3D nearest(std::clamp(eye.x(), low.x(), high.x()), std::clamp(eye.y(), low.y(), high.y()), std::clamp(eye.z(), low.z(), high.z()));
-    const double pixels = view.detail * view.camera.pixelsPerMillimetre(view.camera.depth(nearest), view.size);
-    return level_for(pixels * std::sqrt(pitch.x() * pitch.y()), shown);
+    const QVector3D low = fabric_->low(part), high = fabric_->high(part), towards = view.camera.direction();
+    const auto corner = [&](bool nearest) {
+        const auto pick = [&](int axis) { return (towards[axis] > 0) == nearest ? high[axis] : low[axis]; };
+        return view.camera.pixelsPerMillimetre(view.camera.depth({pick(0), pick(1), pick(2)}), view.size) * pitch_scale(*fabric_, view);
+    };
+    return {corner(true), corner(false)};
 }
 
 void FabricScene::update(const SceneView& view, double seconds, const std::function<bool(const MeshKey&)>& available)
@@ -132,7 +139,9 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
             s.fade = std::min(1.0F, s.fade + static_cast<float>(seconds / fade_seconds));
             s.from = s.fade < 1 ? s.from : std::int8_t{-1};
         }
-        int level = levelOf(cell, view, s.level);
+        const auto [pixels, least_pixels] = pitchPixels(cell, view);
+        int level = level_for(pixels, s.level);
+        s.belt = level > 0 && least_pixels < belt_pixels[1];
         if (level != s.level && s.from < 0) {
             if (const MeshKey key = fabric_->key(cell, level); !available(key)) {
                 want(cell, key);
@@ -147,12 +156,20 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
                     }
                 }
             }
-            if (level != s.level) {
-                s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1} : State{static_cast<std::int8_t>(level), s.level, 0};
+            if (level > 0 && s.level == 0 && pixels < belt_start) {
+                s.level = static_cast<std::int8_t>(level);
+            } else if (level == 0 && s.level > 0 && pixels < belt_start) {
+                s.level = 0;
+            } else if (level != s.level) {
+                s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1, s.belt} : State{static_cast<std::int8_t>(level), s.level, 0, s.belt};
             }
         }
         if (s.level >= 0 && !available(fabric_->key(cell, s.level))) {
             s = {};
+        }
+        if (s.level > 0 && s.belt && !available({})) {
+            want(cell, {});
+            s.belt = false;
         }
         fading_ = fading_ || s.from >= 0;
     }
@@ -182,7 +199,7 @@ void FabricScene::collect()
     const auto batch = [&](const MeshKey& key) -> CellBatch& {
         const auto [found, added] = number.try_emplace(key, batches_.size());
         if (added) {
-            batches_.push_back({key, {}, {}});
+            batches_.push_back({key, {}, {}, {}});
         }
         return batches_[found->second];
     };
@@ -194,6 +211,9 @@ void FabricScene::collect()
         const TextileRegion part = fabric_->crossings(cell);
         const QVector3D low = fabric_->low(part), size = fabric_->high(part) - low;
         CellInstance instance{{low.x(), low.y()}, {static_cast<float>(part.first_end), static_cast<float>(part.first_pick)}, {size.x(), size.y()}, 1};
+        if (s.level > 0 && s.belt) {
+            batch({}).over.push_back(instance);
+        }
         if (s.from < 0) {
             batch(fabric_->key(cell, s.level)).whole.push_back(instance);
         } else {
@@ -209,7 +229,7 @@ std::size_t FabricScene::triangles() const
 {
     std::size_t sum = 0;
     for (const CellBatch& batch : batches_) {
-        sum += triangles_of(batch.key) * (batch.whole.size() + batch.fading.size());
+        sum += triangles_of(batch.key) * (batch.whole.size() + batch.fading.size() + batch.over.size());
     }
     return sum;
 }

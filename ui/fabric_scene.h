@@ -24,6 +24,7 @@ struct CellBatch {
     MeshKey key;
     std::vector<CellInstance> whole;  ///< drawn on all pixels
     std::vector<CellInstance> fading;
+    std::vector<CellInstance> over; ///< the flat picture, laid over tubes
 };
 
 /// A mesh that would be drawn if it were there.
@@ -63,10 +64,12 @@ private:
         std::int8_t level = -1;
         std::int8_t from = -1;
         float fade = 1;
+        bool belt = false; ///< the flat picture shows through
     };
     State& state(Cell cell) { return states_[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(fabric_->columns()) + static_cast<std::size_t>(cell.column)]; }
     void findVisible(const SceneView& view);
-    int levelOf(Cell cell, const SceneView& view, int shown) const;
+    /// Of a pitch at the nearest and at the farthest point of a cell. The nearest decides, so that no part is too coarse.
+    std::pair<double, double> pitchPixels(Cell cell, const SceneView& view) const;
     void collect();
 
     std::shared_ptr<const PreviewFabric> fabric_;
@@ -76,6 +79,9 @@ private:
     std::vector<WantedMesh> wanted_;
     bool fading_ = false;
 };
+
+/// What a millimetre's pixels are to be multiplied by for the width of a pitch that levels go by.
+double pitch_scale(const PreviewFabric& fabric, const SceneView& view);
 
 /// Triangles that a mesh of this key has.
 std::size_t triangles_of(const MeshKey& key);

@@ -36,10 +36,11 @@ int level_for(double pitch_pixels, int shown)
     while (level < finest_level && pitch_pixels >= tubes[level].pixels) {
         ++level;
     }
-    if (shown == level + 1 && pitch_pixels * stay >= tubes[level].pixels) {
+    // The belt blends level 0 with the first tubes; that one needs no staying.
+    if (level > 0 && shown == level + 1 && pitch_pixels * stay >= tubes[level].pixels) {
         return shown;
     }
-    if (shown >= 0 && shown == level - 1 && pitch_pixels < stay * tubes[level - 1].pixels) {
+    if (shown > 0 && shown == level - 1 && pitch_pixels < stay * tubes[level - 1].pixels) {
         return shown;
     }
     return level;

@@ -30,6 +30,8 @@ struct TubeLevel {
 /// From coarse to fine. Level 0 is a flat picture of the repeat and has no tubes; tubes[0] is level 1.
 constexpr TubeLevel tubes[] = {{3, 6, 13}, {4, 8, 20}, {4, 12, 30}, {6, 16, 52}, {8, 20, 100}, {12, 28, 200}};
 constexpr int finest_level = static_cast<int>(std::size(tubes));
+/// Between the flat picture and the first tubes lies a belt where the picture lies over the tubes, the thinner the nearer.
+constexpr double belt_pixels[] = {13, 20};
 /// The level for a pitch so wide in the picture. A level that is shown stays a little beyond its range.
 int level_for(double pitch_pixels, int shown = -1);
 

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include <cmath>
 #include <utility>
 
 namespace hygroloom {
@@ -117,6 +118,9 @@ SceneView TextileCanvas::sceneView() const
 
 void TextileCanvas::setWater(std::vector<float> values, double maximum)
 {
+    if (values.empty() && water_.empty()) {
+        return;
+    }
     water_ = std::move(values);
     water_maximum_ = maximum;
     water_changed_ = true;
@@ -125,6 +129,9 @@ void TextileCanvas::setWater(std::vector<float> values, double maximum)
 
 void TextileCanvas::setLiquid(LiquidSurface surface)
 {
+    if (surface.indices.empty() && liquid_.indices.empty()) {
+        return;
+    }
     liquid_ = std::move(surface);
     liquid_changed_ = true;
     redraw(moving_);
@@ -132,8 +139,10 @@ void TextileCanvas::setLiquid(LiquidSurface surface)
 
 void TextileCanvas::setCaption(const PictureCaption& caption)
 {
-    caption_ = caption;
-    update();
+    if (caption != caption_) {
+        caption_ = caption;
+        update();
+    }
 }
 
 void TextileCanvas::setWaterColors(WaterColors colors)
@@ -169,7 +178,17 @@ void TextileCanvas::fit(Framing framing)
 void TextileCanvas::lookFrom(double turn, double lift)
 {
     camera_.lookFrom(turn, lift);
-    if (moved_by_hand_) {
+    if (moved_by_hand_ && fabric()) {
+        // Not from within the fabric: looked at from an edge, the edge comes into sight.
+        const QVector3D low = fabric()->low(), high = fabric()->high(), towards = camera_.direction();
+        const QVector3D eye = camera_.target() + static_cast<float>(camera_.depth(camera_.target())) * towards;
+        QVector3D target = camera_.target();
+        for (int axis = 0; axis < 2; ++axis) {
+            if (std::abs(towards[axis]) > 0.99F && eye[axis] > low[axis] && eye[axis] < high[axis]) {
+                target[axis] = towards[axis] > 0 ? high[axis] : low[axis];
+            }
+        }
+        camera_.centreOn(target);
         redraw(false);
     } else {
         fit(framing_);

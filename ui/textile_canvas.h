@@ -20,6 +20,7 @@ struct PictureCaption {
     QString unit;
     double legend_maximum = 1;
     double legend_scale = 1; ///< number shown per value stored
+    bool operator==(const PictureCaption&) const = default;
 };
 
 /// Which buttons of the mouse turn and move.

@@ -279,8 +279,9 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     gl_->glDisable(GL_BLEND);
     if (fabric_) {
         setColors(colors);
-        drawCells(view, batches, colors, false);
-        drawCells(view, batches, colors, true);
+        for (const Pass pass : {Pass::whole, Pass::fading, Pass::over}) {
+            drawCells(view, batches, colors, pass);
+        }
     }
     if (drop_index_count_ > 0) {
         drawLiquid(view, colors);
@@ -316,6 +317,10 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));
     program.setUniformValue("crossings", QVector2D(static_cast<float>(textile.ends()), static_cast<float>(textile.picks())));
+    // In a parallel view the depth that the card divides by is 1 everywhere.
+    const double depth = view.camera.parallel() ? view.camera.depth({}) : 1;
+    const double one = pitch_scale(*fabric_, view) * view.camera.pixelsPerMillimetre(1e9, view.size) * 1e9 / depth;
+    program.setUniformValue("belt", QVector3D(static_cast<float>(one), static_cast<float>(belt_pixels[0]), static_cast<float>(belt_pixels[1])));
     QVector4D cut(0, 0, 0, 1);
     if (view.cut) {
         const Vec3d& n = view.cut->normal;
@@ -337,7 +342,7 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
     gl_->glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, size)));
 }
 
-void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, bool fading)
+void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass)
 {
     if (!ramp_ || ramp_colors_ != colors.water) {
         ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(colors.water), QOpenGLTexture::DontGenerateMipMaps);
@@ -354,16 +359,24 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
     gl_->glActiveTexture(GL_TEXTURE0);
     gl_->glEnable(GL_CLIP_DISTANCE0);
+    if (pass == Pass::over) {
+        // Over whatever tubes there are, high or low.
+        gl_->glDepthFunc(GL_ALWAYS);
+        gl_->glDepthMask(GL_FALSE);
+        gl_->glEnable(GL_BLEND);
+        gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
     for (const bool flat : {true, false}) {
-        QOpenGLShaderProgram& program = (flat ? flats_ : yarns_)[fading ? 1 : 0];
+        QOpenGLShaderProgram& program = (flat ? flats_ : yarns_)[pass == Pass::fading ? 1 : 0];
         bool prepared = false;
         for (const CellBatch& batch : batches) {
-            const std::vector<CellInstance>& instances = fading ? batch.fading : batch.whole;
+            const std::vector<CellInstance>& instances = pass == Pass::whole ? batch.whole : pass == Pass::fading ? batch.fading : batch.over;
             if ((batch.key.level == 0) != flat || instances.empty() || !has(batch.key)) {
                 continue;
             }
             if (!std::exchange(prepared, true)) {
                 prepare(program, view, colors);
+                program.setUniformValue("over_tubes", pass == Pass::over ? 1.0F : 0.0F);
             }
             if (flat) {
                 flat_array_.bind();
@@ -388,6 +401,9 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
         gl_->glDisable(GL_CULL_FACE);
     }
     gl_->glDisable(GL_CLIP_DISTANCE0);
+    gl_->glDisable(GL_BLEND);
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDepthFunc(GL_LEQUAL);
     gl_->glUseProgram(0);
 }
 

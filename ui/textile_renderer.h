@@ -50,6 +50,7 @@ public:
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
 private:
+    enum class Pass { whole, fading, over };
     struct TubeMesh {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer};
@@ -62,7 +63,7 @@ private:
     void setColors(const PictureColors& colors);
     void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
     void placeInstances(const std::vector<CellInstance>& instances);
-    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, bool fading);
+    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass);
     void drawLiquid(const SceneView& view, const PictureColors& colors);
     void dropUnused();
 

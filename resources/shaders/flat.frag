@@ -13,6 +13,8 @@ uniform sampler2D ramp;
 uniform float bare;
 uniform ivec2 marked;
 uniform vec3 background;
+uniform vec3 belt;            // pixels of a pitch at depth 1, begin and end of the belt where tubes take over
+uniform float over_tubes;     // 1: laid over tubes, the thinner the nearer
 
 out vec4 color;
 
@@ -43,7 +45,9 @@ void main()
     vec2 amount = water_scale > 0.0 ? texture(water, share).rg * water_scale : vec2(0.0);
     vec3 end_base = wetted(ramp, end_dry, amount.r, bare), pick_base = wetted(ramp, pick_dry, amount.g, bare);
     vec3 light = light_on(end_base, warp.xyz, warp.w, lamp) + light_on(pick_base, weft.xyz, weft.w, lamp);
-    // The more from the side, the less is seen through the gaps.
-    float through = (1.0 - covered) * smoothstep(0.2, 0.9, abs(to_eye.z));
-    color = vec4(light / max(covered, 0.2) * (1.0 - through) + background * through, 1.0);
+    // Gaps are narrow and the fabric is thick: only straight on does one see through, else dark skins in the depth.
+    float through = (1.0 - covered) * smoothstep(0.93, 1.0, abs(to_eye.z));
+    light += (1.0 - covered) * 0.12 * mix(end_base, pick_base, 0.5);
+    float thin = clamp((belt.x * gl_FragCoord.w - belt.y) / (belt.z - belt.y), 0.0, 1.0);
+    color = vec4(light * (1.0 - through) + background * through, 1.0 - over_tubes * thin);
 }

@@ -56,8 +56,8 @@ void main()
     blur *= on_skin * (1.0 - 0.5 * fine);
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
-    vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.30 * fine * cos(fine_wave)) * around);
-    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.16 * fine * (0.5 - 0.5 * sin(fine_wave));
+    vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
+    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.10 * fine * (0.5 - 0.5 * sin(fine_wave));
 
     float cover = smoothstep(0.25 * bare, 1.5 * bare, wet);
     vec3 lamp = lamp_direction(to_eye);

@@ -105,10 +105,10 @@ private Q_SLOTS:
 
     void aLevelStaysALittleBeyondItsRange()
     {
-        QCOMPARE(level_for(12.5), 0);
-        QCOMPARE(level_for(12.5, 1), 1);
-        QCOMPARE(level_for(13.5, 0), 0);
-        QCOMPARE(level_for(15, 0), 1);
+        QCOMPARE(level_for(19), 1);
+        QCOMPARE(level_for(19, 2), 2);
+        QCOMPARE(level_for(21, 1), 1);
+        QCOMPARE(level_for(23, 1), 2);
     }
 
     void aSwatchIsWholeRepeatsOfAboutItsSize()
@@ -187,9 +187,9 @@ private Q_SLOTS:
         scene.update(view, 0, [](const MeshKey& key) { return key.level <= 1; });
         QVERIFY(!scene.wanted().empty());
         for (const CellBatch& batch : scene.batches()) {
-            QCOMPARE(batch.key.level, 1);
+            QVERIFY(batch.key.level <= 1);
         }
-        QCOMPARE(scene.batches().empty(), false);
+        QVERIFY(!scene.batches().empty());
     }
 
     void aClickChoosesAYarnAndTheGridShowsIt()
