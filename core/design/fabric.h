@@ -15,6 +15,16 @@ struct Flyaway {
     bool operator==(const Flyaway&) const = default;
 };
 
+/// Consecutive ends or picks of one yarn. Yarn 0 is the fabric's own warp or weft, n is extra_yarns[n - 1].
+struct YarnRun {
+    int yarn = 0;
+    int count = 1;
+    bool operator==(const YarnRun&) const = default;
+};
+
+constexpr std::size_t most_extra_yarns = 250;
+constexpr int largest_yarn_order = 100000; ///< ends or picks of one period
+
 /// Values a laboratory measured, which replace the derived ones.
 struct Measured {
     std::optional<double> porosity;
@@ -32,11 +42,23 @@ struct Fabric {
     Weave weave;
     double ends_per_cm = 20;
     double picks_per_cm = 20;
+    std::vector<Yarn> extra_yarns;             ///< for stripes and checks
+    std::vector<YarnRun> warp_order;           ///< one period, from end 0; empty: all ends alike
+    std::vector<YarnRun> weft_order;
     std::optional<double> thickness_mm;
+    std::optional<double> warp_crimp_percent;  ///< set; without it warp and weft share the crimp by their stiffness
+    std::optional<double> weft_crimp_percent;
     Flyaway flyaway;
     std::optional<double> contact_angle_deg;   ///< of the finish; without it, each yarn's fibres
     Measured measured;
     bool operator==(const Fabric&) const = default;
 };
+
+/// The fabric's own warp or weft, or an extra yarn. Precondition: 0 <= yarn <= extra_yarns.size().
+inline const Yarn& yarn_in(const Fabric& fabric, bool warp, int yarn)
+{
+    if (yarn > 0) return fabric.extra_yarns[static_cast<std::size_t>(yarn - 1)];
+    return warp ? fabric.warp : fabric.weft;
+}
 
 } // namespace hygroloom

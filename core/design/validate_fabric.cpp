@@ -47,6 +47,11 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     if (!yarn.diameter_mm && !yarn.linear_density_tex) list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
+    list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
+    list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
+    if (yarn.plies > yarn.fibres_per_yarn)
+        list.error("range", where + ".fibres_per_yarn",
+                   fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));
 
     sound = sound && list.errors() == before;
     for (const MaterialShare& part : yarn.material) {
@@ -80,6 +85,30 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
                 "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from 0.02 to {}.",
                 *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, densest_packing));
     }
+}
+
+void validate_order(const Fabric& fabric, const std::vector<YarnRun>& order, const std::string& where, IssueList& list)
+{
+    double threads = 0;
+    const int before = list.errors();
+    for (std::size_t i = 0; i < order.size() && list.errors() == before; ++i) {
+        const std::string at = fmt::format("{}[{}]", where, i);
+        list.range(at + ".yarn", "number of the yarn (0: the fabric's own, then extra_yarns from 1)", order[i].yarn, 0,
+                   static_cast<double>(fabric.extra_yarns.size()));
+        list.range(at + ".count", "number of threads in a run", order[i].count, 1, largest_yarn_order);
+        threads += order[i].count;
+    }
+    if (threads > largest_yarn_order)
+        list.error("range", where, fmt::format("One period of the order may have up to {} threads; it has {}.", largest_yarn_order, threads));
+}
+
+void validate_extra_yarns(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+{
+    const auto& yarns = fabric.extra_yarns;
+    if (yarns.size() > most_extra_yarns)
+        list.error("range", where, fmt::format("A fabric may have up to {} extra yarns; given are {}.", most_extra_yarns, yarns.size()));
+    for (std::size_t i = 0; i < yarns.size() && i < most_extra_yarns; ++i)
+        validate_yarn(design, yarns[i], fmt::format("{}[{}]", where, i), list);
 }
 
 void validate_weave(const Weave& weave, const std::string& where, IssueList& list)
@@ -168,9 +197,14 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     validate_yarn(design, fabric.warp, where + ".warp", list);
     validate_yarn(design, fabric.weft, where + ".weft", list);
     validate_weave(fabric.weave, where + ".weave", list);
+    validate_extra_yarns(design, fabric, where + ".extra_yarns", list);
+    validate_order(fabric, fabric.warp_order, where + ".warp_order", list);
+    validate_order(fabric, fabric.weft_order, where + ".weft_order", list);
     list.range(where + ".ends_per_cm", "number of ends per cm", fabric.ends_per_cm, 0.5, 500);
     list.range(where + ".picks_per_cm", "number of picks per cm", fabric.picks_per_cm, 0.5, 500);
     list.range_if_given(where + ".thickness_mm", "thickness of a fabric", fabric.thickness_mm, 0.01, 50, "mm");
+    list.range_if_given(where + ".warp_crimp_percent", "crimp of the warp", fabric.warp_crimp_percent, 0, 100, "%");
+    list.range_if_given(where + ".weft_crimp_percent", "crimp of the weft", fabric.weft_crimp_percent, 0, 100, "%");
     const Flyaway& flyaway = fabric.flyaway;
     list.range(where + ".flyaway.loop_density_per_mm", "number of loops per mm", flyaway.loop_density_per_mm, 0, 1000);
     list.range(where + ".flyaway.hair_density_per_mm", "number of hairs per mm", flyaway.hair_density_per_mm, 0, 1000);

@@ -4,14 +4,22 @@
 
 #include "core/design/material.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace hygroloom {
 
 enum class TwistDirection { s, z };
 
+/// As screens show it (sRGB).
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Color&) const = default;
+};
+
 /// A yarn has a diameter, or a linear density with a packing factor; all three must agree.
 /// With a diameter alone, or a linear density alone, the packing factor is default_packing_factor.
+/// Of a plied yarn, diameter and linear density are the whole yarn's; twist is that of its single yarns.
 struct Yarn {
     std::vector<MaterialShare> material{{"cotton", 1.0}};
     std::optional<double> diameter_mm;         ///< of the free yarn
@@ -20,9 +28,14 @@ struct Yarn {
     int fibres_per_yarn = 30;                  ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
     TwistDirection twist_direction = TwistDirection::z;
+    int plies = 1;
+    double ply_twist_per_m = 400;              ///< of two plies or more round each other
+    TwistDirection ply_twist_direction = TwistDirection::s;
+    std::optional<Color> color;                ///< without it, the undyed fibre's
     bool operator==(const Yarn&) const = default;
 };
 
+constexpr int most_plies = 6;
 constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65
 
 } // namespace hygroloom

@@ -100,6 +100,44 @@ std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::strin
     return shares;
 }
 
+TwistDirection read_direction(ObjectReader& object, const char* key, TwistDirection standard)
+{
+    std::string direction = standard == TwistDirection::z ? "Z" : "S";
+    object.read(key, direction);
+    if (direction != "Z" && direction != "S")
+        object.refuse(key, fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
+    return direction == "Z" ? TwistDirection::z : TwistDirection::s;
+}
+
+std::optional<Color> read_color(ObjectReader& object)
+{
+    std::string text;
+    if (!object.find("color")) return {};
+    object.read("color", text);
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        object.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is {}.", in_words(text)));
+    const auto part = [&](std::size_t at) { return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16)); };
+    return Color{part(1), part(3), part(5)};
+}
+
+std::vector<YarnRun> read_order(ObjectReader& object, const char* key)
+{
+    std::vector<YarnRun> order;
+    const ProjectJson* list = object.find(key);
+    if (!list) return order;
+    array_in(*list, object.file(), object.path_of(key));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        ObjectReader run((*list)[i], object.file(), fmt::format("{}[{}]", object.path_of(key), i));
+        run.require("yarn");
+        YarnRun read;
+        run.read("yarn", read.yarn);
+        run.read("count", read.count);
+        run.finish();
+        order.push_back(read);
+    }
+    return order;
+}
+
 Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
@@ -110,11 +148,11 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     object.read("packing_factor", yarn.packing_factor);
     object.read("fibres_per_yarn", yarn.fibres_per_yarn);
     object.read("twist_per_m", yarn.twist_per_m);
-    std::string direction = "Z";
-    object.read("twist_direction", direction);
-    if (direction != "Z" && direction != "S")
-        object.refuse("twist_direction", fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
-    yarn.twist_direction = direction == "Z" ? TwistDirection::z : TwistDirection::s;
+    yarn.twist_direction = read_direction(object, "twist_direction", yarn.twist_direction);
+    object.read("plies", yarn.plies);
+    object.read("ply_twist_per_m", yarn.ply_twist_per_m);
+    yarn.ply_twist_direction = read_direction(object, "ply_twist_direction", yarn.ply_twist_direction);
+    yarn.color = read_color(object);
     object.finish();
     return yarn;
 }
@@ -174,7 +212,16 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     object.require("picks_per_cm");
     object.read("ends_per_cm", fabric.ends_per_cm);
     object.read("picks_per_cm", fabric.picks_per_cm);
+    if (const ProjectJson* extra = object.find("extra_yarns")) {
+        array_in(*extra, file, object.path_of("extra_yarns"));
+        for (std::size_t i = 0; i < extra->size(); ++i)
+            fabric.extra_yarns.push_back(read_yarn((*extra)[i], file, fmt::format("{}[{}]", object.path_of("extra_yarns"), i)));
+    }
+    fabric.warp_order = read_order(object, "warp_order");
+    fabric.weft_order = read_order(object, "weft_order");
     object.read("thickness_mm", fabric.thickness_mm);
+    object.read("warp_crimp_percent", fabric.warp_crimp_percent);
+    object.read("weft_crimp_percent", fabric.weft_crimp_percent);
     if (const ProjectJson* flyaway = object.find("flyaway")) {
         ObjectReader fibres(*flyaway, file, object.path_of("flyaway"));
         fibres.read("loop_density_per_mm", fabric.flyaway.loop_density_per_mm);

@@ -59,7 +59,14 @@ ProjectJson write_yarn(const Yarn& yarn)
     write_if_given(json, "packing_factor", yarn.packing_factor);
     json["fibres_per_yarn"] = yarn.fibres_per_yarn;
     json["twist_per_m"] = yarn.twist_per_m;
-    json["twist_direction"] = yarn.twist_direction == TwistDirection::z ? "Z" : "S";
+    const auto letter = [](TwistDirection direction) { return direction == TwistDirection::z ? "Z" : "S"; };
+    json["twist_direction"] = letter(yarn.twist_direction);
+    if (yarn.plies != 1 || yarn.ply_twist_per_m != Yarn().ply_twist_per_m || yarn.ply_twist_direction != Yarn().ply_twist_direction) {
+        json["plies"] = yarn.plies;
+        json["ply_twist_per_m"] = yarn.ply_twist_per_m;
+        json["ply_twist_direction"] = letter(yarn.ply_twist_direction);
+    }
+    if (yarn.color) json["color"] = fmt::format("#{:02x}{:02x}{:02x}", yarn.color->red, yarn.color->green, yarn.color->blue);
     return json;
 }
 
@@ -75,6 +82,13 @@ ProjectJson write_weave(const Weave& weave)
     return {{"rows", rows}};
 }
 
+ProjectJson write_order(const std::vector<YarnRun>& order)
+{
+    ProjectJson json = ProjectJson::array();
+    for (const YarnRun& run : order) json.push_back({{"yarn", run.yarn}, {"count", run.count}});
+    return json;
+}
+
 ProjectJson write_fabric(const Fabric& fabric)
 {
     ProjectJson json{{"name", fabric.name}};
@@ -83,7 +97,13 @@ ProjectJson write_fabric(const Fabric& fabric)
     json["weave"] = write_weave(fabric.weave);
     json["ends_per_cm"] = fabric.ends_per_cm;
     json["picks_per_cm"] = fabric.picks_per_cm;
+    if (!fabric.extra_yarns.empty()) json["extra_yarns"] = ProjectJson::array();
+    for (const Yarn& yarn : fabric.extra_yarns) json["extra_yarns"].push_back(write_yarn(yarn));
+    if (!fabric.warp_order.empty()) json["warp_order"] = write_order(fabric.warp_order);
+    if (!fabric.weft_order.empty()) json["weft_order"] = write_order(fabric.weft_order);
     write_if_given(json, "thickness_mm", fabric.thickness_mm);
+    write_if_given(json, "warp_crimp_percent", fabric.warp_crimp_percent);
+    write_if_given(json, "weft_crimp_percent", fabric.weft_crimp_percent);
     json["flyaway"] = {{"loop_density_per_mm", fabric.flyaway.loop_density_per_mm},
                        {"hair_density_per_mm", fabric.flyaway.hair_density_per_mm},
                        {"loop_height_mm", fabric.flyaway.loop_height_mm},
