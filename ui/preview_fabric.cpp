@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hygroloom {
 
@@ -20,6 +21,36 @@ constexpr double stay = 1.12;       // of a level's range
 int cell_for(int period)
 {
     return period > largest_repeat_cell ? other_cell : period * ((least_cell + period - 1) / period);
+}
+
+/// The yarns of one period of an order.
+std::vector<const Yarn*> yarns_of(const Fabric& fabric, bool warp)
+{
+    std::vector<const Yarn*> yarns;
+    for (const YarnRun& run : warp ? fabric.warp_order : fabric.weft_order) {
+        yarns.insert(yarns.end(), static_cast<std::size_t>(std::max(0, run.count)), &yarn_in(fabric, warp, run.yarn));
+    }
+    if (yarns.empty()) {
+        yarns.push_back(warp ? &fabric.warp : &fabric.weft);
+    }
+    return yarns;
+}
+
+/// Whether yarns of an order lie differently; colour does not matter to a mesh.
+bool shapes_differ(const std::vector<const Yarn*>& yarns)
+{
+    Yarn first = *yarns.front();
+    return std::any_of(yarns.begin(), yarns.end(), [&first](const Yarn* yarn) {
+        first.color = yarn->color;
+        return !(*yarn == first);
+    });
+}
+
+int period_of(int weave, const std::vector<const Yarn*>& order, int most)
+{
+    const auto count = static_cast<int>(order.size());
+    const long period = shapes_differ(order) ? std::lcm(static_cast<long>(weave), static_cast<long>(count)) : weave;
+    return static_cast<int>(std::min<long>(period, std::max(weave, most)));
 }
 
 int repeats_about(int crossings, int period, int most)
@@ -112,12 +143,17 @@ std::shared_ptr<const PreviewFabric> prepare_fabric(const PreviewRequest& reques
     fabric->request = request;
     const Fabric& shown = request.design->fabrics[static_cast<std::size_t>(request.fabric)];
     fabric->textile = build_textile(*request.design, shown, request.whole);
-    fabric->period_ends = shown.weave.ends();
-    fabric->period_picks = shown.weave.picks();
+    const auto end_order = yarns_of(shown, true), pick_order = yarns_of(shown, false);
+    fabric->period_ends = period_of(shown.weave.ends(), end_order, request.whole.ends);
+    fabric->period_picks = period_of(shown.weave.picks(), pick_order, request.whole.picks);
     fabric->cell_ends = cell_for(fabric->period_ends);
     fabric->cell_picks = cell_for(fabric->period_picks);
-    fabric->end_colors.assign(static_cast<std::size_t>(request.whole.ends), QColor());
-    fabric->pick_colors.assign(static_cast<std::size_t>(request.whole.picks), QColor());
+    for (int end = 0; end < request.whole.ends; ++end) {
+        fabric->end_yarns.push_back(end_order[static_cast<std::size_t>(request.whole.first_end + end) % end_order.size()]);
+    }
+    for (int pick = 0; pick < request.whole.picks; ++pick) {
+        fabric->pick_yarns.push_back(pick_order[static_cast<std::size_t>(request.whole.first_pick + pick) % pick_order.size()]);
+    }
     return fabric;
 }
 

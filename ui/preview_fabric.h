@@ -4,7 +4,6 @@
 
 #include "core/geometry/textile.h"
 
-#include <QColor>
 #include <QVector3D>
 
 #include <compare>
@@ -58,8 +57,8 @@ struct PreviewFabric {
     int period_picks = 1;
     int cell_ends = 4;
     int cell_picks = 4;
-    std::vector<QColor> end_colors; ///< as designed; invalid where the fabric has none
-    std::vector<QColor> pick_colors;
+    std::vector<const Yarn*> end_yarns; ///< of each end of the whole, in the request's design
+    std::vector<const Yarn*> pick_yarns;
 
     int columns() const { return (textile.ends() + cell_ends - 1) / cell_ends; }
     int rows() const { return (textile.picks() + cell_picks - 1) / cell_picks; }

@@ -233,22 +233,24 @@ void TextileRenderer::setColors(const PictureColors& colors)
     }
     shown_warp_ = colors.warp;
     shown_weft_ = colors.weft;
-    const auto load = [this](unsigned texture, const std::vector<QColor>& own, const QColor& other) {
-        std::vector<std::uint8_t> texels;
-        for (const QColor& color : own) {
-            const QColor shown = color.isValid() ? color : other;
-            for (const int value : {shown.red(), shown.green(), shown.blue(), 255}) {
-                texels.push_back(static_cast<std::uint8_t>(value));
+    const QVector3D pitch = fabric_->pitch();
+    const auto load = [this](unsigned texture, const std::vector<const Yarn*>& yarns, const QColor& undyed, float along) {
+        std::vector<float> texels;
+        for (const Yarn* yarn : yarns) {
+            const QColor shown = yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed;
+            const double turns = yarn->twist_per_m * metre_from_mm(along) * (yarn->twist_direction == TwistDirection::z ? 1 : -1);
+            for (const double value : {static_cast<double>(shown.redF()), static_cast<double>(shown.greenF()), static_cast<double>(shown.blueF()), turns}) {
+                texels.push_back(static_cast<float>(value));
             }
         }
         gl_->glBindTexture(GL_TEXTURE_2D, texture);
         gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
         gl_->glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-        gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<int>(own.size()), 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<int>(yarns.size()), 1, 0, GL_RGBA, GL_FLOAT, texels.data());
         gl_->glGenerateMipmap(GL_TEXTURE_2D);
     };
-    load(end_colors_, fabric_->end_colors, colors.warp);
-    load(pick_colors_, fabric_->pick_colors, colors.weft);
+    load(end_colors_, fabric_->end_yarns, colors.warp, pitch.y());
+    load(pick_colors_, fabric_->pick_yarns, colors.weft, pitch.x());
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -291,12 +293,8 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
 
 void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
 {
-    const Fabric& fabric = fabric_->request.design->fabrics[static_cast<std::size_t>(fabric_->request.fabric)];
     const Textile& textile = fabric_->textile;
     const QVector3D pitch = fabric_->pitch();
-    const auto turns = [](const Yarn& yarn, float along) {
-        return static_cast<float>(yarn.twist_per_m * metre_from_mm(along) * (yarn.twist_direction == TwistDirection::z ? 1 : -1));
-    };
     const float side = view.camera.eye().z() >= 0 ? 1.0F : -1.0F;
     program.bind();
     program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
@@ -312,7 +310,6 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("background", rgb(colors.background));
     program.setUniformValue("marked_color", rgb(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
-    program.setUniformValue("twist", QVector2D(turns(fabric.warp, pitch.y()), turns(fabric.weft, pitch.x())));
     program.setUniformValue("half_thickness", 0.5F * pitch.z());
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));

@@ -82,7 +82,7 @@ private:
     RepeatPicture picture_; ///< without its texels
     unsigned repeat_ = 0;
     unsigned water_ = 0;
-    unsigned end_colors_ = 0;
+    unsigned end_colors_ = 0; ///< of each end; alpha holds its turns per crossing
     unsigned pick_colors_ = 0;
     QColor shown_warp_, shown_weft_;
     double water_maximum_ = 0;

@@ -4,11 +4,10 @@ in float open;
 in vec2 on_yarn;
 in float wet;
 flat in int is_weft;
-flat in vec3 dry;
+flat in vec4 dry;           // alpha: turns per crossing, signed
 flat in float chosen;
 flat in float fade;
 
-uniform vec2 twist;           // turns per crossing of warp and weft, signed
 uniform sampler2D ramp;       // colours of water
 uniform float bare;           // share of full water below which the fabric's own colour shows
 uniform vec4 cut;
@@ -35,7 +34,7 @@ void main()
         discard;
 #endif
     vec3 to_eye = normalize(eye - at);
-    vec3 base = wetted(ramp, mix(dry, marked_color, 0.7 * chosen), wet, bare);
+    vec3 base = wetted(ramp, mix(dry.rgb, marked_color, 0.7 * chosen), wet, bare);
     if (!gl_FrontFacing) {
         color = vec4(cut_face(base, at, -to_eye), 1.0);
         return;
@@ -43,8 +42,7 @@ void main()
     vec3 n = normalize(facing);
 
     // Fibres wind round the yarn; they fade where they are finer than a pixel.
-    float turns = is_weft == 1 ? twist.y : twist.x;
-    float phase = 11.0 * (on_yarn.y - turns * on_yarn.x);
+    float phase = 11.0 * (on_yarn.y - dry.a * on_yarn.x);
     float blur = clamp(1.0 - 1.6 * fwidth(phase), 0.0, 1.0);
     float wave = 6.2831853 * phase;
     // Seen from near, single fibres among them.

@@ -8,7 +8,7 @@ layout(location = 5) in vec3 cell_fade;   // size, fade
 uniform mat4 view_projection;
 uniform sampler2D water;      // ends and picks, red for the end and green for the pick of a crossing
 uniform float water_scale;    // 0: no values
-uniform sampler2D end_colors;
+uniform sampler2D end_colors; // alpha: turns per crossing, signed
 uniform sampler2D pick_colors;
 uniform ivec2 marked;         // 0 for ends and 1 for picks, which
 uniform vec4 cut;             // kept where dot(cut.xyz, at) <= cut.w
@@ -19,7 +19,7 @@ out float open;
 out vec2 on_yarn;
 out float wet;
 flat out int is_weft;
-flat out vec3 dry;
+flat out vec4 dry;
 flat out float chosen;
 flat out float fade;
 
@@ -35,7 +35,7 @@ void main()
     vec2 amount = water_scale > 0.0 ? texelFetch(water, where, 0).rg * water_scale : vec2(0.0);
     wet = is_weft == 1 ? amount.g : amount.r;
     int yarn = is_weft == 1 ? where.y : where.x;
-    dry = is_weft == 1 ? texelFetch(pick_colors, ivec2(yarn, 0), 0).rgb : texelFetch(end_colors, ivec2(yarn, 0), 0).rgb;
+    dry = is_weft == 1 ? texelFetch(pick_colors, ivec2(yarn, 0), 0) : texelFetch(end_colors, ivec2(yarn, 0), 0);
     chosen = marked.x == is_weft && marked.y == yarn ? 1.0 : 0.0;
     gl_ClipDistance[0] = cut.w - dot(cut.xyz, at);
     gl_Position = view_projection * vec4(at, 1.0);

@@ -164,6 +164,29 @@ private Q_SLOTS:
         QVERIFY(levels.front() < levels.back());
     }
 
+    void stripesHaveTheColoursOfTheDraft()
+    {
+        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
+        window_->document().edit("stripes", {}, [](Design& d) {
+            Fabric& fabric = d.fabrics[0];
+            fabric.extra_yarns = {fabric.warp};
+            fabric.extra_yarns[0].color = Color{200, 30, 30};
+            fabric.warp_order = {{0, 35}, {1, 35}};
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
+        QCOMPARE(canvas_->fabric()->period_ends, 2); // colour alone needs no other mesh
+        for (const Framing framing : {Framing::few_repeats, Framing::whole}) {
+            canvas_->fit(framing);
+            const QImage picture = window_->viewport().picture();
+            const auto left = meanColor(picture.copy(0, 0, picture.width() / 2, picture.height()));
+            const auto right = meanColor(picture.copy(picture.width() / 2, 0, picture.width() / 2, picture.height()));
+            QVERIFY(std::abs(left[0] - left[1]) < 20);
+            QVERIFY(right[0] - right[1] > 40);
+        }
+        window_->document().history()->undo();
+        QTest::qWait(100);
+    }
+
     void levelsFadeIntoEachOther()
     {
         FabricScene scene;
