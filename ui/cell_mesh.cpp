@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/mesh.h"
+#include "ui/fibre_mesh.h"
 #include "ui/yarn_field.h"
 
 #include <algorithm>
@@ -47,10 +48,11 @@ TextileRegion inside(const PreviewFabric& fabric, TextileRegion part)
 
 class CellSweep {
 public:
-    CellSweep(const PreviewFabric& fabric, Cell cell, const TubeLevel& level, CellMesh& mesh)
+    CellSweep(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, const TubeLevel& level, double below_skin, CellMesh& mesh)
         : textile_(fabric.textile)
-        , part_(inside(fabric, fabric.crossings(cell)))
-        , field_(fabric.textile, part_)
+        , part_(part)
+        , field_(field)
+        , below_skin_(below_skin)
         , level_(level)
         , mesh_(mesh)
     {
@@ -105,7 +107,7 @@ private:
         }
         const Vec3d across = is_warp ? Vec3d{1, 0, 0} : Vec3d{0, -1, 0};
         const Vec3d up = cross(across, point_.tangent);
-        const SectionPoint p = section_point(point_.half_width, point_.half_height, 2 * pi * (k % level_.sides) / level_.sides);
+        const SectionPoint p = section_point(point_.half_width - below_skin_, point_.half_height - below_skin_, 2 * pi * (k % level_.sides) / level_.sides);
         const Vec3d position = point_.centre + p.across * across + p.up * up;
         Vec3d normal = p.normal_across * across + p.normal_up * up;
         double open = 1;
@@ -114,7 +116,7 @@ private:
         } else if (k == level_.sides) {
             open = seam_;
         } else {
-            open = contrast(field_.openness(position, normal));
+            open = contrast(field_.openness(position, normal)) * (below_skin_ > 0 ? 0.55 : 1);
             seam_ = k == 0 ? open : seam_;
         }
         CellVertex vertex{};
@@ -136,7 +138,8 @@ private:
 
     const Textile& textile_;
     TextileRegion part_;
-    YarnField field_;
+    const YarnField& field_;
+    double below_skin_; ///< m
     const TubeLevel& level_;
     CellMesh& mesh_;
     Vec3d corner_; // mm
@@ -191,13 +194,18 @@ CellMesh mesh_cell(const PreviewFabric& fabric, Cell cell, int level)
 {
     CellMesh mesh;
     mesh.key = fabric.key(cell, level);
-    CellSweep sweep(fabric, cell, tubes[level - 1], mesh);
-    const TextileRegion part = inside(fabric, fabric.crossings(cell));
+    const bool fibres = level == fibre_level;
+    const TextileRegion part = fibres ? fabric.crossings(cell) : inside(fabric, fabric.crossings(cell));
+    const YarnField field(fabric.textile, part);
+    CellSweep sweep(fabric, part, field, fibres ? fibre_core : tubes[level - 1], fibres ? fibre_depth(fabric) : 0, mesh);
     for (int end = 0; end < part.ends; ++end) {
         sweep.add(YarnKind::warp, part.first_end + end);
     }
     for (int pick = 0; pick < part.picks; ++pick) {
         sweep.add(YarnKind::weft, part.first_pick + pick);
+    }
+    if (fibres) {
+        add_fibres(fabric, part, field, mesh);
     }
     return mesh;
 }

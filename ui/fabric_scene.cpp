@@ -2,6 +2,7 @@
 #include "ui/fabric_scene.h"
 
 #include "core/base/units.h"
+#include "ui/fibre_mesh.h"
 
 #include <QVector4D>
 
@@ -46,9 +47,12 @@ std::size_t triangles_of(const MeshKey& key)
     if (key.level == 0) {
         return 2;
     }
-    const TubeLevel& level = tubes[key.level - 1];
+    const TubeLevel& level = key.level == fibre_level ? fibre_core : tubes[key.level - 1];
     const auto around = static_cast<std::size_t>(level.sides);
     const auto pieces = static_cast<std::size_t>(2 * key.ends * key.picks * level.samples);
+    if (key.level == fibre_level) {
+        return 2 * around * pieces + 2 * (around - 2) * static_cast<std::size_t>(key.ends + key.picks) + fibre_triangles(key.ends * key.picks);
+    }
     return 2 * around * pieces + 2 * (around - 2) * static_cast<std::size_t>(key.ends + key.picks);
 }
 
@@ -141,16 +145,16 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
         }
         const auto [pixels, least_pixels] = pitchPixels(cell, view);
         int level = level_for(pixels, s.level);
-        s.belt = level > 0 && least_pixels < belt_pixels[1];
+        s.belt = level == fibre_level ? least_pixels < fibre_belt_pixels[1] : level > 0 && least_pixels < belt_pixels[1];
         if (level != s.level && s.from < 0) {
             if (const MeshKey key = fabric_->key(cell, level); !available(key)) {
                 want(cell, key);
                 // Until it is there, what is shown stays; else the nearest level that is there.
                 const int wished = level;
                 level = s.level;
-                for (int away = 1; level < 0 && away <= finest_level; ++away) {
+                for (int away = 1; level < 0 && away <= fibre_level; ++away) {
                     for (const int other : {wished - away, wished + away}) {
-                        if (level < 0 && other >= 0 && other <= finest_level && available(fabric_->key(cell, other))) {
+                        if (level < 0 && other >= 0 && other <= fibre_level && available(fabric_->key(cell, other))) {
                             level = other;
                         }
                     }
@@ -160,6 +164,9 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
                 s.level = static_cast<std::int8_t>(level);
             } else if (level == 0 && s.level > 0 && pixels < belt_start) {
                 s.level = 0;
+            } else if (std::max<int>(level, s.level) == fibre_level && std::min<int>(level, s.level) == fibre_level - 1
+                       && pixels < 1.15 * fibre_belt_pixels[0]) {
+                s.level = static_cast<std::int8_t>(level);
             } else if (level != s.level) {
                 s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1, s.belt} : State{static_cast<std::int8_t>(level), s.level, 0, s.belt};
             }
@@ -167,9 +174,12 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
         if (s.level >= 0 && !available(fabric_->key(cell, s.level))) {
             s = {};
         }
-        if (s.level > 0 && s.belt && !available({})) {
-            want(cell, {});
-            s.belt = false;
+        if (s.level > 0 && s.belt) {
+            const MeshKey below = fabric_->key(cell, s.level == fibre_level ? fibre_level - 1 : 0);
+            if (!available(below)) {
+                want(cell, below);
+                s.belt = false;
+            }
         }
         fading_ = fading_ || s.from >= 0;
     }
@@ -211,10 +221,15 @@ void FabricScene::collect()
         const TextileRegion part = fabric_->crossings(cell);
         const QVector3D low = fabric_->low(part), size = fabric_->high(part) - low;
         CellInstance instance{{low.x(), low.y()}, {static_cast<float>(part.first_end), static_cast<float>(part.first_pick)}, {size.x(), size.y()}, 1};
-        if (s.level > 0 && s.belt) {
+        if (s.level > 0 && s.level < fibre_level && s.belt) {
             batch({}).over.push_back(instance);
         }
-        if (s.from < 0) {
+        if (s.level == fibre_level && s.belt && s.from < 0) {
+            instance.fade = 2;
+            batch(fabric_->key(cell, fibre_level)).fading.push_back(instance);
+            instance.fade = -2;
+            batch(fabric_->key(cell, fibre_level - 1)).fading.push_back(instance);
+        } else if (s.from < 0) {
             batch(fabric_->key(cell, s.level)).whole.push_back(instance);
         } else {
             instance.fade = s.fade;

@@ -17,7 +17,7 @@ struct CellInstance {
     float corner[2];   ///< mm
     float crossing[2]; ///< first end and pick
     float size[2];     ///< mm, for the flat picture
-    float fade;        ///< 1 all; 0..1 that share of the pixels; below 0 the pixels that -fade leaves out
+    float fade;        ///< 1 all; 0..1 that share of the pixels; below 0 the pixels that -fade leaves out; 2 or -2 as the belt of fibres has it
 };
 
 struct CellBatch {
@@ -64,7 +64,7 @@ private:
         std::int8_t level = -1;
         std::int8_t from = -1;
         float fade = 1;
-        bool belt = false; ///< the flat picture shows through
+        bool belt = false; ///< the level below shows through
     };
     State& state(Cell cell) { return states_[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(fabric_->columns()) + static_cast<std::size_t>(cell.column)]; }
     void findVisible(const SceneView& view);

@@ -63,15 +63,16 @@ int repeats_about(int crossings, int period, int most)
 
 int level_for(double pitch_pixels, int shown)
 {
+    const auto least = [](int level) { return level == fibre_level ? fibre_pixels : tubes[level - 1].pixels; };
     int level = 0;
-    while (level < finest_level && pitch_pixels >= tubes[level].pixels) {
+    while (level < fibre_level && pitch_pixels >= least(level + 1)) {
         ++level;
     }
     // The belt blends level 0 with the first tubes; that one needs no staying.
-    if (level > 0 && shown == level + 1 && pitch_pixels * stay >= tubes[level].pixels) {
+    if (level > 0 && shown == level + 1 && pitch_pixels * stay >= least(shown)) {
         return shown;
     }
-    if (shown > 0 && shown == level - 1 && pitch_pixels < stay * tubes[level - 1].pixels) {
+    if (shown > 0 && shown == level - 1 && pitch_pixels < stay * least(level)) {
         return shown;
     }
     return level;
@@ -89,6 +90,9 @@ MeshKey PreviewFabric::key(Cell cell, int level) const
         return {}; // one picture serves all cells
     }
     const TextileRegion part = crossings(cell);
+    if (level == fibre_level) {
+        return {level, part.first_end, part.first_pick, part.ends, part.picks}; // no two places have the same fibres
+    }
     return {level, part.first_end % period_ends, part.first_pick % period_picks, part.ends, part.picks};
 }
 

@@ -318,6 +318,8 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     const double depth = view.camera.parallel() ? view.camera.depth({}) : 1;
     const double one = pitch_scale(*fabric_, view) * view.camera.pixelsPerMillimetre(1e9, view.size) * 1e9 / depth;
     program.setUniformValue("belt", QVector3D(static_cast<float>(one), static_cast<float>(belt_pixels[0]), static_cast<float>(belt_pixels[1])));
+    program.setUniformValue("fibre_belt",
+                            QVector3D(static_cast<float>(one), static_cast<float>(fibre_belt_pixels[0]), static_cast<float>(fibre_belt_pixels[1])));
     QVector4D cut(0, 0, 0, 1);
     if (view.cut) {
         const Vec3d& n = view.cut->normal;

@@ -7,6 +7,7 @@ flat in int is_weft;
 flat in vec4 dry;           // alpha: turns per crossing, signed
 flat in float chosen;
 flat in float fade;
+flat in float smooth_skin;
 
 uniform sampler2D ramp;       // colours of water
 uniform float bare;           // share of full water below which the fabric's own colour shows
@@ -50,7 +51,7 @@ void main()
     float fine = clamp(1.0 - 1.6 * fwidth(fine_phase), 0.0, 1.0);
     float fine_wave = 6.2831853 * fine_phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    float on_skin = 1.0 - smoothstep(0.8, 0.95, abs(dot(n, along))); // none on cut ends
+    float on_skin = (1.0 - smooth_skin) * (1.0 - smoothstep(0.8, 0.95, abs(dot(n, along)))); // none on cut ends
     blur *= on_skin * (1.0 - 0.5 * fine);
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));

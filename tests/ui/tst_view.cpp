@@ -95,7 +95,7 @@ private Q_SLOTS:
     {
         QCOMPARE(level_for(3), 0);
         QCOMPARE(level_for(13), 1);
-        QCOMPARE(level_for(1000), finest_level);
+        QCOMPARE(level_for(1000), fibre_level);
         int before = 0;
         for (double pixels = 1; pixels < 400; pixels *= 1.05) {
             QVERIFY(level_for(pixels) >= before);
@@ -162,6 +162,48 @@ private Q_SLOTS:
             QVERIFY2(difference(means[i - 1], means[i]) < 14, qPrintable(QString::number(i)));
         }
         QVERIFY(levels.front() < levels.back());
+    }
+
+    void fibresAreDrawnFromNear()
+    {
+        QElapsedTimer timer;
+        timer.start();
+        const CellMesh mesh = mesh_cell(*canvas_->fabric(), {8, 8}, fibre_level);
+        qInfo("fibres of a cell: %.1f ms, %zu triangles", static_cast<double>(timer.nsecsElapsed()) * 1e-6, mesh.indices.size() / 3);
+        QCOMPARE(mesh.indices.size() / 3, triangles_of(mesh.key));
+        const double pitch = canvas_->fabric()->pitch().x() / canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size()));
+        zoom(180 / pitch);
+        const auto far = meanColor(window_->viewport().picture());
+        QCOMPARE(canvas_->scene().batches().front().key.level, fibre_level - 1);
+        zoom(1.4);
+        const auto near = meanColor(window_->viewport().picture());
+        QVERIFY(canvas_->scene().batches().front().key.level >= fibre_level - 1);
+        QVERIFY(canvas_->scene().batches().back().key.level >= fibre_level - 1);
+        QVERIFY2(difference(far, near) < 30, qPrintable(QString::number(difference(far, near))));
+        qInfo("fibres: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->scene().triangles());
+    }
+
+    void fibresGoOnFromCellToCell()
+    {
+        // The last rings of one cell's fibres are the first of the next one's.
+        const PreviewFabric& fabric = *canvas_->fabric();
+        const CellMesh left = mesh_cell(fabric, {8, 8}, fibre_level), right = mesh_cell(fabric, {8, 9}, fibre_level);
+        const float height = fabric.high(fabric.crossings({8, 8})).y() - fabric.low(fabric.crossings({8, 8})).y();
+        const auto on_border = [](const CellMesh& mesh, float y) {
+            std::vector<std::pair<float, float>> points;
+            for (const CellVertex& v : mesh.vertices) {
+                if (v.crossing[3] == 1 && v.crossing[2] == 0 && v.along == y) {
+                    points.emplace_back(v.position[0], v.position[2]);
+                }
+            }
+            return points;
+        };
+        const auto end = on_border(left, static_cast<float>(fabric.cell_picks)), begin = on_border(right, 0);
+        QVERIFY(end.size() > 100);
+        QCOMPARE(end.size(), begin.size());
+        for (std::size_t i = 0; i < end.size(); ++i) {
+            QVERIFY(std::hypot(end[i].first - begin[i].first, end[i].second - begin[i].second) < 1e-4 * height);
+        }
     }
 
     void stripesHaveTheColoursOfTheDraft()
@@ -370,10 +412,8 @@ private Q_SLOTS:
 
     void aLargeSwatchIsDrawnWithFewTriangles()
     {
-        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
         window_->viewport().setSwatch(3);
-        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
-        QCOMPARE(canvas_->fabric()->textile.ends(), 350);
+        QTRY_COMPARE_WITH_TIMEOUT(canvas_->fabric()->textile.ends(), 350, 5000);
         canvas_->fit(Framing::whole);
         const QImage picture = window_->viewport().picture();
         QVERIFY(picture.pixelColor(picture.width() / 2, picture.height() / 2) != QColor("#e9ecee"));
