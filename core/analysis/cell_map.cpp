@@ -32,8 +32,8 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
     map.water.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 0.0);
 
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-        const YarnSystem& system = textile.system(kind);
-        const double fibres = system.area * system.packing * system.fibre.density_kg_m3; // kg/m
+        const YarnType& type = textile.system(kind).types[0];
+        const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {
                 const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);

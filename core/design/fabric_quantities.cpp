@@ -12,21 +12,62 @@ namespace hygroloom {
 
 namespace {
 
-YarnQuantities describe(const FreeYarn& free, const FittedYarn& fitted, const Material& fibre, const Fabric& fabric, double sett)
+YarnQuantities describe(const FittedYarn& fitted, const Fabric& fabric, double sett)
 {
     YarnQuantities yarn;
-    yarn.linear_density_tex = free.linear_density_tex;
-    yarn.diameter_mm = free.diameter;
-    yarn.packing_factor = free.packing_factor;
+    yarn.linear_density_tex = fitted.free.linear_density_tex;
+    yarn.diameter_mm = fitted.free.diameter;
+    yarn.packing_factor = fitted.free.packing_factor;
     yarn.section_mm = fitted.section;
     yarn.packing_factor_in_fabric = fitted.packing_factor;
     yarn.pitch_mm = 10 / sett;
-    yarn.cover = fitted.section.width / yarn.pitch_mm;
     // Void area over wetted perimeter of parallel cylinders, twice.
-    yarn.pore_radius_um = fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
-    yarn.contact_angle_deg = fabric.contact_angle_deg.value_or(fibre.contact_angle_deg);
+    yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
+    yarn.contact_angle_deg = fabric.contact_angle_deg.value_or(fitted.fibre.contact_angle_deg);
     yarn.flattened = fitted.flattened || fitted.narrowed;
     return yarn;
+}
+
+/// Mean over the types of one system's threads.
+template <typename Value> double mean(const YarnOrder& order, const std::vector<FittedYarn>& yarns, Value value)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < yarns.size(); ++i) sum += order.share[i] * value(yarns[i]);
+    return sum;
+}
+
+/// Crimp of a warp (or weft) type over all it crosses, percent.
+double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, double crossed_pitch, double changes)
+{
+    const auto& crossed = warp ? fitted.weft : fitted.warp;
+    const YarnOrder& order = warp ? fitted.weft_order : fitted.warp_order;
+    double sum = 0;
+    for (std::size_t other = 0; other < crossed.size(); ++other) {
+        const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
+        const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
+        const Interlacing path = interlace(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
+        sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
+    }
+    return sum;
+}
+
+/// g/m2 of one system, and the mm of solid fibre they are.
+struct SystemMass {
+    double areal = 0;
+    double solid = 0;
+};
+SystemMass mass_of(const FittedYarns& fitted, bool warp, double sett, double crossed_pitch, double changes)
+{
+    SystemMass mass;
+    const auto& yarns = warp ? fitted.warp : fitted.weft;
+    const YarnOrder& order = warp ? fitted.warp_order : fitted.weft_order;
+    for (std::size_t type = 0; type < yarns.size(); ++type) {
+        const double crimp = 0.01 * crimp_percent(fitted, warp, type, crossed_pitch, changes);
+        const double areal = order.share[type] * sett * yarns[type].free.linear_density_tex * (1 + crimp) / 10; // tex x 1/cm is 0.1 g/m2
+        mass.areal += areal;
+        mass.solid += areal / yarns[type].fibre.density_kg_m3; // 1 g/m2 over 1 kg/m3 is 1 mm
+    }
+    return mass;
 }
 
 /// Volume of loops and hairs on both yarns, mm3 per mm2 of fabric; a loop is half a circle as high as it is.
@@ -38,12 +79,13 @@ double flyaway_volume(const Fabric& fabric, const Material& warp_fibre, const Ma
     return per_mm * 0.1 * (fabric.ends_per_cm * fibre_area(warp_fibre) + fabric.picks_per_cm * fibre_area(weft_fibre));
 }
 
-void note_section(std::vector<std::string>& notes, const char* name, const FreeYarn& free, const FittedYarn& fitted, double pitch)
+void note_section(std::vector<std::string>& notes, const char* name, const FittedYarn& fitted, bool to_fit, double pitch)
 {
+    const FreeYarn& free = fitted.free;
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height to fit the thickness.",
-                                    name, free.diameter, section.height));
+        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.",
+                                    name, free.diameter, section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
     if (fitted.narrowed)
         notes.push_back(
             fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
@@ -57,51 +99,48 @@ void note_section(std::vector<std::string>& notes, const char* name, const FreeY
 
 FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
 {
-    const Material warp_fibre = blended_material(design, fabric.warp.material);
-    const Material weft_fibre = blended_material(design, fabric.weft.material);
-    const FreeYarn warp = free_yarn(fabric.warp, warp_fibre.density_kg_m3);
-    const FreeYarn weft = free_yarn(fabric.weft, weft_fibre.density_kg_m3);
-    const FittedYarns fitted = fit_yarns(fabric, warp, weft);
+    const FittedYarns fitted = fit_yarns(design, fabric);
+    const FittedYarn &warp = fitted.warp[0], &weft = fitted.weft[0];
 
     FabricQuantities q;
-    q.warp = describe(warp, fitted.warp, warp_fibre, fabric, fabric.ends_per_cm);
-    q.weft = describe(weft, fitted.weft, weft_fibre, fabric, fabric.picks_per_cm);
+    q.warp = describe(warp, fabric, fabric.ends_per_cm);
+    q.weft = describe(weft, fabric, fabric.picks_per_cm);
+    const auto width = [](const FittedYarn& yarn) { return yarn.section.width; };
+    q.warp.cover = mean(fitted.warp_order, fitted.warp, width) / q.warp.pitch_mm;
+    q.weft.cover = mean(fitted.weft_order, fitted.weft, width) / q.weft.pitch_mm;
 
     // A yarn runs longer than the fabric only where it changes sides.
     const double warp_changes = share_of_changes(fabric.weave, true);
     const double weft_changes = share_of_changes(fabric.weave, false);
-    const Interlacing warp_path = interlace(q.weft.pitch_mm, q.warp.section_mm, q.weft.section_mm);
-    const Interlacing weft_path = interlace(q.warp.pitch_mm, q.weft.section_mm, q.warp.section_mm);
-    q.warp.crimp_percent = 100 * (warp_path.length / warp_path.pitch - 1) * warp_changes;
-    q.weft.crimp_percent = 100 * (weft_path.length / weft_path.pitch - 1) * weft_changes;
-    q.jammed = (warp_changes > 0 && warp_path.jammed) || (weft_changes > 0 && weft_path.jammed);
+    q.warp.crimp_percent = crimp_percent(fitted, true, 0, q.weft.pitch_mm, warp_changes);
+    q.weft.crimp_percent = crimp_percent(fitted, false, 0, q.warp.pitch_mm, weft_changes);
+    q.jammed = fitted.jammed;
 
     q.cover_factor = q.warp.cover + q.weft.cover - q.warp.cover * q.weft.cover;
-    // tex x 1/cm is 0.1 g/m2.
-    const double warp_mass = fabric.ends_per_cm * warp.linear_density_tex * (1 + 0.01 * q.warp.crimp_percent) / 10;
-    const double weft_mass = fabric.picks_per_cm * weft.linear_density_tex * (1 + 0.01 * q.weft.crimp_percent) / 10;
-    q.areal_density_g_m2 = warp_mass + weft_mass;
+    const SystemMass warp_mass = mass_of(fitted, true, fabric.ends_per_cm, q.weft.pitch_mm, warp_changes);
+    const SystemMass weft_mass = mass_of(fitted, false, fabric.picks_per_cm, q.warp.pitch_mm, weft_changes);
+    q.areal_density_g_m2 = warp_mass.areal + weft_mass.areal;
 
-    q.yarn_layer_thickness_mm = q.warp.section_mm.height + q.weft.section_mm.height;
+    q.yarn_layer_thickness_mm = fitted.thickness();
     q.thickness_mm = fabric.thickness_mm.value_or(q.yarn_layer_thickness_mm + 2 * fabric.flyaway.loop_height_mm);
-    // 1 g/m2 over 1 kg/m3 is 1 mm of solid fibre.
-    const double fibre_mm = warp_mass / warp_fibre.density_kg_m3 + weft_mass / weft_fibre.density_kg_m3;
+    const double fibre_mm = warp_mass.solid + weft_mass.solid;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;
-    q.smoothness = std::max(0.0, 1 - flyaway_volume(fabric, warp_fibre, weft_fibre) / q.thickness_mm);
-    q.gap_warp_mm = q.warp.pitch_mm - q.warp.section_mm.width;
-    q.gap_weft_mm = q.weft.pitch_mm - q.weft.section_mm.width;
+    q.smoothness = std::max(0.0, 1 - flyaway_volume(fabric, warp.fibre, weft.fibre) / q.thickness_mm);
+    q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
+    q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
 
-    note_section(q.notes, "warp", warp, fitted.warp, q.warp.pitch_mm);
-    note_section(q.notes, "weft", weft, fitted.weft, q.weft.pitch_mm);
+    const bool to_fit = fabric.thickness_mm.has_value();
+    note_section(q.notes, "warp", warp, to_fit, q.warp.pitch_mm);
+    note_section(q.notes, "weft", weft, to_fit, q.weft.pitch_mm);
     const double hair = q.thickness_mm - q.yarn_layer_thickness_mm;
     if (fabric.thickness_mm && hair > 0.005 * q.thickness_mm)
         q.notes.push_back(
             fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
                         q.yarn_layer_thickness_mm, hair));
     if (q.jammed)
-        q.notes.push_back("The yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
+        q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;
 }
 

@@ -20,16 +20,16 @@ Section flattened_section(double diameter, double height)
     return {area / height + (1.0 - 0.25 * pi) * height, height};
 }
 
-Interlacing interlace(double pitch, const Section& own, const Section& other)
+Interlacing interlace(double pitch, const Section& own, const Section& other, double amplitude)
 {
     Interlacing path;
     path.pitch = pitch;
-    path.amplitude = 0.5 * other.height;
+    path.amplitude = amplitude;
     path.flat = std::max(0.0, 0.5 * (other.width - other.height));
     path.arc_radius = 0.5 * (own.height + other.height);
 
     // From the arc's centre to the middle of the pitch, where the path crosses the fabric's middle plane.
-    const double across = 0.5 * pitch - path.flat;
+    double across = 0.5 * pitch - path.flat;
     const double down = path.arc_radius - path.amplitude;
     const double reach = std::hypot(across, down);
     double straight = 0;
@@ -38,6 +38,8 @@ Interlacing interlace(double pitch, const Section& own, const Section& other)
         path.weave_angle = 0.5 * pi - std::atan2(down, across) - std::acos(path.arc_radius / reach);
     } else {
         path.jammed = true;
+        across = std::min(0.5 * pitch, std::sqrt(path.arc_radius * path.arc_radius - down * down));
+        path.flat = 0.5 * pitch - across;
         path.arc_radius = (across * across + path.amplitude * path.amplitude) / (2.0 * path.amplitude);
         path.weave_angle = std::asin(std::min(1.0, across / path.arc_radius));
     }

@@ -32,7 +32,10 @@ struct Interlacing {
     double slope_at(double x) const;  ///< dz/dx
 };
 
-/// own bends over other; other's yarns lie pitch apart. The amplitude is half other's height, so both faces are level.
-Interlacing interlace(double pitch, const Section& own, const Section& other);
+/// own bends over other and rises by amplitude over the fabric's middle plane, from 0 to half the sum of both heights; other's yarns
+/// lie pitch apart. Where full arcs do not fit, own first leaves the crossed yarn's flat earlier, then its arcs tighten.
+Interlacing interlace(double pitch, const Section& own, const Section& other, double amplitude);
+/// With level faces: the amplitude is half other's height.
+inline Interlacing interlace(double pitch, const Section& own, const Section& other) { return interlace(pitch, own, other, 0.5 * other.height); }
 
 } // namespace hygroloom

@@ -138,31 +138,42 @@ void validate_weave(const Weave& weave, const std::string& where, IssueList& lis
 
 void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
-    const FreeYarn warp = free_yarn(fabric.warp, blended_material(design, fabric.warp.material).density_kg_m3);
-    const FreeYarn weft = free_yarn(fabric.weft, blended_material(design, fabric.weft.material).density_kg_m3);
-    if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (warp.diameter + weft.diameter)) {
+    for (bool warp : {true, false}) {
+        const std::size_t types = yarn_order(fabric, warp).yarns.size();
+        if (types <= most_yarn_types) continue;
+        list.error("range", where + (warp ? ".warp_order" : ".weft_order"),
+                   fmt::format("The order has {} different yarns, colours apart; {} is the most.", types, most_yarn_types));
+        return;
+    }
+    double thickest[2] = {};
+    for (bool warp : {true, false})
+        for (int number : yarn_order(fabric, warp).yarns) {
+            const Yarn& yarn = yarn_in(fabric, warp, number);
+            thickest[warp] = std::max(thickest[warp], free_yarn(yarn, blended_material(design, yarn.material).density_kg_m3).diameter);
+        }
+    if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (thickest[true] + thickest[false])) {
         list.error(
             "thickness_too_small", where + ".thickness_mm",
             fmt::format(
                 "A thickness of {} mm less loops of {} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and {:.3g} mm; a tenth of "
                 "their sum is the least.",
                 *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
-                warp.diameter, weft.diameter));
+                thickest[true], thickest[false]));
         return;
     }
-    const FittedYarns fitted = fit_yarns(fabric, warp, weft);
-    const auto check = [&](const char* name, const char* key, double sett, const FreeYarn& free, const FittedYarn& yarn) {
+    const FittedYarns fitted = fit_yarns(design, fabric);
+    const auto check = [&](const char* name, const char* key, double sett, const FittedYarn& yarn) {
         if (yarn.packing_factor <= densest_packing) return;
         list.error(
             "ends_do_not_fit", where + "." + key,
             fmt::format(
                 "{} {} per cm of {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
                 "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
-                sett, name, free.linear_density_tex, free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
+                sett, name, yarn.free.linear_density_tex, yarn.free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
                 densest_packing));
     };
-    check("ends", "ends_per_cm", fabric.ends_per_cm, warp, fitted.warp);
-    check("picks", "picks_per_cm", fabric.picks_per_cm, weft, fitted.weft);
+    for (const FittedYarn& yarn : fitted.warp) check("ends", "ends_per_cm", fabric.ends_per_cm, yarn);
+    for (const FittedYarn& yarn : fitted.weft) check("picks", "picks_per_cm", fabric.picks_per_cm, yarn);
 }
 
 void validate_measured(const Measured& measured, const std::string& where, IssueList& list)
@@ -214,7 +225,9 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     validate_measured(fabric.measured, where, list);
 
     // The arithmetic needs sound numbers, those of the materials included.
-    for (const Yarn* yarn : {&fabric.warp, &fabric.weft})
+    std::vector<const Yarn*> yarns{&fabric.warp, &fabric.weft};
+    for (const Yarn& yarn : fabric.extra_yarns) yarns.push_back(&yarn);
+    for (const Yarn* yarn : yarns)
         for (const MaterialShare& part : yarn->material) {
             const Material* material = find_material(design, part.name);
             if (!material) return;

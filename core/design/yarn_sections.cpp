@@ -10,20 +10,140 @@ namespace hygroloom {
 
 namespace {
 
+constexpr double flattest = 0.15; // height / diameter that flattening may reach
+constexpr int flattening_steps = 34;
+
 constexpr double circle_area(double diameter) { return 0.25 * pi * diameter * diameter; }
 
-FittedYarn fit(const FreeYarn& yarn, double height, double pitch)
+void fit(FittedYarn& yarn, double height, double pitch)
 {
-    FittedYarn fitted;
-    fitted.section = height < yarn.diameter ? flattened_section(yarn.diameter, height) : Section{yarn.diameter, yarn.diameter};
-    fitted.flattened = height < yarn.diameter;
+    const double diameter = yarn.free.diameter;
+    yarn.section = height < diameter ? flattened_section(diameter, height) : Section{diameter, diameter};
+    yarn.flattened = height < diameter;
+    yarn.narrowed = false;
     const double widest = widest_share_of_pitch * pitch;
-    if (fitted.section.width > widest) {
-        fitted.section = {widest, std::min(fitted.section.height, widest)};
-        fitted.narrowed = true;
+    if (yarn.section.width > widest) {
+        yarn.section = {widest, std::min(yarn.section.height, widest)};
+        yarn.narrowed = true;
     }
-    fitted.packing_factor = yarn.packing_factor * circle_area(yarn.diameter) / section_area(fitted.section);
-    return fitted;
+    yarn.packing_factor = yarn.free.packing_factor * circle_area(diameter) / section_area(yarn.section);
+}
+
+double stiffness(const FittedYarn& yarn)
+{
+    return yarn.free.linear_density_tex * yarn.fibre.fibre_radius_um * yarn.fibre.fibre_radius_um / yarn.fibre.density_kg_m3;
+}
+
+/// The greatest rise of a yarn over the other's sections without tightening its arcs, from 0 to the sum of the half heights.
+double rise_before_jam(double span, const Section& own, const Section& other)
+{
+    const double radius = 0.5 * (own.height + other.height);
+    const double across = 0.5 * span - 0.5 * std::max(0.0, other.width - other.height);
+    return across >= radius ? radius : radius - std::sqrt(radius * radius - across * across);
+}
+
+/// The rise that gives a crimp over one change of sides, at most most.
+double rise_of_crimp(double span, const Section& own, const Section& other, double crimp, double most)
+{
+    double low = 0, high = most;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (interlace(span, own, other, middle).length / span - 1 < crimp ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// What fit_yarns() works on.
+struct Loom {
+    const Fabric& fabric;
+    FittedYarns& fitted;
+    double warp_pitch, weft_pitch;
+    double warp_crimp = -1, weft_crimp = -1; // of one change of sides; negative: not set
+
+    void lay(double scale)
+    {
+        for (FittedYarn& yarn : fitted.warp) fit(yarn, scale * yarn.free.diameter, warp_pitch);
+        for (FittedYarn& yarn : fitted.weft) fit(yarn, scale * yarn.free.diameter, weft_pitch);
+        fitted.heights.clear();
+        for (const FittedYarn& warp : fitted.warp)
+            for (const FittedYarn& weft : fitted.weft) fitted.heights.push_back(rises(warp, weft));
+    }
+
+    CrossingHeights rises(const FittedYarn& warp, const FittedYarn& weft) const
+    {
+        const Section &a = warp.section, &b = weft.section;
+        const double sum = 0.5 * (a.height + b.height);
+        if (warp_crimp >= 0 && weft_crimp >= 0) return asked(a, b, sum);
+        if (warp_crimp >= 0) {
+            const double rise = rise_of_crimp(weft_pitch, a, b, warp_crimp, sum);
+            return {rise, sum - rise};
+        }
+        if (weft_crimp >= 0) {
+            const double rise = rise_of_crimp(warp_pitch, b, a, weft_crimp, sum);
+            return {sum - rise, rise};
+        }
+        const double warp_gives = std::pow(weft_pitch, 3) / stiffness(warp), weft_gives = std::pow(warp_pitch, 3) / stiffness(weft);
+        // Level faces jam last of all, so each may rise at least as far.
+        const double warp_most = std::max(0.5 * b.height, rise_before_jam(weft_pitch, a, b));
+        const double weft_most = std::max(0.5 * a.height, rise_before_jam(warp_pitch, b, a));
+        const double warp_rise = std::clamp(sum * warp_gives / (warp_gives + weft_gives), sum - weft_most, warp_most);
+        return {warp_rise, sum - warp_rise};
+    }
+
+    /// The rises both set crimps ask for; less than sum where the yarns would have to be flatter.
+    CrossingHeights asked(const Section& a, const Section& b, double sum) const
+    {
+        return {rise_of_crimp(weft_pitch, a, b, warp_crimp, sum), rise_of_crimp(warp_pitch, b, a, weft_crimp, sum)};
+    }
+
+    bool jams() const
+    {
+        bool jams = false;
+        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+                const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
+                jams = jams || (warp_changes && interlace(weft_pitch, a, b, fitted.at(i, j).warp).jammed) ||
+                       (weft_changes && interlace(warp_pitch, b, a, fitted.at(i, j).weft).jammed);
+            }
+        return jams;
+    }
+
+    bool touching_neighbours() const
+    {
+        const auto narrowed = [](const FittedYarn& yarn) { return yarn.narrowed; };
+        return std::any_of(fitted.warp.begin(), fitted.warp.end(), narrowed) || std::any_of(fitted.weft.begin(), fitted.weft.end(), narrowed);
+    }
+
+    /// Whether set crimps leave the yarns of every crossing cutting into each other.
+    bool too_high() const
+    {
+        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+                const double sum = 0.5 * (fitted.warp[i].section.height + fitted.weft[j].section.height);
+                if (fitted.at(i, j).warp + fitted.at(i, j).weft < sum * (1 - 1e-9)) return true;
+            }
+        return false;
+    }
+
+    bool warp_changes = true, weft_changes = true;
+};
+
+double mean_of(const std::optional<double>& set, const std::optional<double>& measured, double changes)
+{
+    const std::optional<double>& percent = set ? set : measured;
+    return percent && changes > 0 ? 0.01 * *percent / changes : -1;
+}
+
+void flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool stop_at_neighbours)
+{
+    double good = scale;
+    for (int step = 1; step <= flattening_steps && (loom.*wrong)(); ++step) {
+        const double next = scale + (flattest - scale) * step / flattening_steps;
+        loom.lay(next);
+        if (stop_at_neighbours && loom.touching_neighbours()) break;
+        good = next;
+    }
+    loom.lay(good);
 }
 
 } // namespace
@@ -46,16 +166,90 @@ FreeYarn free_yarn(const Yarn& yarn, double density)
     return free;
 }
 
-FittedYarns fit_yarns(const Fabric& fabric, const FreeYarn& warp, const FreeYarn& weft)
+YarnOrder yarn_order(const Fabric& fabric, bool warp)
+{
+    const std::vector<YarnRun> alike{{0, 1}};
+    const std::vector<YarnRun>& given = warp ? fabric.warp_order : fabric.weft_order;
+    YarnOrder order;
+    std::vector<int> type_of(fabric.extra_yarns.size() + 1, -1);
+    const auto colourless = [&](int yarn) {
+        Yarn copy = yarn_in(fabric, warp, yarn);
+        copy.color.reset();
+        return copy;
+    };
+    std::vector<Yarn> seen;
+    for (const YarnRun& run : given.empty() ? alike : given) {
+        int& type = type_of[static_cast<std::size_t>(run.yarn)];
+        if (type < 0) {
+            const auto same = std::find(seen.begin(), seen.end(), colourless(run.yarn));
+            type = static_cast<int>(same - seen.begin());
+            if (same == seen.end()) {
+                seen.push_back(colourless(run.yarn));
+                order.yarns.push_back(run.yarn);
+            }
+        }
+        order.type.insert(order.type.end(), static_cast<std::size_t>(run.count), static_cast<std::uint8_t>(std::min(type, 255)));
+        order.yarn.insert(order.yarn.end(), static_cast<std::size_t>(run.count), static_cast<std::uint16_t>(run.yarn));
+    }
+    order.share.assign(order.yarns.size(), 0);
+    for (std::uint8_t type : order.type)
+        if (type < order.share.size()) order.share[type] += 1.0 / static_cast<double>(order.type.size());
+    return order;
+}
+
+double FittedYarns::thickness() const
+{
+    double half = 0;
+    for (std::size_t i = 0; i < warp.size(); ++i)
+        for (std::size_t j = 0; j < weft.size(); ++j)
+            half = std::max({half, at(i, j).warp + 0.5 * warp[i].section.height, at(i, j).weft + 0.5 * weft[j].section.height});
+    return 2 * half;
+}
+
+FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
 {
     FittedYarns fitted;
+    for (bool warp : {true, false}) {
+        YarnOrder& order = warp ? fitted.warp_order : fitted.weft_order;
+        order = yarn_order(fabric, warp);
+        for (int number : order.yarns) {
+            FittedYarn yarn;
+            yarn.fibre = blended_material(design, yarn_in(fabric, warp, number).material);
+            yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
+            (warp ? fitted.warp : fitted.weft).push_back(yarn);
+        }
+    }
+    Loom loom{fabric, fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm};
+    const double warp_changes = share_of_changes(fabric.weave, true), weft_changes = share_of_changes(fabric.weave, false);
+    loom.warp_changes = warp_changes > 0;
+    loom.weft_changes = weft_changes > 0;
+    loom.lay(1);
+    fitted.jammed = loom.jams();
+
+    loom.warp_crimp = mean_of(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
+    loom.weft_crimp = mean_of(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
+    loom.lay(1);
     double scale = 1;
     if (fabric.thickness_mm) {
         fitted.available_height = *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm;
-        scale = std::min(1.0, fitted.available_height / (warp.diameter + weft.diameter));
+        for (int i = 0; i < 8 && fitted.thickness() > fitted.available_height; ++i) { // once, unless a section was narrowed or a crimp set
+            scale = std::max(0.01, scale * fitted.available_height / fitted.thickness());
+            loom.lay(scale);
+        }
     }
-    fitted.warp = fit(warp, scale * warp.diameter, 10 / fabric.ends_per_cm);
-    fitted.weft = fit(weft, scale * weft.diameter, 10 / fabric.picks_per_cm);
+    if (loom.warp_crimp >= 0 && loom.weft_crimp >= 0)
+        flatten_until(loom, scale, &Loom::too_high, false);
+    else if (!fabric.thickness_mm && loom.warp_crimp < 0 && loom.weft_crimp < 0)
+        flatten_until(loom, scale, &Loom::jams, true);
+    // What set crimps leave overlapping is the crossing's to share.
+    if (loom.too_high())
+        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+                CrossingHeights& rises = fitted.heights[i * fitted.weft.size() + j];
+                const double sum = 0.5 * (fitted.warp[i].section.height + fitted.weft[j].section.height);
+                const double factor = sum / std::max(rises.warp + rises.weft, 1e-12);
+                if (factor > 1) rises = {rises.warp * factor, rises.weft * factor};
+            }
     return fitted;
 }
 

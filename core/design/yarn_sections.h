@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// How thick the yarns are, free and in the fabric: linear density is kept, the fabric's thickness limits the height of the sections,
-// the sett their width. Lengths in mm.
+// How thick the yarns are, free and in the fabric, and how high they rise: linear density is kept, the fabric's thickness limits the
+// height of the sections, the sett their width, and warp and weft share the crimp. Lengths in mm.
 #pragma once
 
 #include "core/design/design.h"
 #include "core/design/interlacing.h"
 
+#include <cstdint>
+
 namespace hygroloom {
 
 constexpr double widest_share_of_pitch = 0.98; ///< neighbours leave this much of the pitch to one yarn at most
 constexpr double densest_packing = 0.85;       ///< fibre volume / yarn volume that a squeezed yarn can reach
+constexpr std::size_t most_yarn_types = 16;    ///< different yarns in one system, colour apart
 
 /// A free yarn, all three values in agreement.
 struct FreeYarn {
@@ -21,19 +24,51 @@ struct FreeYarn {
 /// The missing values from the given ones: tex = packing x density x pi d2 / 4. Precondition: a diameter or a linear density is given.
 FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
 
+/// The different yarns of one system and the order they come in.
+struct YarnOrder {
+    std::vector<int> yarns;             ///< of each type, as yarn_in() numbers them; yarns that differ in colour alone are one type
+    std::vector<double> share;          ///< of the threads, per type
+    std::vector<std::uint8_t> type;     ///< of each thread of one period
+    std::vector<std::uint16_t> yarn;    ///< of each thread of one period
+};
+/// Precondition: the order's numbers are in range.
+YarnOrder yarn_order(const Fabric& fabric, bool warp);
+
 struct FittedYarn {
+    FreeYarn free;
+    Material fibre;            ///< the blend's mean substance
     Section section;           ///< mm, in the fabric
     double packing_factor = 0; ///< in the fabric; above densest_packing the fabric cannot be woven
-    bool flattened = false;    ///< by the thickness
+    bool flattened = false;    ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;     ///< by the neighbours
 };
 
-/// warp and weft as they lie in the fabric.
-struct FittedYarns {
-    FittedYarn warp;
-    FittedYarn weft;
-    double available_height = 0; ///< mm, thickness less the loops on both faces; 0 when no thickness is given
+/// Heights of the two centrelines over (under) the middle plane where they cross; they sum to half the heights of both sections
+/// unless the crimps are set to more.
+struct CrossingHeights {
+    double warp = 0;
+    double weft = 0;
 };
-FittedYarns fit_yarns(const Fabric& fabric, const FreeYarn& warp, const FreeYarn& weft);
+
+/// All types of both systems as they lie in the fabric.
+struct FittedYarns {
+    YarnOrder warp_order;
+    YarnOrder weft_order;
+    std::vector<FittedYarn> warp; ///< per type
+    std::vector<FittedYarn> weft;
+    std::vector<CrossingHeights> heights; ///< warp type x number of weft types + weft type
+    double available_height = 0;  ///< mm, thickness less the loops on both faces; 0 when no thickness is given
+    bool jammed = false;          ///< free yarns of this sett cannot bend round each other in full arcs
+
+    const CrossingHeights& at(std::size_t warp_type, std::size_t weft_type) const { return heights[warp_type * weft.size() + weft_type]; }
+    /// From face to face.
+    double thickness() const;
+};
+
+/// Precondition: the yarns, the setts and the orders are in range.
+/// Crimp: as set; else the centrelines' rises are those of beams of the yarns' stiffness that press on each other half-way between
+/// their crossings (stiffness ~ tex x fibre radius2 / fibre density; deflection ~ span3 / stiffness), as far as neither jams.
+/// Without a thickness or a set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
+FittedYarns fit_yarns(const Design& design, const Fabric& fabric);
 
 } // namespace hygroloom

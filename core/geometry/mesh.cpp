@@ -43,7 +43,9 @@ Station station(const Textile& textile, YarnKind kind, int yarn, std::size_t rin
     s.crossing = std::min(static_cast<int>(ring / static_cast<std::size_t>(samples)), crossings - 1);
     const double offset = static_cast<double>(ring) / samples - s.crossing - 0.5;
     s.point = yarn_point(textile, kind, yarn, s.crossing, offset);
-    s.across = kind == YarnKind::warp ? Vec3d{1, 0, 0} : Vec3d{0, -1, 0};
+    const Vec3d& along = s.point.tangent;
+    const double flat = 1.0 / std::hypot(along.x, along.y);
+    s.across = {along.y * flat, -along.x * flat, 0}; // +x of a straight end, -y of a straight pick
     s.up = cross(s.across, s.point.tangent);
     s.u = static_cast<double>(ring) / samples;
     return s;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Turns a fabric's derived sections into SI profiles; all positions follow from indices.
+// Turns a fabric's fitted yarns into SI paths; all positions follow from indices.
 #include "core/geometry/textile.h"
 
 #include "core/base/units.h"
+#include "core/design/yarn_sections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,9 @@
 namespace hygroloom {
 namespace {
 
-constexpr int profile_samples = 65;
+constexpr int path_samples = 65;
 constexpr double default_tortuosity = 1.2; // Li and Zhu 2003, of liquid in a yarn's pores
+constexpr double least_squeezed = 0.1;     // share of its height that a squeezed section keeps
 
 /// Distance from a point to a racetrack's skin, negative inside.
 double distance_to_section(const Section& section, double across, double up)
@@ -22,39 +24,100 @@ double distance_to_section(const Section& section, double across, double up)
 
 Section metres(const Section& mm) { return {metre_from_mm(mm.width), metre_from_mm(mm.height)}; }
 
-/// The section keeps its flat; its height at each sample is what the two crossed yarns leave it.
-YarnProfile make_profile(const Interlacing& path, const Section& own, const Section& other)
+double smooth(double t) { return t * t * (3 - 2 * t); }
+double smooth_slope(double t) { return 6 * t * (1 - t); }
+
+/// What a yarn crosses at one end of a path.
+struct Crossed {
+    Section section;
+    double own_rise = 0;
+    double other_rise = 0;
+};
+
+/// From over a to under b (or over b, when it stays up). Between two different yarns the two paths that each would make are blended.
+YarnPath make_path(const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
 {
-    YarnProfile profile;
-    for (int i = 0; i < profile_samples; ++i) {
-        const double x = path.pitch * i / (profile_samples - 1);
-        const double z = path.height_at(x);
-        const double clearance = std::min(distance_to_section(other, x, z + 0.5 * own.height),
-                                          distance_to_section(other, x - path.pitch, z - 0.5 * own.height));
-        const double height = 2.0 * std::clamp(clearance, 0.1 * own.height, 0.5 * own.height);
-        profile.height.push_back(z);
-        profile.slope.push_back(path.slope_at(x));
-        profile.half_height.push_back(0.5 * height);
-        profile.half_width.push_back(0.5 * (own.width - own.height + height));
+    const Interlacing from = interlace(pitch, own, a.section, a.own_rise), to = interlace(pitch, own, b.section, b.own_rise);
+    const bool alike = a.own_rise == b.own_rise && a.section == b.section;
+    const double sign = changes ? -1 : 1;
+    YarnPath path;
+    for (int i = 0; i < path_samples; ++i) {
+        const double t = static_cast<double>(i) / (path_samples - 1), x = pitch * t;
+        double z, slope;
+        if (changes) {
+            const double w = alike ? 0 : smooth(t), dw = alike ? 0 : smooth_slope(t) / pitch;
+            z = (1 - w) * from.height_at(x) + w * to.height_at(x);
+            slope = (1 - w) * from.slope_at(x) + w * to.slope_at(x) + dw * (to.height_at(x) - from.height_at(x));
+        } else {
+            z = a.own_rise + smooth(t) * (b.own_rise - a.own_rise);
+            slope = smooth_slope(t) / pitch * (b.own_rise - a.own_rise);
+        }
+        // The section keeps its flat; its height is what the two crossed yarns leave it.
+        const double clearance =
+            std::min(distance_to_section(a.section, x, z + a.other_rise), distance_to_section(b.section, x - pitch, z + sign * b.other_rise));
+        const double height = 2.0 * std::clamp(clearance, 0.5 * least_squeezed * own.height, 0.5 * own.height);
+        path.height.push_back(z);
+        path.slope.push_back(slope);
+        path.half_height.push_back(0.5 * height);
+        path.half_width.push_back(0.5 * (own.width - own.height + height));
     }
-    return profile;
+    if (changes && alike) {
+        path.length = from.length;
+    } else {
+        for (int i = 0; i + 1 < path_samples; ++i)
+            path.length += std::hypot(pitch / (path_samples - 1), path.height[static_cast<std::size_t>(i) + 1] - path.height[static_cast<std::size_t>(i)]);
+    }
+    return path;
 }
 
-YarnSystem make_system(const Design& design, const Fabric& fabric, const Yarn& yarn, const YarnQuantities& quantities,
-                       const YarnQuantities& other, int count)
+YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fitted)
+{
+    YarnType type;
+    type.section = metres(fitted.section);
+    type.area = section_area(type.section);
+    type.packing = fitted.packing_factor;
+    type.fibre = fitted.fibre;
+    const double pore_radius_um = type.fibre.fibre_radius_um * (1 - type.packing) / type.packing;
+    type.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(pore_radius_um));
+    type.tortuosity = fabric.measured.tortuosity.value_or(default_tortuosity);
+    type.contact_angle = radian_from_degree(fabric.contact_angle_deg.value_or(type.fibre.contact_angle_deg));
+    type.fibres = yarn.fibres_per_yarn;
+    type.plies = yarn.plies;
+    type.twist = yarn.twist_direction == TwistDirection::z ? yarn.twist_per_m : -yarn.twist_per_m;
+    type.ply_twist = yarn.ply_twist_direction == TwistDirection::z ? yarn.ply_twist_per_m : -yarn.ply_twist_per_m;
+    return type;
+}
+
+YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool warp, int count)
 {
     YarnSystem system;
+    const YarnOrder& order = warp ? fitted.warp_order : fitted.weft_order;
+    const auto& yarns = warp ? fitted.warp : fitted.weft;
+    const auto& crossed = warp ? fitted.weft : fitted.warp;
     system.count = count;
-    system.pitch = metre_from_mm(quantities.pitch_mm);
-    system.section = metres(quantities.section_mm);
-    system.path = interlace(metre_from_mm(other.pitch_mm), system.section, metres(other.section_mm));
-    system.profile = make_profile(system.path, system.section, metres(other.section_mm));
-    system.area = section_area(system.section);
-    system.packing = quantities.packing_factor_in_fabric;
-    system.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(quantities.pore_radius_um));
-    system.tortuosity = fabric.measured.tortuosity.value_or(default_tortuosity);
-    system.contact_angle = radian_from_degree(quantities.contact_angle_deg);
-    system.fibre = blended_material(design, yarn.material);
+    system.pitch = metre_from_mm(10 / (warp ? fabric.ends_per_cm : fabric.picks_per_cm));
+    system.order = order.type;
+    system.yarns = order.yarn;
+    const double span = metre_from_mm(10 / (warp ? fabric.picks_per_cm : fabric.ends_per_cm));
+    const double changes = share_of_changes(fabric.weave, warp);
+    for (std::size_t own = 0; own < yarns.size(); ++own) {
+        YarnType type = make_type(fabric, yarn_in(fabric, warp, order.yarns[own]), yarns[own]);
+        std::vector<Crossed> all;
+        for (std::size_t other = 0; other < crossed.size(); ++other) {
+            const CrossingHeights& heights = warp ? fitted.at(own, other) : fitted.at(other, own);
+            all.push_back({metres(crossed[other].section), metre_from_mm(warp ? heights.warp : heights.weft),
+                           metre_from_mm(warp ? heights.weft : heights.warp)});
+            type.rise.push_back(all.back().own_rise);
+        }
+        for (const Crossed& before : all)
+            for (const Crossed& after : all)
+                for (bool turns : {false, true}) system.paths.push_back(make_path(type.section, before, after, span, turns));
+        for (std::size_t other = 0; other < all.size(); ++other) {
+            const double length = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1].length;
+            type.length_per_pitch.push_back(1 + (length / span - 1) * changes);
+        }
+        system.types.push_back(std::move(type));
+    }
     return system;
 }
 
@@ -65,16 +128,55 @@ double interpolated(const std::vector<double>& samples, double position)
     return samples[low] + (samples[low + 1] - samples[low]) * (at - static_cast<double>(low));
 }
 
-int positive_modulo(int value, int modulus) { return ((value % modulus) + modulus) % modulus; }
+std::size_t wrapped(int index, std::size_t period)
+{
+    const auto n = static_cast<int>(period);
+    return static_cast<std::size_t>(((index % n) + n) % n);
+}
+
+/// Which way a yarn is drawn at one crossing, -1, 0 or 1 half gaps: away from the neighbour that a thread parts it from.
+double drawn(const Textile& textile, bool is_warp, int end, int pick)
+{
+    const bool up = textile.warp_up(end, pick);
+    const bool before = textile.warp_up(end - (is_warp ? 1 : 0), pick - (is_warp ? 0 : 1)) != up;
+    const bool after = textile.warp_up(end + (is_warp ? 1 : 0), pick + (is_warp ? 0 : 1)) != up;
+    return (before ? 1.0 : 0.0) - (after ? 1.0 : 0.0);
+}
 
 } // namespace
 
-double Textile::half_thickness() const { return 0.5 * (warp.section.height + weft.section.height); }
+int Textile::type_of(YarnKind kind, int yarn) const
+{
+    const YarnSystem& own = system(kind);
+    if (own.types.size() == 1) return 0;
+    return own.order[wrapped((kind == YarnKind::warp ? first_end : first_pick) + yarn, own.order.size())];
+}
+
+int Textile::yarn_number(YarnKind kind, int yarn) const
+{
+    const YarnSystem& own = system(kind);
+    return own.yarns[wrapped((kind == YarnKind::warp ? first_end : first_pick) + yarn, own.yarns.size())];
+}
 
 double Textile::height_at_crossing(YarnKind kind, int end, int pick) const
 {
-    const bool on_top = warp_up(end, pick) == (kind == YarnKind::warp);
-    return on_top ? system(kind).path.amplitude : -system(kind).path.amplitude;
+    const bool is_warp = kind == YarnKind::warp;
+    const auto crossed = static_cast<std::size_t>(type_of(other_kind(kind), is_warp ? pick : end));
+    const double rise = type(kind, is_warp ? end : pick).rise[crossed];
+    return warp_up(end, pick) == is_warp ? rise : -rise;
+}
+
+double Textile::shift_at_crossing(YarnKind kind, int end, int pick) const
+{
+    const bool is_warp = kind == YarnKind::warp;
+    // A yarn is too stiff to follow every crossing: the mean over the two half floats beside it.
+    const double drift = 0.5 * drawn(*this, is_warp, end, pick) +
+                         0.25 * (drawn(*this, is_warp, end - (is_warp ? 0 : 1), pick - (is_warp ? 1 : 0)) +
+                                 drawn(*this, is_warp, end + (is_warp ? 0 : 1), pick + (is_warp ? 1 : 0)));
+    if (drift == 0) return 0;
+    const int yarn = is_warp ? end : pick, neighbour = drift > 0 ? yarn + 1 : yarn - 1;
+    const double gap = system(kind).pitch - 0.5 * (type(kind, yarn).section.width + type(kind, neighbour).section.width);
+    return drift * 0.5 * std::max(0.0, gap);
 }
 
 bool Textile::changes_after(YarnKind kind, int end, int pick) const
@@ -83,13 +185,24 @@ bool Textile::changes_after(YarnKind kind, int end, int pick) const
     return warp_up(end, pick) != warp_up(end + (along_warp ? 0 : 1), pick + (along_warp ? 1 : 0));
 }
 
+const YarnPath& Textile::path_after(YarnKind kind, int end, int pick) const
+{
+    const YarnSystem& own = system(kind);
+    const std::size_t turns = changes_after(kind, end, pick) ? 1 : 0;
+    if (own.paths.size() == 2) return own.paths[turns];
+    const bool is_warp = kind == YarnKind::warp;
+    const YarnKind crossed = other_kind(kind);
+    const auto types = system(crossed).types.size();
+    const auto self = static_cast<std::size_t>(type_of(kind, is_warp ? end : pick));
+    const auto before = static_cast<std::size_t>(type_of(crossed, is_warp ? pick : end));
+    const auto after = static_cast<std::size_t>(type_of(crossed, (is_warp ? pick : end) + 1));
+    return own.paths[((self * types + before) * types + after) * 2 + turns];
+}
+
 double Textile::segment_length(YarnKind kind, int end, int pick) const
 {
-    const Interlacing& path = system(kind).path;
     const bool along_warp = kind == YarnKind::warp;
-    const bool before = changes_after(kind, end - (along_warp ? 0 : 1), pick - (along_warp ? 1 : 0));
-    const bool after = changes_after(kind, end, pick);
-    return 0.5 * ((before ? path.length : path.pitch) + (after ? path.length : path.pitch));
+    return 0.5 * (path_after(kind, end - (along_warp ? 0 : 1), pick - (along_warp ? 1 : 0)).length + path_after(kind, end, pick).length);
 }
 
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm)
@@ -101,42 +214,47 @@ TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double hei
 
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region)
 {
+    const FittedYarns fitted = fit_yarns(design, fabric);
     Textile textile;
     textile.quantities = derive_quantities(design, fabric);
-    const FabricQuantities& quantities = textile.quantities;
-    textile.warp = make_system(design, fabric, fabric.warp, quantities.warp, quantities.weft, region.ends);
-    textile.weft = make_system(design, fabric, fabric.weft, quantities.weft, quantities.warp, region.picks);
+    textile.thickness = metre_from_mm(fitted.thickness());
+    textile.warp = make_system(fabric, fitted, true, region.ends);
+    textile.weft = make_system(fabric, fitted, false, region.picks);
     textile.weave = fabric.weave;
-    textile.first_end = positive_modulo(region.first_end, fabric.weave.ends());
-    textile.first_pick = positive_modulo(region.first_pick, fabric.weave.picks());
+    textile.flyaway = fabric.flyaway;
+    textile.first_end = region.first_end;
+    textile.first_pick = region.first_pick;
     return textile;
 }
 
 YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, double offset)
 {
     const bool is_warp = kind == YarnKind::warp;
-    const YarnSystem& system = textile.system(kind);
-    const int end = is_warp ? yarn : at;
-    const int pick = is_warp ? at : yarn;
-    const int step = offset < 0 ? -1 : 1;
-    const double side = textile.height_at_crossing(kind, end, pick) > 0 ? 1.0 : -1.0;
-    const bool changes = step > 0 ? textile.changes_after(kind, end, pick)
-                                  : textile.changes_after(kind, end - (is_warp ? 0 : 1), pick - (is_warp ? 1 : 0));
-    const double position = changes ? std::abs(offset) : 0.0;
-    const double slope = changes ? side * step * interpolated(system.profile.slope, position) : 0.0;
-    const double height = side * (changes ? interpolated(system.profile.height, position) : system.path.amplitude);
-    const double norm = 1.0 / std::sqrt(1.0 + slope * slope);
-    const double along = offset * system.path.pitch;
+    const bool back = offset < 0; // the path that leads here, read from its end
+    const int start = back ? at - 1 : at;
+    const int end = is_warp ? yarn : start, pick = is_warp ? start : yarn;
+    const double position = back ? 1 + offset : offset;
+    const YarnPath& path = textile.path_after(kind, end, pick);
+    const double side = textile.warp_up(end, pick) == is_warp ? 1.0 : -1.0;
+    const double slope = side * interpolated(path.slope, position);
+    const double span = textile.system(other_kind(kind)).pitch;
+
+    const double shift_before = textile.shift_at_crossing(kind, end, pick);
+    const double shift_after = textile.shift_at_crossing(kind, end + (is_warp ? 0 : 1), pick + (is_warp ? 1 : 0));
+    const double shift = shift_before + smooth(position) * (shift_after - shift_before);
+    const double sideways = smooth_slope(position) / span * (shift_after - shift_before);
+    const double norm = 1.0 / std::sqrt(1.0 + slope * slope + sideways * sideways);
 
     YarnPoint point;
-    point.half_height = interpolated(system.profile.half_height, position);
-    point.half_width = interpolated(system.profile.half_width, position);
+    point.half_height = interpolated(path.half_height, position);
+    point.half_width = interpolated(path.half_width, position);
+    const double height = side * interpolated(path.height, position), along = offset * span;
     if (is_warp) {
-        point.centre = {textile.x_of_end(end), textile.y_of_pick(pick) + along, height};
-        point.tangent = {0, norm, slope * norm};
+        point.centre = {textile.x_of_end(yarn) + shift, textile.y_of_pick(at) + along, height};
+        point.tangent = {sideways * norm, norm, slope * norm};
     } else {
-        point.centre = {textile.x_of_end(end) + along, textile.y_of_pick(pick), height};
-        point.tangent = {norm, 0, slope * norm};
+        point.centre = {textile.x_of_end(at) + along, textile.y_of_pick(yarn) + shift, height};
+        point.tangent = {norm, sideways * norm, slope * norm};
     }
     return point;
 }

@@ -1,38 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The woven textile in SI units: two systems of equal yarns, one repeat of the weave, and how many crossings there are.
-// Nothing is stored per crossing: profiles and sections stand once for each system and everything else follows from indices.
+// The woven textile in SI units: two systems of yarns, one repeat of the weave, and how many crossings there are.
+// Nothing is stored per crossing: sections and paths stand once for each type of yarn and everything else follows from indices.
 // Warp runs along y, weft along x, z points out of the top face; the origin is the middle of the region.
 #pragma once
 
 #include "core/base/vec3.h"
 #include "core/design/fabric_quantities.h"
 
+#include <cstdint>
+
 namespace hygroloom {
 
-/// A yarn's shape over one pitch where it changes sides, sampled evenly in x from crossing to crossing.
-struct YarnProfile {
-    std::vector<double> height;      ///< of the centreline, from +amplitude to -amplitude
+/// A yarn's shape over one pitch that begins on the upper side, sampled evenly from crossing to crossing.
+struct YarnPath {
+    std::vector<double> height;      ///< of the centreline
     std::vector<double> slope;       ///< dz/dx of the centreline
     std::vector<double> half_height; ///< of the section, across the yarn; smaller where neighbours squeeze it
     std::vector<double> half_width;
+    double length = 0;               ///< of the centreline
+};
+
+/// Yarns of one system that are alike but for their colour.
+struct YarnType {
+    Section section;             ///< m, at a crossing
+    double area = 0;             ///< m2, of the section with its pores
+    double packing = 0;          ///< fibre volume / yarn volume, in the fabric
+    double pore_radius = 0;      ///< m, effective, between the fibres
+    double tortuosity = 1;
+    double contact_angle = 0;    ///< radian
+    Material fibre;              ///< the blend's mean substance
+    int fibres = 30;             ///< drawn
+    int plies = 1;
+    double twist = 0;            ///< turns per m of yarn, more than 0 for Z
+    double ply_twist = 0;        ///< the same of the plies
+    std::vector<double> rise;    ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
+    std::vector<double> length_per_pitch; ///< mean, per type it crosses: 1 + crimp
 };
 
 /// All ends, or all picks.
 struct YarnSystem {
-    int count = 0;                 ///< yarns in the region
-    double pitch = 0;              ///< m, from yarn to yarn
-    Section section;               ///< m, at a crossing
-    Interlacing path;              ///< m; its pitch is the other system's
-    YarnProfile profile;
-    double area = 0;               ///< m2, of the section with its pores
-    double packing = 0;            ///< fibre volume / yarn volume, in the fabric
-    double pore_radius = 0;        ///< m, effective, between the fibres
-    double tortuosity = 1;
-    double contact_angle = 0;      ///< radian
-    Material fibre;                ///< the blend's mean substance
+    int count = 0;               ///< yarns in the region
+    double pitch = 0;            ///< m, from yarn to yarn
+    std::vector<YarnType> types;
+    std::vector<std::uint8_t> order;     ///< type of each thread of one period, from the fabric's thread 0
+    std::vector<std::uint16_t> yarns;    ///< number of each as yarn_in() has it, for its colour
+    std::vector<YarnPath> paths; ///< per own type, crossed type before, crossed type after, and whether it changes sides; see path()
 };
 
 enum class YarnKind { warp, weft };
+
+constexpr YarnKind other_kind(YarnKind kind) { return kind == YarnKind::warp ? YarnKind::weft : YarnKind::warp; }
 
 /// A crossing is (end, pick). Each crossing has two segments, one of its end and one of its pick, each centred on it and
 /// reaching half-way to the neighbouring crossings: the cells of the moisture model.
@@ -41,8 +58,10 @@ struct Textile {
     YarnSystem warp;
     YarnSystem weft;
     Weave weave;
-    int first_end = 0;  ///< of the region within the repeat's numbering
+    Flyaway flyaway;
+    int first_end = 0;  ///< of the region in the fabric, which goes on to both sides
     int first_pick = 0;
+    double thickness = 0; ///< m, of the interlaced yarns, from face to face
     FabricQuantities quantities;
 
     int ends() const { return warp.count; }
@@ -54,18 +73,28 @@ struct Textile {
         return kind == YarnKind::warp ? end * picks() + pick : crossings() + pick * ends() + end;
     }
     const YarnSystem& system(YarnKind kind) const { return kind == YarnKind::warp ? warp : weft; }
+    /// Number of a yarn's type; yarns outside the region have one, too.
+    int type_of(YarnKind kind, int yarn) const;
+    const YarnType& type(YarnKind kind, int yarn) const { return system(kind).types[static_cast<std::size_t>(type_of(kind, yarn))]; }
+    /// As yarn_in() numbers it.
+    int yarn_number(YarnKind kind, int yarn) const;
 
     bool warp_up(int end, int pick) const { return weave.warp_up(first_end + end, first_pick + pick); }
     double x_of_end(int end) const { return (end - 0.5 * (ends() - 1)) * warp.pitch; }
     double y_of_pick(int pick) const { return (pick - 0.5 * (picks() - 1)) * weft.pitch; }
     /// Height of the yarn's centreline at its crossing.
     double height_at_crossing(YarnKind kind, int end, int pick) const;
+    /// How far the yarn lies beside its place at a crossing, along +x (warp) or +y (weft): where no thread passes between neighbours
+    /// they move together, by up to half the gap between them.
+    double shift_at_crossing(YarnKind kind, int end, int pick) const;
     /// Length of a segment's centreline.
     double segment_length(YarnKind kind, int end, int pick) const;
     /// Whether the yarn changes sides between this crossing and the next along it.
     bool changes_after(YarnKind kind, int end, int pick) const;
+    /// The path from this crossing to the next along the yarn.
+    const YarnPath& path_after(YarnKind kind, int end, int pick) const;
     /// Half the thickness of the interlaced yarns: no yarn reaches higher.
-    double half_thickness() const;
+    double half_thickness() const { return 0.5 * thickness; }
 };
 
 /// A rectangle of crossings.

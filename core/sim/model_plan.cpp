@@ -61,17 +61,18 @@ Bounds find_bounds(const Textile& textile, const Experiment& experiment)
 
     double dry = 0, sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
     for (const YarnSystem* system : {&textile.warp, &textile.weft}) {
+        const YarnType& type = system->types[0];
         const double along = 1.0 / system->pitch; // m of yarn per m2, crimp left out
-        b.capacity += along * system->area * (1.0 - system->packing) * water_density(temperature);
-        const double fibres = along * system->area * system->packing * system->fibre.density_kg_m3;
-        const Isotherm isotherm{system->fibre.standard_regain, system->fibre.saturation_regain, system->fibre.gab.monolayer_regain,
-                                system->fibre.gab.c, system->fibre.gab.k};
+        b.capacity += along * type.area * (1.0 - type.packing) * water_density(temperature);
+        const double fibres = along * type.area * type.packing * type.fibre.density_kg_m3;
+        const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
+                                type.fibre.gab.c, type.fibre.gab.k};
         const double gain = std::max(0.0, equilibrium_regain(isotherm, 1.0, temperature) - equilibrium_regain(isotherm, humidity, temperature));
         dry += fibres;
         sorbable += fibres * gain;
         heat += fibres * gain * heat_of_sorption(humidity);
-        thermal += fibres * system->fibre.specific_heat_j_kgk;
-        b.wicks = b.wicks || std::cos(system->contact_angle) > 1e-12;
+        thermal += fibres * type.fibre.specific_heat_j_kgk;
+        b.wicks = b.wicks || std::cos(type.contact_angle) > 1e-12;
     }
     const double sample = metre_from_mm(experiment.sample_mm[0]) * metre_from_mm(experiment.sample_mm[1]);
     b.wet_area = std::min(sample, b.delivered / (least_mobile_saturation * b.capacity));
@@ -91,7 +92,7 @@ Bounds find_bounds(const Textile& textile, const Experiment& experiment)
 /// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show.
 int particles_for(const Level& level, const Experiment& experiment, const Bounds& b, const Textile& textile)
 {
-    const double finest = 0.1 * std::min(textile.warp.section.height, textile.weft.section.height);
+    const double finest = 0.1 * std::min(textile.warp.types[0].section.height, textile.weft.types[0].section.height);
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
@@ -212,6 +213,9 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     const Level level = level_of(fidelity);
     const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
     const Textile textile = build_textile(design, fabric, sample);
+    if (textile.warp.types.size() > 1 || textile.weft.types.size() > 1)
+        throw Error("\"" + fabric.name + "\" has ends or picks of different yarns; this version simulates cloths of one warp and one weft "
+                    "yarn (colours may differ).");
     const Bounds bounds = find_bounds(textile, experiment);
 
     ModelPlan plan;

@@ -100,7 +100,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
     }
     write_textile(file, run.textile);
     h5::create_group(file, "frames");
-    file_->pore_share = {static_cast<float>(1.0 - run.textile.warp.packing), static_cast<float>(1.0 - run.textile.weft.packing)};
+    file_->pore_share = {static_cast<float>(1.0 - run.textile.warp.types[0].packing), static_cast<float>(1.0 - run.textile.weft.types[0].packing)};
     file_->ledger = h5::create_table(file, "ledger", 13, ledger_columns);
     H5Fflush(file, H5F_SCOPE_GLOBAL);
 }

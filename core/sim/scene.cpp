@@ -32,12 +32,12 @@ FibreDiffusivity diffusivity_of(const Material& fibre)
     return {two_stage_law(fibre) == "wool" ? DiffusionLaw::wool_two_stage : DiffusionLaw::cotton_two_stage, 0};
 }
 
-YarnParameters make_yarn(const YarnSystem& system, double crossing_pitch, const ClimateParameters& climate)
+YarnParameters make_yarn(const YarnType& type, double crossing_pitch, const ClimateParameters& climate)
 {
-    const Material& fibre = system.fibre;
+    const Material& fibre = type.fibre;
     YarnParameters yarn;
-    yarn.pore_area = system.area * (1.0 - system.packing);
-    yarn.fibre_area = system.area * system.packing;
+    yarn.pore_area = type.area * (1.0 - type.packing);
+    yarn.fibre_area = type.area * type.packing;
     yarn.fibre_radius = metre_from_um(fibre.fibre_radius_um);
     yarn.fibre_density = fibre.density_kg_m3;
     yarn.fibre_specific_heat = fibre.specific_heat_j_kgk;
@@ -46,17 +46,17 @@ YarnParameters make_yarn(const YarnSystem& system, double crossing_pitch, const 
     yarn.diffusivity = diffusivity_of(fibre);
     yarn.exponent = spreading_exponent;
     yarn.liquid_diffusivity =
-        saturated_liquid_diffusivity(climate.surface_tension, system.contact_angle, system.pore_radius, climate.viscosity) / system.tortuosity;
-    yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / system.tortuosity;
-    yarn.face_area = system.section.width * crossing_pitch;
-    yarn.adhesion = work_of_adhesion(climate.surface_tension, system.contact_angle);
+        saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, type.pore_radius, climate.viscosity) / type.tortuosity;
+    yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / type.tortuosity;
+    yarn.face_area = type.section.width * crossing_pitch;
+    yarn.adhesion = work_of_adhesion(climate.surface_tension, type.contact_angle);
     yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
     if (yarn.liquid_diffusivity > 0) {
-        yarn.suction_radius = system.pore_radius / std::cos(system.contact_angle);
+        yarn.suction_radius = type.pore_radius / std::cos(type.contact_angle);
         // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
-        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, system.packing) *
-                           capillary_pressure(climate.surface_tension, system.contact_angle, system.pore_radius) /
-                           (climate.viscosity * 0.25 * system.section.height);
+        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing) *
+                           capillary_pressure(climate.surface_tension, type.contact_angle, type.pore_radius) /
+                           (climate.viscosity * 0.25 * type.section.height);
     }
     return yarn;
 }
@@ -64,29 +64,31 @@ YarnParameters make_yarn(const YarnSystem& system, double crossing_pitch, const 
 /// A prism between the two axes, as wide as the yarns overlap: liquid and vapour pass across the fibres of each, half the way in each.
 CrossingParameters make_crossing(const Textile& textile, const YarnParameters& warp, const YarnParameters& weft, const ClimateParameters& climate)
 {
-    const double area = textile.warp.section.width * textile.weft.section.width;
-    const double half_warp = 0.5 * textile.warp.section.height, half_weft = 0.5 * textile.weft.section.height;
+    const YarnType &warp_type = textile.warp.types[0], &weft_type = textile.weft.types[0];
+    const double area = warp_type.section.width * weft_type.section.width;
+    const double half_warp = 0.5 * warp_type.section.height, half_weft = 0.5 * weft_type.section.height;
     const auto in_series = [&](double a, double b) { return a > 0 && b > 0 ? area / (half_warp / a + half_weft / b) : 0.0; };
     // The obstruction of the crossing: how much less permeable a bundle is across its fibres than along them (Gebart).
-    const auto across = [](const YarnSystem& system, const YarnParameters& yarn) {
-        const double obstruction = permeability_across(yarn.fibre_radius, system.packing) / permeability_along(yarn.fibre_radius, system.packing);
-        return yarn.liquid_diffusivity * obstruction * (1.0 - system.packing);
+    const auto across = [](const YarnType& type, const YarnParameters& yarn) {
+        const double obstruction = permeability_across(yarn.fibre_radius, type.packing) / permeability_along(yarn.fibre_radius, type.packing);
+        return yarn.liquid_diffusivity * obstruction * (1.0 - type.packing);
     };
     CrossingParameters crossing;
-    crossing.liquid_conductance = climate.density * in_series(across(textile.warp, warp), across(textile.weft, weft));
-    crossing.heat_conductance = in_series(mean_conductivity(textile.warp.packing, warp.fibre_conductivity, 0),
-                                          mean_conductivity(textile.weft.packing, weft.fibre_conductivity, 0));
+    crossing.liquid_conductance = climate.density * in_series(across(warp_type, warp), across(weft_type, weft));
+    crossing.heat_conductance = in_series(mean_conductivity(warp_type.packing, warp.fibre_conductivity, 0),
+                                          mean_conductivity(weft_type.packing, weft.fibre_conductivity, 0));
     crossing.vapour_conductance =
-        in_series(warp.vapour_diffusivity * (1.0 - textile.warp.packing), weft.vapour_diffusivity * (1.0 - textile.weft.packing));
+        in_series(warp.vapour_diffusivity * (1.0 - warp_type.packing), weft.vapour_diffusivity * (1.0 - weft_type.packing));
     return crossing;
 }
 
 ContactShape make_shape(const YarnSystem& system)
 {
-    ContactShape shape{system.pitch, system.path.amplitude, 0.5 * system.section.height, 0.5 * system.section.width,
-                       static_cast<int>(system.profile.height.size()), {}};
-    for (std::size_t i = 0; i < system.profile.height.size(); ++i)
-        for (double value : {system.profile.height[i], system.profile.slope[i], system.profile.half_height[i], system.profile.half_width[i]})
+    const YarnType& type = system.types[0];
+    const YarnPath& path = system.paths[1]; // the one that changes sides
+    ContactShape shape{system.pitch, type.rise[0], 0.5 * type.section.height, 0.5 * type.section.width, static_cast<int>(path.height.size()), {}};
+    for (std::size_t i = 0; i < path.height.size(); ++i)
+        for (double value : {path.height[i], path.slope[i], path.half_height[i], path.half_width[i]})
             shape.profile.push_back(static_cast<float>(value));
     return shape;
 }
@@ -115,18 +117,22 @@ Scene build_scene(const Textile& textile, const Experiment& experiment, const Mo
     scene.ends = textile.ends();
     scene.picks = textile.picks();
     scene.length.resize(static_cast<std::size_t>(scene.segments()));
+    scene.shift.resize(static_cast<std::size_t>(scene.segments()));
     scene.warp_up.resize(static_cast<std::size_t>(scene.crossings()));
     for (int end = 0; end < scene.ends; ++end)
         for (int pick = 0; pick < scene.picks; ++pick) {
-            for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-                scene.length[static_cast<std::size_t>(textile.segment(kind, end, pick))] = textile.segment_length(kind, end, pick);
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const auto segment = static_cast<std::size_t>(textile.segment(kind, end, pick));
+                scene.length[segment] = textile.segment_length(kind, end, pick);
+                scene.shift[segment] = static_cast<float>(textile.shift_at_crossing(kind, end, pick));
+            }
             scene.warp_up[static_cast<std::size_t>(end * scene.picks + pick)] = textile.warp_up(end, pick);
         }
     scene.cell_area = textile.warp.pitch * textile.weft.pitch;
     scene.half_thickness = textile.half_thickness();
     scene.climate = make_climate(experiment);
-    scene.warp = make_yarn(textile.warp, textile.weft.pitch, scene.climate);
-    scene.weft = make_yarn(textile.weft, textile.warp.pitch, scene.climate);
+    scene.warp = make_yarn(textile.warp.types[0], textile.weft.pitch, scene.climate);
+    scene.weft = make_yarn(textile.weft.types[0], textile.warp.pitch, scene.climate);
     scene.crossing = make_crossing(textile, scene.warp, scene.weft, scene.climate);
     scene.warp_shape = make_shape(textile.warp);
     scene.weft_shape = make_shape(textile.weft);

@@ -72,6 +72,7 @@ struct Scene {
     int ends = 0;
     int picks = 0;
     std::vector<double> length;           ///< m, one per segment
+    std::vector<float> shift;             ///< m, of each segment's middle beside its yarn's place; empty: none
     std::vector<std::uint8_t> warp_up;    ///< one per crossing, end x picks + pick
     double cell_area = 0;                 ///< m2 of fabric per crossing
     double half_thickness = 0;            ///< m
@@ -95,7 +96,7 @@ struct Scene {
     int segments() const { return 2 * crossings(); }
 };
 
-/// Precondition: plan_model() made the plan for these.
+/// Precondition: plan_model() made the plan for these, so that each system has yarns of one type.
 Scene build_scene(const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);
 
 } // namespace hygroloom

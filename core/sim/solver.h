@@ -125,7 +125,7 @@ private:
     Buffer<std::uint8_t> warp_up_;
     Buffer<std::int64_t> absorbed_;
     Buffer<int> contact_;
-    Buffer<float> warp_profile_, weft_profile_;
+    Buffer<float> warp_profile_, weft_profile_, shift_;
 
     // Liquid.
     int count_ = 0;

@@ -215,7 +215,7 @@ template <typename Executor> TextileShape Solver<Executor>::shape()
                          static_cast<Real>(c.half_width), c.samples, profile};
     };
     return {scene_.ends, scene_.picks, static_cast<Real>(scene_.half_thickness), yarn(scene_.warp_shape, warp_profile_.data()),
-            yarn(scene_.weft_shape, weft_profile_.data()), warp_up_.data()};
+            yarn(scene_.weft_shape, weft_profile_.data()), warp_up_.data(), shift_.data()};
 }
 
 template <typename Executor> LiquidParameters Solver<Executor>::liquid() const

@@ -38,6 +38,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     const auto shells = static_cast<std::size_t>(scene_.fibre_shells);
     length_.upload(scene_.length);
     warp_up_.upload(scene_.warp_up);
+    shift_.upload(scene_.shift.empty() ? std::vector<float>(n, 0.0f) : scene_.shift);
     warp_profile_.upload(scene_.warp_shape.profile);
     weft_profile_.upload(scene_.weft_shape.profile);
     for (auto* b : {&liquid_, &warmth_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_}) {

@@ -97,7 +97,7 @@ private Q_SLOTS:
         const YarnMesh mesh = mesh_yarns(textile, 32, 64);
         for (const MeshGroup& group : mesh.groups) {
             const YarnSystem& system = textile.system(group.kind);
-            const double expected = system.area * system.path.length * 4;
+            const double expected = system.types[0].area * system.paths[1].length * 4;
             const double found = volume(mesh, group);
             QVERIFY2(std::abs(found / expected - 1) < 0.03, qPrintable(QString::number(found / expected))); // positive: facing outwards
         }
@@ -153,7 +153,7 @@ private Q_SLOTS:
         for (std::size_t i = 3; i < lines[0].positions.size(); i += 3)
             along +=
                 std::hypot(lines[0].positions[i + 1] - lines[0].positions[i - 2], lines[0].positions[i + 2] - lines[0].positions[i - 1]);
-        QVERIFY(std::abs(along / (3 * textile.warp.path.length) - 1) < 0.02);
+        QVERIFY(std::abs(along / (3 * textile.warp.paths[1].length) - 1) < 0.02);
     }
     void racetracksHaveTheirWidthAndHeight()
     {

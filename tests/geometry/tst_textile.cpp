@@ -57,7 +57,7 @@ double worst_overlap(const Textile& t)
                     worst = std::max(worst, depth_in_weft(t, skin));
                 }
             }
-    return worst / std::min(t.warp.section.height, t.weft.section.height);
+    return worst / std::min(t.warp.types[0].section.height, t.weft.types[0].section.height);
 }
 
 } // namespace
@@ -132,7 +132,7 @@ private Q_SLOTS:
         const Design design = example("textile-G");
         const Textile t = build_textile(design, design.fabrics[0], {0, 0, 4, 4});
         const double gap = std::abs(t.height_at_crossing(YarnKind::warp, 1, 2) - t.height_at_crossing(YarnKind::weft, 1, 2));
-        QVERIFY(std::abs(gap - 0.5 * (t.warp.section.height + t.weft.section.height)) < 1e-12);
+        QVERIFY(std::abs(gap - 0.5 * (t.warp.types[0].section.height + t.weft.types[0].section.height)) < 1e-12);
         QVERIFY((t.height_at_crossing(YarnKind::warp, 1, 2) > 0) == t.warp_up(1, 2));
     }
     void everySegmentHasItsOwnNumber()
@@ -152,7 +152,7 @@ private Q_SLOTS:
         const Textile t = build_textile(design, design.fabrics[0], {0, 0, 4, 40});
         double length = 0;
         for (int pick = 0; pick < 40; ++pick) length += t.segment_length(YarnKind::warp, 1, pick);
-        QVERIFY(std::abs(length - 40 * t.warp.path.length) < 1e-9); // plain weave: it changes sides at every pick
+        QVERIFY(std::abs(length - 40 * t.warp.paths[1].length) < 1e-9); // plain weave: it changes sides at every pick
     }
     void sampleHasItsThreads()
     {

@@ -23,7 +23,9 @@ struct TextileShape {
     YarnShape warp;
     YarnShape weft;
     const std::uint8_t* warp_up = nullptr;
+    const float* shift = nullptr; ///< per segment, beside the yarn's place
 
+    HL_FN int segment(bool is_warp, int end, int pick) const { return is_warp ? end * picks + pick : ends * picks + pick * ends + end; }
     HL_FN bool is_warp_up(int end, int pick) const { return warp_up[end * picks + pick] != 0; }
 };
 
@@ -39,6 +41,7 @@ HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real
 {
     const YarnShape& yarn = is_warp ? t.warp : t.weft;
     const Real pitch = is_warp ? t.weft.pitch : t.warp.pitch; // from crossing to crossing
+    const int segment = t.segment(is_warp, end, pick);
     const Real near = reach < nearest.distance ? reach : nearest.distance;
     if (across > yarn.half_width + near + pitch || -across > yarn.half_width + near + pitch) return;
 
@@ -48,10 +51,13 @@ HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real
     const bool inside = next_end >= 0 && next_end < t.ends && next_pick >= 0 && next_pick < t.picks;
     const bool changes = inside && t.is_warp_up(next_end, next_pick) != up;
     const Real side = up == is_warp ? Real(1) : Real(-1);
+    const Real part_way = step * along / pitch;
+    const Real shift = Real(t.shift[segment]), next_shift = inside ? Real(t.shift[t.segment(is_warp, next_end, next_pick)]) : shift;
+    across -= shift + part_way * part_way * (3 - 2 * part_way) * (next_shift - shift);
 
     Real height = side * yarn.amplitude, slope = 0, half_height = yarn.half_height, half_width = yarn.half_width;
     if (changes) {
-        const Real position = step * along / pitch * Real(yarn.samples - 1);
+        const Real position = part_way * Real(yarn.samples - 1);
         const int low = position >= Real(yarn.samples - 2) ? yarn.samples - 2 : static_cast<int>(position);
         const Real part = position - Real(low);
         const float* a = yarn.profile + 4 * low;
@@ -70,7 +76,7 @@ HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real
     if (distance >= near) return;
 
     nearest.distance = distance;
-    nearest.segment = is_warp ? end * t.picks + pick : t.ends * t.picks + pick * t.ends + end;
+    nearest.segment = segment;
     const Real inverse = from_core > Real(1e-12) ? Real(1) / from_core : Real(0);
     const Real n_side = from_core > Real(1e-12) ? sideways * inverse : Real(0);
     const Real n_up = from_core > Real(1e-12) ? up_from_axis * inverse : side;
@@ -159,12 +165,13 @@ template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t,
             const Real xe = (Real(e) - Real(0.5) * Real(t.ends - 1)) * t.warp.pitch;
             const Real yk = (Real(k) - Real(0.5) * Real(t.picks - 1)) * t.weft.pitch;
             const Real up = t.is_warp_up(e, k) ? Real(1) : Real(-1);
-            if (interval_gap(x.x, half, xe, t.warp.half_width) <= 0 && interval_gap(x.y, half, yk, Real(0.5) * t.weft.pitch) <= 0 &&
+            const int warp = t.segment(true, e, k), weft = t.segment(false, e, k);
+            if (interval_gap(x.x, half, xe + Real(t.shift[warp]), t.warp.half_width) <= 0 && interval_gap(x.y, half, yk, Real(0.5) * t.weft.pitch) <= 0 &&
                 interval_gap(x.z, half, up * t.warp.amplitude, t.warp.half_height) <= nearly)
-                visit(e * t.picks + k);
-            if (interval_gap(x.y, half, yk, t.weft.half_width) <= 0 && interval_gap(x.x, half, xe, Real(0.5) * t.warp.pitch) <= 0 &&
+                visit(warp);
+            if (interval_gap(x.y, half, yk + Real(t.shift[weft]), t.weft.half_width) <= 0 && interval_gap(x.x, half, xe, Real(0.5) * t.warp.pitch) <= 0 &&
                 interval_gap(x.z, half, -up * t.weft.amplitude, t.weft.half_height) <= nearly)
-                visit(t.ends * t.picks + k * t.ends + e);
+                visit(weft);
         }
 }
 
