@@ -254,6 +254,7 @@ RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
         }
     }
     picture.level = covered > 0 ? static_cast<float>(mm_from_metre(level / covered)) : 0.0F;
+    picture.covered = static_cast<float>(0.5 * covered / static_cast<double>(texels)); // counted from both sides
     return picture;
 }
 

@@ -34,6 +34,7 @@ struct RepeatPicture {
     int height = 0;
     std::vector<std::uint8_t> texels;
     float level = 0; ///< mm, mean height of what is seen, above the fabric's middle
+    float covered = 1; ///< share of the area
 };
 RepeatPicture picture_of_repeat(const PreviewFabric& fabric);
 

@@ -96,13 +96,13 @@ void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const Ya
             const Vec3d aside = unit(cross(tangent, here.outwards));
             const Vec3d out = cross(aside, tangent);
             const Vec3d skin = here.centre + here.radius * out;
-            const double open = 0.45 + 0.55 * std::sqrt(field.openness(skin, here.outwards));
+            const double open = 0.6 + 0.4 * std::sqrt(field.openness(skin, here.outwards));
             const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
             for (int k = 0; k < sides; ++k) {
                 const double angle = 2 * pi * k / sides;
                 const Vec3d normal = std::cos(angle) * out + std::sin(angle) * aside;
                 const Vec3d position = here.centre + here.radius * normal;
-                const double buried = 0.75 + 0.25 * std::cos(angle); // its flanks lie between its neighbours
+                const double buried = 0.86 + 0.14 * std::cos(angle); // its flanks lie between its neighbours
                 CellVertex vertex{};
                 vertex.position[0] = static_cast<float>(mm_from_metre(position.x)) - corner.x();
                 vertex.position[1] = static_cast<float>(mm_from_metre(position.y)) - corner.y();

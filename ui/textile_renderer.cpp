@@ -193,7 +193,7 @@ void TextileRenderer::setPicture(const RepeatPicture& picture)
                       picture.texels.data());
     gl_->glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-    picture_ = {picture.ends, picture.picks, picture.width, picture.height, {}, picture.level};
+    picture_ = {picture.ends, picture.picks, picture.width, picture.height, {}, picture.level, picture.covered};
 }
 
 bool TextileRenderer::has(const MeshKey& key) const
@@ -314,6 +314,8 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));
     program.setUniformValue("crossings", QVector2D(static_cast<float>(textile.ends()), static_cast<float>(textile.picks())));
+    const float gap = std::sqrt(std::max(1e-4F, 1 - picture_.covered) * pitch.x() * pitch.y());
+    program.setUniformValue("gap_depth", 0.5F * pitch.z() / gap);
     // In a parallel view the depth that the card divides by is 1 everywhere.
     const double depth = view.camera.parallel() ? view.camera.depth({}) : 1;
     const double one = pitch_scale(*fabric_, view) * view.camera.pixelsPerMillimetre(1e9, view.size) * 1e9 / depth;

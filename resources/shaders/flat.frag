@@ -13,6 +13,7 @@ uniform sampler2D ramp;
 uniform float bare;
 uniform ivec2 marked;
 uniform vec3 background;
+uniform float gap_depth;      // half the thickness of the fabric in widths of a gap
 uniform vec3 belt;            // pixels of a pitch at depth 1, begin and end of the belt where tubes take over
 uniform float over_tubes;     // 1: laid over tubes, the thinner the nearer
 
@@ -45,8 +46,9 @@ void main()
     vec2 amount = water_scale > 0.0 ? texture(water, share).rg * water_scale : vec2(0.0);
     vec3 end_base = wetted(ramp, end_dry, amount.r, bare), pick_base = wetted(ramp, pick_dry, amount.g, bare);
     vec3 light = light_on(end_base, warp.xyz, warp.w, lamp) + light_on(pick_base, weft.xyz, weft.w, lamp);
-    // Gaps are narrow and the fabric is thick: only straight on does one see through, else dark skins in the depth.
-    float through = (1.0 - covered) * smoothstep(0.93, 1.0, abs(to_eye.z));
+    // One sees through the gaps the less the more from the side, and instead dark skins in the depth.
+    float slant = length(to_eye.xy) / max(abs(to_eye.z), 0.01);
+    float through = (1.0 - covered) * clamp(1.0 - gap_depth * slant, 0.0, 1.0);
     light += (1.0 - covered) * 0.12 * mix(end_base, pick_base, 0.5);
     float thin = clamp((belt.x * gl_FragCoord.w - belt.y) / (belt.z - belt.y), 0.0, 1.0);
     color = vec4(light * (1.0 - through) + background * through, 1.0 - over_tubes * thin);

@@ -174,12 +174,15 @@ private Q_SLOTS:
         const double pitch = canvas_->fabric()->pitch().x() / canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size()));
         zoom(180 / pitch);
         const auto far = meanColor(window_->viewport().picture());
-        QCOMPARE(canvas_->scene().batches().front().key.level, fibre_level - 1);
-        zoom(1.4);
+        QVERIFY(canvas_->scene().batches().back().key.level < fibre_level);
+        zoom(1.6);
         const auto near = meanColor(window_->viewport().picture());
-        QVERIFY(canvas_->scene().batches().front().key.level >= fibre_level - 1);
-        QVERIFY(canvas_->scene().batches().back().key.level >= fibre_level - 1);
-        QVERIFY2(difference(far, near) < 30, qPrintable(QString::number(difference(far, near))));
+        int finest = 0;
+        for (const CellBatch& batch : canvas_->scene().batches()) {
+            finest = std::max(finest, batch.key.level);
+        }
+        QCOMPARE(finest, fibre_level);
+        QVERIFY2(difference(far, near) < 30, qPrintable(QString("%1 to %2").arg(far[0]).arg(near[0])));
         qInfo("fibres: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->scene().triangles());
     }
 
@@ -208,14 +211,13 @@ private Q_SLOTS:
 
     void stripesHaveTheColoursOfTheDraft()
     {
-        QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
         window_->document().edit("stripes", {}, [](Design& d) {
             Fabric& fabric = d.fabrics[0];
             fabric.extra_yarns = {fabric.warp};
             fabric.extra_yarns[0].color = Color{200, 30, 30};
             fabric.warp_order = {{0, 35}, {1, 35}};
         });
-        QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(canvas_->fabric()->end_yarns.back()->color, 5000);
         QCOMPARE(canvas_->fabric()->period_ends, 2); // colour alone needs no other mesh
         for (const Framing framing : {Framing::few_repeats, Framing::whole}) {
             canvas_->fit(framing);
