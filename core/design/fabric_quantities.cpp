@@ -2,11 +2,13 @@
 #include "core/design/fabric_quantities.h"
 
 #include "core/base/units.h"
+#include "core/design/flyaway.h"
 #include "core/design/yarn_sections.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -70,13 +72,20 @@ SystemMass mass_of(const FittedYarns& fitted, bool warp, double sett, double cro
     return mass;
 }
 
-/// Volume of loops and hairs on both yarns, mm3 per mm2 of fabric; a loop is half a circle as high as it is.
-double flyaway_volume(const Fabric& fabric, const Material& warp_fibre, const Material& weft_fibre)
+/// Volume of loops and hairs on one system, mm3 per mm2 of fabric. Fibres of plied yarns are taken to lie along the yarn.
+double flyaway_volume(const Fabric& fabric, const YarnOrder& order, const std::vector<FittedYarn>& yarns, bool warp, double length_per_mm2)
 {
     const Flyaway& flyaway = fabric.flyaway;
-    const double per_mm = flyaway.loop_density_per_mm * pi * flyaway.loop_height_mm + flyaway.hair_density_per_mm * flyaway.hair_length_mm;
-    const auto fibre_area = [](const Material& fibre) { return pi * 1e-6 * fibre.fibre_radius_um * fibre.fibre_radius_um; };
-    return per_mm * 0.1 * (fabric.ends_per_cm * fibre_area(warp_fibre) + fabric.picks_per_cm * fibre_area(weft_fibre));
+    double volume = 0;
+    for (std::size_t type = 0; type < yarns.size(); ++type) {
+        const Yarn& yarn = yarn_in(fabric, warp, order.yarns[type]);
+        const double turns = yarn.plies > 1 ? 0 : 1e-3 * yarn.twist_per_m;
+        const double loop = mean_loop_length(flyaway.loop_height_mm, turns, std::sqrt(section_area(yarns[type].section) / pi));
+        const double per_mm = flyaway.loop_density_per_mm * loop + flyaway.hair_density_per_mm * flyaway.hair_length_mm;
+        const double radius = 1e-3 * yarns[type].fibre.fibre_radius_um;
+        volume += order.share[type] * length_per_mm2 * per_mm * pi * radius * radius;
+    }
+    return volume;
 }
 
 void note_section(std::vector<std::string>& notes, const char* name, const FittedYarn& fitted, bool to_fit, double pitch)
@@ -126,7 +135,9 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     const double fibre_mm = warp_mass.solid + weft_mass.solid;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;
-    q.smoothness = std::max(0.0, 1 - flyaway_volume(fabric, warp.fibre, weft.fibre) / q.thickness_mm);
+    const double fly = flyaway_volume(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm) +
+                       flyaway_volume(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
+    q.smoothness = std::max(0.0, 1 - fly / q.thickness_mm);
     q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);

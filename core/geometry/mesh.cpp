@@ -13,13 +13,6 @@
 namespace hygroloom {
 namespace {
 
-std::string yarn_name(YarnKind kind, int yarn)
-{
-    char name[32];
-    std::snprintf(name, sizeof name, "%s_%03d", kind == YarnKind::warp ? "warp" : "weft", yarn);
-    return name;
-}
-
 /// Crossings along one yarn.
 int crossings_of(const Textile& textile, YarnKind kind) { return kind == YarnKind::warp ? textile.picks() : textile.ends(); }
 
@@ -164,6 +157,18 @@ MeshSize mesh_size(const Textile& textile, int samples, int sides)
         size.triangles += yarns * 2 * n * rings;
     }
     return size;
+}
+
+std::string yarn_name(YarnKind kind, int yarn)
+{
+    char name[32];
+    std::snprintf(name, sizeof name, "%s_%03d", kind == YarnKind::warp ? "warp" : "weft", yarn);
+    return name;
+}
+
+void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples, int sides, YarnMesh& mesh)
+{
+    Sweep(textile, mesh, samples, sides).add(kind, yarn);
 }
 
 YarnMesh mesh_yarns(const Textile& textile, int samples, int sides)

@@ -43,6 +43,12 @@ MeshSize mesh_size(const Textile& textile, int samples_per_crossing, int sides);
 /// Throws Error when the vertices are too many for 32-bit indices.
 YarnMesh mesh_yarns(const Textile& textile, int samples_per_crossing, int sides);
 
+/// "warp_000", "weft_012".
+std::string yarn_name(YarnKind kind, int yarn);
+
+/// Adds one yarn and its group.
+void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing, int sides, YarnMesh& mesh);
+
 /// The middle line of one yarn.
 struct YarnLine {
     std::string name;             ///< as MeshGroup::name

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The fibres of a yarn, made where they are looked at: twisted, migrating, plied, with loops and hairs (after Zhao et al. 2016).
+// Everything random depends on the seed, the yarn's number in the fabric and the place along it alone, so a fibre is the same
+// whatever stretch of it is made.
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+namespace hygroloom {
+
+struct FibreOptions {
+    int samples_per_crossing = 8; ///< >= 1
+    int sides = 6;                ///< of a fibre, >= 3
+    bool flyaways = true;
+    bool capped = true;           ///< ends of the tubes
+    std::uint64_t seed = 1;
+};
+
+/// Radius that a drawn fibre has so that all of a yarn's fibres together have the yarn's fibre volume, twist included. m.
+double drawn_fibre_radius(const YarnType& type);
+
+/// Mean length of loops and of hairs per metre of yarn: analytic, what the drawn ones add up to. A loop counts from where it leaves the
+/// yarn's skin to where it comes back; its height is from half the given one to the given one. A hair's length is from half to one and a
+/// half times the given one.
+struct FlyawayLength {
+    double loops = 0;
+    double hairs = 0;
+};
+FlyawayLength flyaway_length(const Textile& textile, const YarnType& type);
+
+/// The fibres of one stretch of a yarn, from half a pitch before its first crossing to half a pitch past its last.
+/// Neighbouring stretches meet in the same points and normals. Strands 0 .. regular() - 1 run through; the hairs rooted in the
+/// stretch follow.
+class YarnFibres {
+public:
+    /// Crossings are numbered as in the textile and may lie outside its region.
+    YarnFibres(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing, int crossings);
+
+    int regular() const { return fibres_; }
+    int strands() const { return fibres_ + static_cast<int>(hairs_.size()); }
+    bool is_hair(int strand) const { return strand >= fibres_; }
+    /// Points along a strand.
+    std::size_t points(int strand) const { return is_hair(strand) ? hair_points : rings_; }
+    double radius(int strand) const { return is_hair(strand) ? hair_radius_ : fibre_radius_; }
+    std::size_t vertices(int strand) const { return points(strand) * static_cast<std::size_t>(options_.sides); }
+    std::size_t triangles(int strand) const
+    {
+        const auto sides = static_cast<std::size_t>(options_.sides);
+        return 2 * (points(strand) - 1) * sides + (options_.capped ? 2 * (sides - 2) : 0);
+    }
+    /// Writes x y z of each point, m.
+    void curve(int strand, float* out) const;
+    /// Length of the strand's parts outside the yarn that count as loops; 0 for hairs.
+    double loop_length(int strand) const;
+    /// Writes a tube at these places of a mesh that has room for it; u runs along the yarn in crossings, v
+    /// round the fibre and back, so that no seam is needed.
+    void tube(int strand, YarnMesh& mesh, std::size_t first_vertex, std::size_t first_index) const;
+
+    static constexpr std::size_t hair_points = 9;
+    /// Hairs rooted in a stretch, without making it.
+    static std::size_t count_hairs(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing,
+                                   int crossings);
+
+private:
+    struct Ring {
+        float centre[3], across[2], up[3]; ///< the frame; across lies in the fabric's plane
+        float half_width, half_height;
+        float twist_cos, twist_sin, ply_cos, ply_sin;
+        float along;                       ///< m from the fabric's crossing 0, in yarn length
+        int segment;
+        float u;                           ///< crossings from the region's edge
+    };
+    struct Loop {
+        float middle, height, half_width;
+    };
+    struct Hair {
+        Vec3d root, direction, bend; ///< unit vectors that span its plane
+        double length, angle;        ///< total turn, radian
+        std::size_t ring;
+    };
+
+    void find_loops(std::uint64_t stream);
+    void find_hairs(std::uint64_t stream);
+    void place(int fibre, std::size_t ring, float* out) const;
+    void hair_curve(const Hair& hair, float* out) const;
+
+    const Textile& textile_;
+    FibreOptions options_;
+    YarnKind kind_;
+    int yarn_;
+    const YarnType& type_;
+    int fibres_ = 0;
+    std::size_t rings_ = 0;
+    double fibre_radius_ = 0, hair_radius_ = 0;
+    float core_ = 0;           ///< how much denser the axis is than the mean
+    float inner_ = 1;          ///< share of the section's half axes that fibres' middles reach
+    float migration_ = 0;      ///< m of yarn from surface to surface
+    double along0_ = 0, along1_ = 0;
+    std::vector<Ring> ring_;   ///< one more at each end
+    std::vector<float> start_angle_cos_, start_angle_sin_, phase_;
+    std::vector<std::vector<Loop>> loops_; ///< per fibre
+    std::vector<Hair> hairs_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/geometry/mesh_stream.h"
+
+#include "core/base/error.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+
+#include <atomic>
+#include <limits>
+#include <memory>
+
+namespace hygroloom {
+namespace {
+
+constexpr std::size_t piece_vertices = 250000;
+constexpr std::size_t pieces_at_once = 6;
+
+int crossings_of(const Textile& textile, YarnKind kind) { return kind == YarnKind::warp ? textile.picks() : textile.ends(); }
+
+void resize(YarnMesh& mesh, std::size_t vertices, std::size_t triangles)
+{
+    mesh.positions.resize(3 * vertices);
+    mesh.normals.resize(3 * vertices);
+    mesh.uvs.resize(2 * vertices);
+    mesh.segment_of_vertex.resize(vertices);
+    mesh.indices.resize(3 * triangles);
+}
+
+/// A yarn, or strands of one.
+struct Piece {
+    YarnKind kind = YarnKind::warp;
+    int yarn = 0;
+    std::shared_ptr<const YarnFibres> fibres; ///< empty: the yarn's skin
+    int first = 0, last = 0;                  ///< strands
+};
+
+/// Cuts a textile into pieces, in order.
+class Cutter {
+public:
+    Cutter(const Textile& textile, const MeshRequest& request) : textile_(textile), request_(request) {}
+
+    bool next(Piece& piece)
+    {
+        if (!fibres_ || strand_ == fibres_->strands()) {
+            if (yarn_ == textile_.system(kind_).count) {
+                if (kind_ == YarnKind::weft) return false;
+                kind_ = YarnKind::weft;
+                yarn_ = 0;
+            }
+            strand_ = 0;
+            fibres_.reset();
+            if (request_.detail == MeshDetail::fibre)
+                fibres_ = std::make_shared<YarnFibres>(textile_, request_.fibres(), kind_, yarn_, 0, crossings_of(textile_, kind_));
+            ++yarn_;
+        }
+        piece = {kind_, yarn_ - 1, fibres_, strand_, 0};
+        if (!fibres_) return true;
+        std::size_t vertices = 0;
+        while (strand_ < fibres_->strands() && (vertices == 0 || vertices + fibres_->vertices(strand_) <= piece_vertices))
+            vertices += fibres_->vertices(strand_++);
+        piece.last = strand_;
+        return true;
+    }
+
+private:
+    const Textile& textile_;
+    const MeshRequest& request_;
+    YarnKind kind_ = YarnKind::warp;
+    int yarn_ = 0;
+    int strand_ = 0;
+    std::shared_ptr<const YarnFibres> fibres_;
+};
+
+void fill(const YarnFibres& fibres, int first, int last, YarnMesh& mesh, std::size_t vertex, std::size_t index)
+{
+    for (int strand = first; strand < last; ++strand) {
+        fibres.tube(strand, mesh, vertex, index);
+        vertex += fibres.vertices(strand);
+        index += 3 * fibres.triangles(strand);
+    }
+}
+
+void make(const Textile& textile, const MeshRequest& request, const Piece& piece, YarnMesh& mesh)
+{
+    mesh.groups.clear();
+    if (!piece.fibres) {
+        mesh.positions.clear();
+        mesh.normals.clear();
+        mesh.uvs.clear();
+        mesh.indices.clear();
+        mesh.segment_of_vertex.clear();
+        append_yarn(textile, piece.kind, piece.yarn, request.samples_per_crossing, request.sides, mesh);
+        return;
+    }
+    std::size_t vertices = 0, triangles = 0;
+    for (int strand = piece.first; strand < piece.last; ++strand) {
+        vertices += piece.fibres->vertices(strand);
+        triangles += piece.fibres->triangles(strand);
+    }
+    resize(mesh, vertices, triangles);
+    fill(*piece.fibres, piece.first, piece.last, mesh, 0, 0);
+    mesh.groups.push_back({yarn_name(piece.kind, piece.yarn), piece.kind, piece.yarn, 0, vertices, 0, 3 * triangles});
+}
+
+} // namespace
+
+MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn)
+{
+    const auto rings = static_cast<std::size_t>(crossings_of(textile, kind)) * static_cast<std::size_t>(request.samples_per_crossing) + 1;
+    const auto sides = static_cast<std::size_t>(request.sides);
+    if (request.detail == MeshDetail::centreline) return {rings, 0};
+    if (request.detail == MeshDetail::yarn) return {(rings + 2) * (sides + 1), 2 * sides * rings};
+    const auto fibres = static_cast<std::size_t>(textile.type(kind, yarn).fibres);
+    const std::size_t hairs = YarnFibres::count_hairs(textile, request.fibres(), kind, yarn, 0, crossings_of(textile, kind));
+    const std::size_t caps = request.capped ? 2 * (sides - 2) : 0;
+    return {sides * (fibres * rings + hairs * YarnFibres::hair_points),
+            fibres * (2 * (rings - 1) * sides + caps) + hairs * (2 * (YarnFibres::hair_points - 1) * sides + caps)};
+}
+
+MeshSize stream_size(const Textile& textile, const MeshRequest& request)
+{
+    MeshSize all;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) {
+            const MeshSize one = stream_size(textile, request, kind, yarn);
+            all.vertices += one.vertices;
+            all.triangles += one.triangles;
+        }
+    return all;
+}
+
+bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::function<bool(const YarnMesh&)>& take)
+{
+    Cutter cutter(textile, request);
+    // A ring of buffers: a piece's buffer is free again once the piece has been taken, before as many others have begun.
+    std::vector<YarnMesh> buffers(pieces_at_once);
+    std::size_t next_buffer = 0;
+    std::atomic<bool> stopped{false};
+    struct Work {
+        Piece piece;
+        YarnMesh* mesh = nullptr;
+    };
+    tbb::parallel_pipeline(pieces_at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order,
+                                                                        [&](tbb::flow_control& flow) {
+                                                                            Work work;
+                                                                            if (stopped || !cutter.next(work.piece)) flow.stop();
+                                                                            work.mesh = &buffers[next_buffer++ % pieces_at_once];
+                                                                            return work;
+                                                                        }) &
+                                               tbb::make_filter<Work, Work>(tbb::filter_mode::parallel,
+                                                                            [&](Work work) {
+                                                                                make(textile, request, work.piece, *work.mesh);
+                                                                                return work;
+                                                                            }) &
+                                               tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
+                                                   if (!stopped && !take(*work.mesh)) stopped = true;
+                                               }));
+    return !stopped;
+}
+
+YarnMesh mesh_fibres(const Textile& textile, const TextileRegion& window, const FibreOptions& options)
+{
+    struct Stretch {
+        YarnKind kind;
+        int yarn;
+        std::unique_ptr<YarnFibres> fibres;
+        std::size_t vertices = 0, triangles = 0;
+    };
+    std::vector<Stretch> stretches;
+    for (int end = 0; end < window.ends; ++end) stretches.push_back({YarnKind::warp, window.first_end + end, nullptr});
+    for (int pick = 0; pick < window.picks; ++pick) stretches.push_back({YarnKind::weft, window.first_pick + pick, nullptr});
+    tbb::parallel_for(std::size_t(0), stretches.size(), [&](std::size_t i) {
+        Stretch& s = stretches[i];
+        const bool is_warp = s.kind == YarnKind::warp;
+        s.fibres = std::make_unique<YarnFibres>(textile, options, s.kind, s.yarn, is_warp ? window.first_pick : window.first_end,
+                                                is_warp ? window.picks : window.ends);
+        for (int strand = 0; strand < s.fibres->strands(); ++strand) {
+            s.vertices += s.fibres->vertices(strand);
+            s.triangles += s.fibres->triangles(strand);
+        }
+    });
+    YarnMesh mesh;
+    std::size_t vertices = 0, triangles = 0;
+    for (const Stretch& s : stretches) {
+        mesh.groups.push_back({yarn_name(s.kind, s.yarn), s.kind, s.yarn, vertices, s.vertices, 3 * triangles, 3 * s.triangles});
+        vertices += s.vertices;
+        triangles += s.triangles;
+    }
+    if (vertices > std::numeric_limits<std::uint32_t>::max())
+        throw Error("The fibres would have " + std::to_string(vertices / 1000000) +
+                    " million vertices, more than a mesh can number; take a smaller piece.");
+    resize(mesh, vertices, triangles);
+    tbb::parallel_for(std::size_t(0), stretches.size(), [&](std::size_t i) {
+        const YarnFibres& fibres = *stretches[i].fibres;
+        fill(fibres, 0, fibres.strands(), mesh, mesh.groups[i].first_vertex, mesh.groups[i].first_index);
+    });
+    return mesh;
+}
+
+} // namespace hygroloom

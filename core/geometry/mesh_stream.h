@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A mesh of any size piece by piece, so that memory does not grow with it: made on all cores, handed over in order.
+#pragma once
+
+#include "core/geometry/fibres.h"
+
+#include <functional>
+
+namespace hygroloom {
+
+enum class MeshDetail { centreline, yarn, fibre };
+
+struct MeshRequest {
+    MeshDetail detail = MeshDetail::yarn;
+    int samples_per_crossing = 8; ///< rings
+    int sides = 12;               ///< of a yarn, or of a fibre
+    bool flyaways = true;
+    bool capped = true;           ///< fibres' ends; yarns always end in caps
+    std::uint64_t seed = 1;
+
+    FibreOptions fibres() const { return {samples_per_crossing, sides, flyaways, capped, seed}; }
+};
+
+/// What stream_mesh() hands over in all. A centreline has no triangles.
+MeshSize stream_size(const Textile& textile, const MeshRequest& request);
+/// The same of one yarn.
+MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn);
+
+/// Hands over all ends, then all picks, in pieces of one yarn or of a part of its fibres: at most about a quarter of a million vertices
+/// unless one yarn or fibre alone has more. Each piece has one group, whose indices begin at 0. take returns false to stop; it is
+/// called from one thread at a time. Returns whether it ran to the end. Precondition: detail is not centreline.
+bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::function<bool(const YarnMesh&)>& take);
+
+/// All fibres of a window of the textile (its crossings counted from the textile's first) in one mesh with a group per yarn; positions
+/// are the textile's. Throws Error when the vertices are too many for 32-bit indices.
+YarnMesh mesh_fibres(const Textile& textile, const TextileRegion& window, const FibreOptions& options);
+
+} // namespace hygroloom
