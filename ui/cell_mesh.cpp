@@ -48,11 +48,11 @@ TextileRegion inside(const PreviewFabric& fabric, TextileRegion part)
 
 class CellSweep {
 public:
-    CellSweep(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, const TubeLevel& level, double below_skin, CellMesh& mesh)
+    CellSweep(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, const TubeLevel& level, double sunk, CellMesh& mesh)
         : textile_(fabric.textile)
         , part_(part)
         , field_(field)
-        , below_skin_(below_skin)
+        , sunk_(sunk)
         , level_(level)
         , mesh_(mesh)
     {
@@ -107,7 +107,8 @@ private:
         }
         const Vec3d across = is_warp ? Vec3d{1, 0, 0} : Vec3d{0, -1, 0};
         const Vec3d up = cross(across, point_.tangent);
-        const SectionPoint p = section_point(point_.half_width - below_skin_, point_.half_height - below_skin_, 2 * pi * (k % level_.sides) / level_.sides);
+        const double under = sunk_ * point_.half_height;
+        const SectionPoint p = section_point(point_.half_width - under, point_.half_height - under, 2 * pi * (k % level_.sides) / level_.sides);
         const Vec3d position = point_.centre + p.across * across + p.up * up;
         Vec3d normal = p.normal_across * across + p.normal_up * up;
         double open = 1;
@@ -116,7 +117,7 @@ private:
         } else if (k == level_.sides) {
             open = seam_;
         } else {
-            open = contrast(field_.openness(position, normal)) * (below_skin_ > 0 ? 0.55 : 1);
+            open = contrast(field_.openness(position, normal)) * (sunk_ > 0 ? 0.55 : 1);
             seam_ = k == 0 ? open : seam_;
         }
         CellVertex vertex{};
@@ -139,7 +140,7 @@ private:
     const Textile& textile_;
     TextileRegion part_;
     const YarnField& field_;
-    double below_skin_; ///< m
+    double sunk_; ///< share of the half height that lies over this body
     const TubeLevel& level_;
     CellMesh& mesh_;
     Vec3d corner_; // mm
@@ -197,7 +198,7 @@ CellMesh mesh_cell(const PreviewFabric& fabric, Cell cell, int level)
     const bool fibres = level == fibre_level;
     const TextileRegion part = fibres ? fabric.crossings(cell) : inside(fabric, fabric.crossings(cell));
     const YarnField field(fabric.textile, part);
-    CellSweep sweep(fabric, part, field, fibres ? fibre_core : tubes[level - 1], fibres ? fibre_depth(fabric) : 0, mesh);
+    CellSweep sweep(fabric, part, field, fibres ? fibre_core : tubes[level - 1], fibres ? fibre_core_share : 0, mesh);
     for (int end = 0; end < part.ends; ++end) {
         sweep.add(YarnKind::warp, part.first_end + end);
     }

@@ -2,7 +2,6 @@
 #include "ui/fabric_scene.h"
 
 #include "core/base/units.h"
-#include "ui/fibre_mesh.h"
 
 #include <QVector4D>
 
@@ -40,20 +39,6 @@ double pitch_scale(const PreviewFabric& fabric, const SceneView& view)
 {
     const QVector3D pitch = fabric.pitch();
     return view.detail * std::sqrt(pitch.x() * pitch.y());
-}
-
-std::size_t triangles_of(const MeshKey& key)
-{
-    if (key.level == 0) {
-        return 2;
-    }
-    const TubeLevel& level = key.level == fibre_level ? fibre_core : tubes[key.level - 1];
-    const auto around = static_cast<std::size_t>(level.sides);
-    const auto pieces = static_cast<std::size_t>(2 * key.ends * key.picks * level.samples);
-    if (key.level == fibre_level) {
-        return 2 * around * pieces + 2 * (around - 2) * static_cast<std::size_t>(key.ends + key.picks) + fibre_triangles(key.ends * key.picks);
-    }
-    return 2 * around * pieces + 2 * (around - 2) * static_cast<std::size_t>(key.ends + key.picks);
 }
 
 void FabricScene::setFabric(std::shared_ptr<const PreviewFabric> fabric)
@@ -238,15 +223,6 @@ void FabricScene::collect()
             batch(fabric_->key(cell, s.from)).fading.push_back(instance);
         }
     }
-}
-
-std::size_t FabricScene::triangles() const
-{
-    std::size_t sum = 0;
-    for (const CellBatch& batch : batches_) {
-        sum += triangles_of(batch.key) * (batch.whole.size() + batch.fading.size() + batch.over.size());
-    }
-    return sum;
 }
 
 } // namespace hygroloom

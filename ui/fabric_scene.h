@@ -57,7 +57,6 @@ public:
     bool fading() const { return fading_; }
     std::size_t visibleCells() const { return visible_.size(); }
     const std::vector<Cell>& visible() const { return visible_; }
-    std::size_t triangles() const;
 
 private:
     struct State {
@@ -82,8 +81,5 @@ private:
 
 /// What a millimetre's pixels are to be multiplied by for the width of a pitch that levels go by.
 double pitch_scale(const PreviewFabric& fabric, const SceneView& view);
-
-/// Triangles that a mesh of this key has.
-std::size_t triangles_of(const MeshKey& key);
 
 } // namespace hygroloom

@@ -2,7 +2,7 @@
 #include "ui/fibre_mesh.h"
 
 #include "core/base/units.h"
-#include "core/geometry/mesh.h"
+#include "core/geometry/fibres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,129 +11,74 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int fibres = 44;  // seen round a yarn: of 15 um in one of 0.2 mm
-constexpr int samples = 10; // per crossing
-constexpr int sides = 4;
-constexpr double share_of_gap = 1.15; // fibres lie a little over each other
-
-/// 0..1, always the same for the same numbers.
-double chance(int kind, int yarn, int fibre, int which)
+/// Room for one yarn's fibres in a mesh, and the fibres in it.
+YarnMesh tubes_of(const YarnFibres& fibres)
 {
-    auto hash = static_cast<std::uint32_t>(yarn * 7919 + fibre * 104729 + which * 1299709 + kind * 15485863);
-    hash ^= hash >> 16;
-    hash *= 0x7feb352dU;
-    hash ^= hash >> 15;
-    hash *= 0x846ca68bU;
-    hash ^= hash >> 16;
-    return hash / 4294967296.0;
-}
-
-double radius_of(double half_width, double half_height)
-{
-    const double round = 2 * pi * half_height + 4 * std::max(0.0, half_width - half_height);
-    return share_of_gap * round / (2 * fibres);
-}
-
-struct Place {
-    Vec3d centre; // m
-    Vec3d outwards;
-    double radius;
-};
-
-/// A fibre at a distance along its yarn, in crossings from the textile's edge.
-Place fibre_at(const Textile& textile, YarnKind kind, int yarn, int fibre, double turns, double along)
-{
-    const bool is_warp = kind == YarnKind::warp;
-    const int crossings = is_warp ? textile.picks() : textile.ends();
-    const int at = std::clamp(static_cast<int>(std::floor(along)), 0, crossings - 1);
-    const YarnPoint point = yarn_point(textile, kind, yarn, at, std::clamp(along - at - 0.5, -0.5, 0.5));
-    const auto lot = [&](int which) { return chance(is_warp ? 0 : 1, yarn, fibre, which); };
-    const double wander = 0.35 * std::sin(2 * pi * (lot(0) + along * (0.25 + 0.35 * lot(1)))) + 0.2 * std::sin(2 * pi * (lot(2) + along * (0.7 + lot(3))));
-    const double angle = 2 * pi * ((fibre + 0.8 * lot(4) + wander) / fibres + turns * along);
-    const double radius = radius_of(point.half_width, point.half_height) * (0.85 + 0.3 * lot(5));
-    const double sunk = radius * (1 + 0.8 * (0.5 + 0.5 * std::sin(2 * pi * (lot(6) + along * (0.2 + 0.4 * lot(7))))));
-    const SectionPoint p = section_point(point.half_width - sunk, point.half_height - sunk, angle);
-    const Vec3d across = is_warp ? Vec3d{1, 0, 0} : Vec3d{0, -1, 0};
-    const Vec3d up = cross(across, point.tangent);
-    return {point.centre + p.across * across + p.up * up, p.normal_across * across + p.normal_up * up, radius};
-}
-
-Vec3d unit(const Vec3d& v)
-{
-    return 1 / std::max(1e-30, length(v)) * v;
+    std::size_t vertices = 0, triangles = 0;
+    for (int strand = 0; strand < fibres.strands(); ++strand) {
+        vertices += fibres.vertices(strand);
+        triangles += fibres.triangles(strand);
+    }
+    YarnMesh mesh;
+    mesh.positions.resize(3 * vertices);
+    mesh.normals.resize(3 * vertices);
+    mesh.uvs.resize(2 * vertices);
+    mesh.segment_of_vertex.resize(vertices);
+    mesh.indices.resize(3 * triangles);
+    std::size_t vertex = 0, index = 0;
+    for (int strand = 0; strand < fibres.strands(); ++strand) {
+        fibres.tube(strand, mesh, vertex, index);
+        vertex += fibres.vertices(strand);
+        index += 3 * fibres.triangles(strand);
+    }
+    return mesh;
 }
 
 } // namespace
 
-double fibre_depth(const PreviewFabric& fabric)
-{
-    const YarnPoint end = yarn_point(fabric.textile, YarnKind::warp, 0, 0, 0);
-    return 2.4 * radius_of(end.half_width, end.half_height);
-}
-
-std::size_t fibre_triangles(int crossings)
-{
-    return static_cast<std::size_t>(2 * crossings) * fibres * samples * sides * 2;
-}
-
 void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, CellMesh& mesh)
 {
+    const Textile& textile = fabric.textile;
     const QVector3D corner = fabric.low(part);
-    const auto add = [&](YarnKind kind, int yarn, int fibre) {
+    FibreOptions options;
+    options.samples_per_crossing = 10;
+    options.sides = 4;
+    options.capped = false;
+    const auto add = [&](YarnKind kind, int yarn) {
         const bool is_warp = kind == YarnKind::warp;
-        const Yarn& designed = *(is_warp ? fabric.end_yarns : fabric.pick_yarns)[static_cast<std::size_t>(yarn)];
-        const double step = is_warp ? fabric.pitch().y() : fabric.pitch().x();
-        const double turns = designed.twist_per_m * metre_from_mm(step) * (designed.twist_direction == TwistDirection::z ? 1 : -1);
-        const int first = is_warp ? part.first_pick : part.first_end;
-        const int crossings = is_warp ? part.picks : part.ends;
-        const int rings = crossings * samples + 1;
-        for (int ring = 0; ring < rings; ++ring) {
-            const double along = first + static_cast<double>(ring) / samples;
-            constexpr double little = 0.02;
-            const Place here = fibre_at(fabric.textile, kind, yarn, fibre, turns, along);
-            const Vec3d tangent = unit(fibre_at(fabric.textile, kind, yarn, fibre, turns, along + little).centre
-                                       - fibre_at(fabric.textile, kind, yarn, fibre, turns, along - little).centre);
-            const Vec3d aside = unit(cross(tangent, here.outwards));
-            const Vec3d out = cross(aside, tangent);
-            const Vec3d skin = here.centre + here.radius * out;
-            const double open = 0.6 + 0.4 * std::sqrt(field.openness(skin, here.outwards));
-            const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
-            for (int k = 0; k < sides; ++k) {
-                const double angle = 2 * pi * k / sides;
-                const Vec3d normal = std::cos(angle) * out + std::sin(angle) * aside;
-                const Vec3d position = here.centre + here.radius * normal;
-                const double buried = 0.86 + 0.14 * std::cos(angle); // its flanks lie between its neighbours
-                CellVertex vertex{};
-                vertex.position[0] = static_cast<float>(mm_from_metre(position.x)) - corner.x();
-                vertex.position[1] = static_cast<float>(mm_from_metre(position.y)) - corner.y();
-                vertex.position[2] = static_cast<float>(mm_from_metre(position.z));
-                const double shape[] = {normal.x, normal.y, normal.z, open * buried};
-                for (int i = 0; i < 4; ++i) {
-                    vertex.shape[i] = static_cast<std::int16_t>(std::lround(32767 * std::clamp(shape[i], -1.0, 1.0)));
-                }
-                vertex.along = static_cast<float>(ring) / samples;
-                const int at = std::min(ring / samples, crossings - 1), own = yarn - (is_warp ? part.first_end : part.first_pick);
-                vertex.crossing[0] = static_cast<std::uint8_t>(is_warp ? own : at);
-                vertex.crossing[1] = static_cast<std::uint8_t>(is_warp ? at : own);
-                vertex.crossing[2] = is_warp ? 0 : 1;
-                vertex.crossing[3] = 1;
-                mesh.vertices.push_back(vertex);
-                if (ring > 0) {
-                    const std::uint32_t a = base + static_cast<std::uint32_t>(k), b = base + static_cast<std::uint32_t>((k + 1) % sides);
-                    mesh.indices.insert(mesh.indices.end(), {a - sides, b - sides, a, a, b - sides, b});
-                }
+        const YarnFibres fibres(textile, options, kind, yarn, is_warp ? part.first_pick : part.first_end, is_warp ? part.picks : part.ends);
+        const YarnMesh skins = tubes_of(fibres);
+        const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (std::size_t i = 0; i < skins.segment_of_vertex.size(); ++i) {
+            const float* p = &skins.positions[3 * i];
+            const float* n = &skins.normals[3 * i];
+            const double open = 0.76 + 0.24 * std::sqrt(field.openness({p[0], p[1], p[2]}, {n[0], n[1], n[2]}));
+            CellVertex vertex{};
+            vertex.position[0] = static_cast<float>(mm_from_metre(p[0])) - corner.x();
+            vertex.position[1] = static_cast<float>(mm_from_metre(p[1])) - corner.y();
+            vertex.position[2] = static_cast<float>(mm_from_metre(p[2]));
+            const double shape[] = {n[0], n[1], n[2], open};
+            for (int k = 0; k < 4; ++k) {
+                vertex.shape[k] = static_cast<std::int16_t>(std::lround(32767 * std::clamp(shape[k], -1.0, 1.0)));
             }
+            const int along = skins.segment_of_vertex[i] % (is_warp ? textile.picks() : textile.ends());
+            const int at = std::clamp(along - (is_warp ? part.first_pick : part.first_end), 0, (is_warp ? part.picks : part.ends) - 1);
+            const int own = yarn - (is_warp ? part.first_end : part.first_pick);
+            vertex.crossing[0] = static_cast<std::uint8_t>(is_warp ? own : at);
+            vertex.crossing[1] = static_cast<std::uint8_t>(is_warp ? at : own);
+            vertex.crossing[2] = is_warp ? 0 : 1;
+            vertex.crossing[3] = 1;
+            mesh.vertices.push_back(vertex);
+        }
+        for (const std::uint32_t index : skins.indices) {
+            mesh.indices.push_back(base + index);
         }
     };
-    mesh.vertices.reserve(mesh.vertices.size() + fibre_triangles(part.ends * part.picks));
-    mesh.indices.reserve(mesh.indices.size() + 3 * fibre_triangles(part.ends * part.picks));
-    for (int fibre = 0; fibre < fibres; ++fibre) {
-        for (int end = 0; end < part.ends; ++end) {
-            add(YarnKind::warp, part.first_end + end, fibre);
-        }
-        for (int pick = 0; pick < part.picks; ++pick) {
-            add(YarnKind::weft, part.first_pick + pick, fibre);
-        }
+    for (int end = 0; end < part.ends; ++end) {
+        add(YarnKind::warp, part.first_end + end);
+    }
+    for (int pick = 0; pick < part.picks; ++pick) {
+        add(YarnKind::weft, part.first_pick + pick);
     }
 }
 

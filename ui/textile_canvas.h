@@ -55,6 +55,8 @@ public:
     const std::shared_ptr<const PreviewFabric>& fabric() const { return scene_.fabric(); }
     const FabricScene& scene() const { return scene_; }
     SceneView sceneView() const;
+    /// That the picture takes.
+    std::size_t triangles() const { return renderer_.triangles(scene_.batches()); }
     Framing framing() const { return framing_; }
     /// Since the picture was last framed.
     bool movedByHand() const { return moved_by_hand_; }

@@ -201,6 +201,17 @@ bool TextileRenderer::has(const MeshKey& key) const
     return key.level == 0 ? picture_.width > 0 : meshes_.count(key) > 0;
 }
 
+std::size_t TextileRenderer::triangles(const std::vector<CellBatch>& batches) const
+{
+    std::size_t sum = 0;
+    for (const CellBatch& batch : batches) {
+        const auto mesh = meshes_.find(batch.key);
+        const std::size_t each = batch.key.level == 0 ? 2 : mesh == meshes_.end() ? 0 : static_cast<std::size_t>(mesh->second->index_count) / 3;
+        sum += each * (batch.whole.size() + batch.fading.size() + batch.over.size());
+    }
+    return sum;
+}
+
 void TextileRenderer::setWater(const std::vector<float>& values, double maximum)
 {
     const auto crossings = fabric_ ? static_cast<std::size_t>(fabric_->textile.crossings()) : 0;

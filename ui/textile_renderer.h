@@ -43,6 +43,8 @@ public:
     void addMesh(const CellMesh& mesh);
     void setPicture(const RepeatPicture& picture);
     bool has(const MeshKey& key) const;
+    /// Triangles that these take, drawn once.
+    std::size_t triangles(const std::vector<CellBatch>& batches) const;
     /// Values of the whole's segments; empty for a dry fabric.
     void setWater(const std::vector<float>& values, double maximum);
     void setLiquid(const LiquidSurface& surface);
