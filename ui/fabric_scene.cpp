@@ -14,6 +14,7 @@ namespace hygroloom {
 namespace {
 
 constexpr double fade_seconds = 0.22;
+constexpr std::size_t most_cut_crossings = 12000;
 constexpr double belt_start = 1.15 * belt_pixels[0]; // so far, hardly any tubes are seen in the belt
 
 /// The half spaces that the picture shows, in the scene's coordinates.
@@ -122,6 +123,9 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
         }
     };
     fading_ = false;
+    // The flat picture cannot be cut level; it stays for pieces that would be too many tubes.
+    const bool level_cut = view.cut && view.cut->normal.z != 0
+        && visible_.size() * static_cast<std::size_t>(fabric_->cell_ends * fabric_->cell_picks) < most_cut_crossings;
     for (const Cell cell : visible_) {
         State& s = state(cell);
         if (s.from >= 0) {
@@ -131,6 +135,10 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
         const auto [pixels, least_pixels] = pitchPixels(cell, view);
         int level = level_for(pixels, s.level);
         s.belt = level == fibre_level ? least_pixels < fibre_belt_pixels[1] : level > 0 && least_pixels < belt_pixels[1];
+        if (level_cut && level < fibre_level) {
+            level = std::max(level, 1);
+            s.belt = false;
+        }
         if (level != s.level && s.from < 0) {
             if (const MeshKey key = fabric_->key(cell, level); !available(key)) {
                 want(cell, key);

@@ -388,6 +388,9 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
             }
             if (!std::exchange(prepared, true)) {
                 prepare(program, view, colors);
+                if (flat && view.cut && view.cut->normal.z != 0) {
+                    program.setUniformValue("cut", QVector4D(0, 0, 0, 1));
+                }
                 program.setUniformValue("over_tubes", pass == Pass::over ? 1.0F : 0.0F);
             }
             if (flat) {

@@ -315,6 +315,20 @@ private Q_SLOTS:
         window_->viewport().bar().setSection({});
     }
 
+    void aLevelSectionShowsTubesFromAfarToo()
+    {
+        canvas_->fit(Framing::whole);
+        SectionPlane section;
+        section.across = SectionPlane::Across::thickness;
+        window_->viewport().bar().setSection(section);
+        const QImage picture = window_->viewport().picture();
+        QVERIFY(difference(meanColor(picture), {233, 236, 238}) > 20);
+        for (const CellBatch& batch : canvas_->scene().batches()) {
+            QVERIFY(batch.key.level > 0);
+        }
+        window_->viewport().bar().setSection({});
+    }
+
     void theStandardViewsLookWhereTheySay()
     {
         const std::pair<Qt::Key, QVector3D> views[] = {{Qt::Key_1, {0, -1, 0}}, {Qt::Key_2, {0, 1, 0}}, {Qt::Key_3, {1, 0, 0}},
