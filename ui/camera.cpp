@@ -126,6 +126,13 @@ void Camera::zoom(double factor, const QPointF& at, const QSizeF& size)
     target_ += static_cast<float>(before - distance_) * aside;
 }
 
+void Camera::zoomTo(double factor, const QVector3D& point)
+{
+    const double before = distance_;
+    distance_ = std::clamp(distance_ / factor, 0.05, 20000.0);
+    target_ = point + static_cast<float>(distance_ / before) * (target_ - point);
+}
+
 void Camera::fit(const QVector3D& low, const QVector3D& high, const QSizeF& size)
 {
     target_ = 0.5F * (low + high);

@@ -44,6 +44,8 @@ public:
     void pan(const QPointF& pixels, const QSizeF& size);
     /// Keeps the point under the pointer where it is. factor > 1 comes nearer.
     void zoom(double factor, const QPointF& at, const QSizeF& size);
+    /// Towards a point, which stays where it is in the picture and is never passed.
+    void zoomTo(double factor, const QVector3D& point);
     void centreOn(const QVector3D& point) { target_ = point; }
     /// Shows the whole box, from the same direction.
     void fit(const QVector3D& low, const QVector3D& high, const QSizeF& size);

@@ -33,7 +33,7 @@ constexpr TubeLevel tubes[] = {{3, 6, 13}, {4, 8, 20}, {4, 12, 30}, {6, 16, 52},
 constexpr int fibre_level = static_cast<int>(std::size(tubes)) + 1;
 constexpr double fibre_pixels = 220;
 /// In this belt pixel after pixel goes from skin to fibres, the more the nearer.
-constexpr double fibre_belt_pixels[] = {fibre_pixels, 1.5 * fibre_pixels};
+constexpr double fibre_belt_pixels[] = {fibre_pixels, 1.3 * fibre_pixels};
 /// Between the flat picture and the first tubes lies a belt where the picture lies over the tubes, the thinner the nearer.
 constexpr double belt_pixels[] = {13, 20};
 /// The level for a pitch so wide in the picture. A level that is shown stays a little beyond its range.

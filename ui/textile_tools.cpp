@@ -105,7 +105,12 @@ void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 void TextileCanvas::wheelEvent(QWheelEvent* event)
 {
     moved_by_hand_ = true;
-    camera_.zoom(std::pow(1.0015, event->angleDelta().y()), event->position(), QSizeF(size()));
+    const double factor = std::pow(1.0015, event->angleDelta().y());
+    if (const auto found = hit(event->position())) {
+        camera_.zoomTo(factor, millimetres(found->point));
+    } else {
+        camera_.zoom(factor, event->position(), QSizeF(size()));
+    }
     redraw(true);
 }
 

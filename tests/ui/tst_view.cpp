@@ -375,6 +375,21 @@ private Q_SLOTS:
         }
     }
 
+    void zoomingNeverPassesWhatIsPointedAt()
+    {
+        Camera camera = canvas_->camera();
+        camera.lookFrom(-28, 48);
+        const QSizeF size(canvas_->size());
+        const QVector3D point = camera.target() + QVector3D(1.5F, -2, 0.1F);
+        const QPointF before = camera.project(point, size);
+        for (int i = 0; i < 30; ++i) {
+            camera.zoomTo(1.2, point);
+        }
+        const QPointF after = camera.project(point, size);
+        QVERIFY(std::hypot(after.x() - before.x(), after.y() - before.y()) < 0.5);
+        QVERIFY(camera.depth(point) > 0);
+    }
+
     void anEditShowsSoon()
     {
         for (const Framing framing : {Framing::few_repeats, Framing::whole}) {
