@@ -138,6 +138,7 @@ int run(int count, char** values)
     add_simulate(app, verb);
     add_measure(app, verb);
     add_export(app, verb);
+    add_import(app, verb);
     add_devices(app, verb);
     add_verify(app, verb);
 

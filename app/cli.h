@@ -50,12 +50,16 @@ void print_issue(const std::string& file, const Issue& issue);
 const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options);
 const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options);
 
+/// The chosen fabric as a WIF file, for export.
+int export_wif(const ProjectOptions& options, const std::string& output);
+
 /// Each adds its verb to the program; when the command line names it, chosen is set.
 void add_check(CLI::App& app, Verb& chosen);
 void add_plan(CLI::App& app, Verb& chosen);
 void add_simulate(CLI::App& app, Verb& chosen);
 void add_measure(CLI::App& app, Verb& chosen);
 void add_export(CLI::App& app, Verb& chosen);
+void add_import(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_verify(CLI::App& app, Verb& chosen);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // check: what is wrong with a project, and the numbers that follow from it beside those a laboratory measured.
 #include "app/cli.h"
+#include "app/cli_weave.h"
 
 #include "core/base/units.h"
 #include "core/design/fabric_quantities.h"
@@ -120,7 +121,10 @@ int check(const ProjectOptions& options)
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FabricQuantities quantities = derive_quantities(design, fabric);
         json["fabrics"].push_back(fabric_json(fabric, quantities));
-        if (!options.json) print_fabric(fabric, quantities);
+        add_weave_json(json["fabrics"].back(), design, fabric);
+        if (options.json) continue;
+        print_fabric(fabric, quantities);
+        print_weave(design, fabric);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));
     return has_error(issues) ? exit_invalid : exit_ok;

@@ -34,6 +34,7 @@ std::array<double, 2> size_from(const std::string& text)
 
 int export_mesh(const ExportOptions& options)
 {
+    if (options.output.ends_with(".wif") || options.output.ends_with(".WIF")) return export_wif(options, options.output);
     if (options.detail == "fibre")
         throw Stop(exit_usage, "This version exports centrelines and yarns; fibres come later. Use --detail yarn.");
     if (options.detail != "yarn" && options.detail != "centreline")
@@ -74,7 +75,7 @@ int export_mesh(const ExportOptions& options)
 void add_export(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<ExportOptions>();
-    CLI::App& export_verb = *app.add_subcommand("export", "A piece of a fabric as a mesh (OBJ, PLY, STL in mm; GLB in metres)");
+    CLI::App& export_verb = *app.add_subcommand("export", "A piece of a fabric as a mesh (OBJ, PLY, STL in mm; GLB in metres), or its draft (WIF)");
     export_verb.footer("Example: hygroloom-cli export cloth.hygro --detail yarn --size-mm 5x5 -o cloth.obj");
     add_project_options(export_verb, *options, false);
     export_verb.add_option("--detail", options->detail, "centreline or yarn");

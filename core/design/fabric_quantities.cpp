@@ -30,14 +30,6 @@ YarnQuantities describe(const FittedYarn& fitted, const Fabric& fabric, double s
     return yarn;
 }
 
-/// Mean over the types of one system's threads.
-template <typename Value> double mean(const YarnOrder& order, const std::vector<FittedYarn>& yarns, Value value)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < yarns.size(); ++i) sum += order.share[i] * value(yarns[i]);
-    return sum;
-}
-
 /// Crimp of a warp (or weft) type over all it crosses, percent.
 double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, double crossed_pitch, double changes)
 {
@@ -51,6 +43,61 @@ double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, dou
         sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
     }
     return sum;
+}
+
+/// Mean width of a system's yarns in the fabric, mm: narrower where crossed yarns squeeze them.
+double mean_width_of(const FittedYarns& fitted, bool warp, double crossed_pitch, double changes)
+{
+    const auto &yarns = warp ? fitted.warp : fitted.weft, &crossed = warp ? fitted.weft : fitted.warp;
+    const YarnOrder &order = warp ? fitted.warp_order : fitted.weft_order, &other_order = warp ? fitted.weft_order : fitted.warp_order;
+    double sum = 0;
+    for (std::size_t type = 0; type < yarns.size(); ++type)
+        for (std::size_t other = 0; other < crossed.size(); ++other) {
+            const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
+            const Section &own = yarns[type].section, &over = crossed[other].section;
+            const Interlacing path = interlace(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
+            const double bent = mean_width(path, own, over, warp ? heights.weft : heights.warp);
+            sum += order.share[type] * other_order.share[other] * (changes * bent + (1 - changes) * own.width);
+        }
+    return sum;
+}
+
+/// Share of the area that no yarn covers: a quarter of a hole between two ends and two picks, whose sides are the yarns' edges.
+/// Where yarns keep their width it is (1 - c1)(1 - c2).
+double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitch, double warp_changes, double weft_changes)
+{
+    constexpr std::size_t steps = 64;
+    double open = 0;
+    for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+        for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+            const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
+            const CrossingHeights& rise = fitted.at(i, j);
+            const auto edges = [](const Interlacing& path, const Section& own, const Section& other, double other_rise) {
+                std::vector<double> half;
+                for (std::size_t k = 0; k < steps; ++k) {
+                    const double x = 0.5 * path.pitch * (static_cast<double>(k) + 0.5) / steps;
+                    half.push_back(0.5 * (own.width - own.height + squeezed_height_at(path, own, other, other_rise, x)));
+                }
+                return half;
+            };
+            const std::vector<double> warp_bent = edges(interlace(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
+            const std::vector<double> weft_bent = edges(interlace(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
+            double here = 0;
+            for (bool warp_turns : {false, true})
+                for (bool weft_turns : {false, true}) {
+                    const std::vector<double>&warp = warp_turns ? warp_bent : warp_straight, &weft = weft_turns ? weft_bent : weft_straight;
+                    int free = 0;
+                    for (std::size_t k = 0; k < steps; ++k)
+                        for (std::size_t l = 0; l < steps; ++l) {
+                            const double x = 0.5 * warp_pitch * (static_cast<double>(k) + 0.5) / steps, y = 0.5 * weft_pitch * (static_cast<double>(l) + 0.5) / steps;
+                            free += x > warp[l] && y > weft[k];
+                        }
+                    const double likely = (warp_turns ? warp_changes : 1 - warp_changes) * (weft_turns ? weft_changes : 1 - weft_changes);
+                    here += likely * free / (steps * steps);
+                }
+            open += fitted.warp_order.share[i] * fitted.weft_order.share[j] * here;
+        }
+    return open;
 }
 
 /// g/m2 of one system, and the mm of solid fibre they are.
@@ -114,18 +161,16 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     FabricQuantities q;
     q.warp = describe(warp, fabric, fabric.ends_per_cm);
     q.weft = describe(weft, fabric, fabric.picks_per_cm);
-    const auto width = [](const FittedYarn& yarn) { return yarn.section.width; };
-    q.warp.cover = mean(fitted.warp_order, fitted.warp, width) / q.warp.pitch_mm;
-    q.weft.cover = mean(fitted.weft_order, fitted.weft, width) / q.weft.pitch_mm;
-
     // A yarn runs longer than the fabric only where it changes sides.
     const double warp_changes = share_of_changes(fabric.weave, true);
     const double weft_changes = share_of_changes(fabric.weave, false);
+    q.warp.cover = mean_width_of(fitted, true, q.weft.pitch_mm, warp_changes) / q.warp.pitch_mm;
+    q.weft.cover = mean_width_of(fitted, false, q.warp.pitch_mm, weft_changes) / q.weft.pitch_mm;
     q.warp.crimp_percent = crimp_percent(fitted, true, 0, q.weft.pitch_mm, warp_changes);
     q.weft.crimp_percent = crimp_percent(fitted, false, 0, q.warp.pitch_mm, weft_changes);
     q.jammed = fitted.jammed;
 
-    q.cover_factor = q.warp.cover + q.weft.cover - q.warp.cover * q.weft.cover;
+    q.cover_factor = 1 - open_share(fitted, q.warp.pitch_mm, q.weft.pitch_mm, warp_changes, weft_changes);
     const SystemMass warp_mass = mass_of(fitted, true, fabric.ends_per_cm, q.weft.pitch_mm, warp_changes);
     const SystemMass weft_mass = mass_of(fitted, false, fabric.picks_per_cm, q.warp.pitch_mm, weft_changes);
     q.areal_density_g_m2 = warp_mass.areal + weft_mass.areal;

@@ -15,7 +15,7 @@ struct YarnQuantities {
     double packing_factor_in_fabric = 0;
     double pitch_mm = 0;                 ///< from yarn to yarn
     double crimp_percent = 0;
-    double cover = 0;                    ///< sett x width, 1 = touching
+    double cover = 0;                    ///< sett x mean width, 1 = touching
     double pore_radius_um = 0;           ///< between the fibres: 2 x void area / wetted perimeter
     double contact_angle_deg = 0;
     bool flattened = false;              ///< section is not the free circle
@@ -24,7 +24,7 @@ struct YarnQuantities {
 struct FabricQuantities {
     YarnQuantities warp;
     YarnQuantities weft;
-    double cover_factor = 0;             ///< c1 + c2 - c1 c2
+    double cover_factor = 0;             ///< share of the area under yarns; c1 + c2 - c1 c2 where they keep their width
     double areal_density_g_m2 = 0;       ///< dry
     double yarn_layer_thickness_mm = 0;  ///< of the interlaced yarns
     double thickness_mm = 0;             ///< with flyaway, or as given

@@ -47,6 +47,31 @@ Interlacing interlace(double pitch, const Section& own, const Section& other, do
     return path;
 }
 
+double squeezed_height(const Section& own, const Section& crossed, double along, double over)
+{
+    constexpr double least = 0.1;
+    const double flat = 0.5 * (crossed.width - crossed.height);
+    const double clearance = std::hypot(std::max(std::abs(along) - flat, 0.0), over) - 0.5 * crossed.height; // to a racetrack's skin
+    return 2 * std::clamp(clearance, 0.5 * least * own.height, 0.5 * own.height);
+}
+
+double squeezed_height_at(const Interlacing& path, const Section& own, const Section& other, double other_rise, double x)
+{
+    const double z = path.height_at(x);
+    return std::min(squeezed_height(own, other, x, z + other_rise), squeezed_height(own, other, path.pitch - x, other_rise - z));
+}
+
+double mean_width(const Interlacing& path, const Section& own, const Section& other, double other_rise)
+{
+    constexpr int steps = 64;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double x = 0.5 * path.pitch * (i + 0.5) / steps; // the other half is the same
+        sum += own.width - own.height + squeezed_height_at(path, own, other, other_rise, x);
+    }
+    return sum / steps;
+}
+
 double Interlacing::height_at(double x) const
 {
     if (x > 0.5 * pitch) return -height_at(pitch - x);

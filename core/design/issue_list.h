@@ -11,6 +11,8 @@
 
 namespace hygroloom {
 
+struct FittedYarns;
+
 struct IssueList {
     std::vector<Issue> issues;
 
@@ -56,6 +58,8 @@ struct IssueList {
 
 /// The parts of validate(), each in the order of the project file.
 void validate_material(const Material& material, const std::string& where, IssueList& list);
+void validate_weave(const Fabric& fabric, const std::string& where, IssueList& list);
+void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list);
 void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_experiment(const Experiment& experiment, const std::string& where, IssueList& list);
 

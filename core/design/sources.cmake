@@ -4,13 +4,19 @@ embed_text(${CMAKE_SOURCE_DIR}/resources/materials/fibres.json ${CMAKE_CURRENT_B
 target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/fibres_json.cpp
   design/design.cpp
+  design/draft.cpp
   design/fabric_quantities.cpp
   design/flyaway.cpp
   design/interlacing.cpp
+  design/jam.cpp
   design/material.cpp
   design/validate.cpp
   design/validate_fabric.cpp
+  design/validate_weave.cpp
   design/weave.cpp
+  design/weave_analysis.cpp
+  design/weave_effects.cpp
+  design/weave_grounds.cpp
   design/weave_patterns.cpp
   design/yarn_sections.cpp
 )

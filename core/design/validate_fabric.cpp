@@ -111,31 +111,6 @@ void validate_extra_yarns(const Design& design, const Fabric& fabric, const std:
         validate_yarn(design, yarns[i], fmt::format("{}[{}]", where, i), list);
 }
 
-void validate_weave(const Weave& weave, const std::string& where, IssueList& list)
-{
-    if (weave.ends() > largest_repeat || weave.picks() > largest_repeat) {
-        list.error(
-            "range", where,
-            fmt::format("A repeat may have up to {} ends and picks; given are {} and {}.", largest_repeat, weave.ends(), weave.picks()));
-        return;
-    }
-    const auto unbound = [&](const char* name, int threads, int crossings, auto up) {
-        int count = 0, first = 0;
-        for (int thread = 0; thread < threads; ++thread) {
-            int ups = 0;
-            for (int at = 0; at < crossings; ++at) ups += up(thread, at);
-            if (ups != 0 && ups != crossings) continue;
-            if (count++ == 0) first = thread;
-        }
-        if (count > 0)
-            list.add(Severity::warning, "unbound_thread", where,
-                     fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", count, threads, name,
-                                 name, first + 1));
-    };
-    unbound("ends", weave.ends(), weave.picks(), [&](int end, int pick) { return weave.warp_up(end, pick); });
-    unbound("picks", weave.picks(), weave.ends(), [&](int pick, int end) { return weave.warp_up(end, pick); });
-}
-
 void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
     for (bool warp : {true, false}) {
@@ -174,6 +149,7 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
     };
     for (const FittedYarn& yarn : fitted.warp) check("ends", "ends_per_cm", fabric.ends_per_cm, yarn);
     for (const FittedYarn& yarn : fitted.weft) check("picks", "picks_per_cm", fabric.picks_per_cm, yarn);
+    validate_sett(fabric, fitted, where, list);
 }
 
 void validate_measured(const Measured& measured, const std::string& where, IssueList& list)
@@ -207,7 +183,7 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     const int before = list.errors();
     validate_yarn(design, fabric.warp, where + ".warp", list);
     validate_yarn(design, fabric.weft, where + ".weft", list);
-    validate_weave(fabric.weave, where + ".weave", list);
+    validate_weave(fabric, where, list);
     validate_extra_yarns(design, fabric, where + ".extra_yarns", list);
     validate_order(fabric, fabric.warp_order, where + ".warp_order", list);
     validate_order(fabric, fabric.weft_order, where + ".weft_order", list);

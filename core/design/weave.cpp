@@ -2,6 +2,7 @@
 #include "core/design/weave.h"
 
 #include "core/base/error.h"
+#include "core/design/draft.h"
 
 namespace hygroloom {
 
@@ -42,20 +43,28 @@ Weave Weave::toggled(int end, int pick) const
     return {ends_, picks_, std::move(up)};
 }
 
+bool Weave::same_matrix(const Weave& other) const
+{
+    return ends_ == other.ends_ && picks_ == other.picks_ && (up_ == other.up_ || *up_ == *other.up_);
+}
+
 bool operator==(const Weave& a, const Weave& b)
 {
-    return a.ends_ == b.ends_ && a.picks_ == b.picks_ && a.pattern_ == b.pattern_ && (a.up_ == b.up_ || *a.up_ == *b.up_);
+    if (a.pattern_ != b.pattern_ || !a.same_matrix(b)) return false;
+    return a.draft_ == b.draft_ || (a.draft_ && b.draft_ && *a.draft_ == *b.draft_);
 }
 
 double share_of_changes(const Weave& weave, bool along_warp)
 {
+    const std::vector<std::uint8_t>& up = weave.crossings();
+    const auto ends = static_cast<std::size_t>(weave.ends());
     long changes = 0;
-    for (int end = 0; end < weave.ends(); ++end)
-        for (int pick = 0; pick < weave.picks(); ++pick) {
-            const bool next = along_warp ? weave.warp_up(end, pick + 1) : weave.warp_up(end + 1, pick);
-            changes += weave.warp_up(end, pick) != next;
-        }
-    return static_cast<double>(changes) / (static_cast<double>(weave.ends()) * weave.picks());
+    for (std::size_t row = 0; row < up.size(); row += ends) {
+        const std::size_t next_row = row + ends < up.size() ? row + ends : 0;
+        for (std::size_t end = 0; end < ends; ++end)
+            changes += up[row + end] != (along_warp ? up[next_row + end] : up[row + (end + 1 < ends ? end + 1 : 0)]);
+    }
+    return static_cast<double>(changes) / static_cast<double>(up.size());
 }
 
 } // namespace hygroloom

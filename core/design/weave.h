@@ -9,6 +9,8 @@
 
 namespace hygroloom {
 
+struct Draft;
+
 constexpr int largest_repeat = 2000; ///< ends, picks
 
 /// Copyable; the matrix is shared and never changes once made.
@@ -24,26 +26,40 @@ public:
     bool warp_up(int end, int pick) const;
     /// The name it was made from ("twill 2/1 Z"), empty for a free matrix.
     const std::string& pattern() const { return pattern_; }
-    /// A copy with one crossing turned over; it has no pattern name.
+    /// What it was drawn down from, null for a pattern or a free matrix. See draft.h.
+    const std::shared_ptr<const Draft>& draft() const { return draft_; }
+    /// Rows of ends, first pick first; 1 = warp up.
+    const std::vector<std::uint8_t>& crossings() const { return *up_; }
+    bool same_matrix(const Weave& other) const;
+    /// A copy with one crossing turned over; it has neither pattern name nor draft.
     Weave toggled(int end, int pick) const;
 
-    /// Same matrix and same pattern name.
+    /// Same matrix, same pattern name, same draft.
     friend bool operator==(const Weave& a, const Weave& b);
+    friend Weave weave_from_draft(Draft draft);
 
 private:
     int ends_ = 0;
     int picks_ = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> up_;
     std::string pattern_;
+    std::shared_ptr<const Draft> draft_;
 };
 
 /// Of all steps from a crossing to the next along the ends (or along the picks), the share where the yarn changes sides: 1 for plain.
 double share_of_changes(const Weave& weave, bool along_warp);
 
-/// "plain", "twill 2/1 Z", "satin 5/2", "basket 2/2", "rib 2/2 warp", ...; throws Error with a sentence that lists the forms.
+/// "plain", "twill 2/1 Z", "satin 5/2", "waffle 8", ...; throws Error with a sentence that lists the forms.
 Weave weave_from_pattern(const std::string& pattern);
 
-/// Patterns to offer in a list, each accepted by weave_from_pattern().
+/// Patterns of one kind to offer in a list, each accepted by weave_from_pattern() and its result's pattern().
+struct WeaveGroup {
+    std::string name; ///< "Twills"
+    std::vector<std::string> patterns;
+};
+const std::vector<WeaveGroup>& weave_catalogue();
+
+/// All of the catalogue in one list.
 const std::vector<std::string>& common_weave_patterns();
 
 } // namespace hygroloom

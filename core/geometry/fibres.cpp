@@ -111,13 +111,15 @@ float triangle_wave(float t)
 
 } // namespace
 
+double packing_at(const YarnType& type, double squared) { return type.packing * (1 + core_density(type) * (1 - 2 * squared)); }
+
 double drawn_fibre_radius(const YarnType& type)
 {
     const double radius = equivalent_radius(type), ply = ply_radius(type.plies);
     const double thick = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
     const double reach = std::max(0.1 * radius * ply, radius * ply - thick);        // of the middles
     const double round = type.plies > 1 ? 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply) : 0;
-    const double lengthening = helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round);
+    const double lengthening = helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
     return thick / std::sqrt(lengthening);
 }
 

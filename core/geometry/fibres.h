@@ -19,6 +19,10 @@ struct FibreOptions {
 /// Radius that a drawn fibre has so that all of a yarn's fibres together have the yarn's fibre volume, twist included. m.
 double drawn_fibre_radius(const YarnType& type);
 
+/// Local packing at a squared share of the radius: 1 + core (1 - 2 rho2) times the mean, core at most 0.5 and so that no axis is denser
+/// than 0.9. Its mean over the section is the yarn's packing.
+double packing_at(const YarnType& type, double squared_radius);
+
 /// Mean length of loops and of hairs per metre of yarn: analytic, what the drawn ones add up to. A loop counts from where it leaves the
 /// yarn's skin to where it comes back; its height is from half the given one to the given one. A hair's length is from half to one and a
 /// half times the given one.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   geometry/fibres.cpp
+  geometry/measured_geometry.cpp
   geometry/mesh.cpp
   geometry/mesh_stream.cpp
   geometry/textile.cpp

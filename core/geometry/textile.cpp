@@ -13,14 +13,6 @@ namespace {
 
 constexpr int path_samples = 65;
 constexpr double default_tortuosity = 1.2; // Li and Zhu 2003, of liquid in a yarn's pores
-constexpr double least_squeezed = 0.1;     // share of its height that a squeezed section keeps
-
-/// Distance from a point to a racetrack's skin, negative inside.
-double distance_to_section(const Section& section, double across, double up)
-{
-    const double flat = 0.5 * (section.width - section.height);
-    return std::hypot(std::max(std::abs(across) - flat, 0.0), up) - 0.5 * section.height;
-}
 
 Section metres(const Section& mm) { return {metre_from_mm(mm.width), metre_from_mm(mm.height)}; }
 
@@ -53,9 +45,7 @@ YarnPath make_path(const Section& own, const Crossed& a, const Crossed& b, doubl
             slope = smooth_slope(t) / pitch * (b.own_rise - a.own_rise);
         }
         // The section keeps its flat; its height is what the two crossed yarns leave it.
-        const double clearance =
-            std::min(distance_to_section(a.section, x, z + a.other_rise), distance_to_section(b.section, x - pitch, z + sign * b.other_rise));
-        const double height = 2.0 * std::clamp(clearance, 0.5 * least_squeezed * own.height, 0.5 * own.height);
+        const double height = std::min(squeezed_height(own, a.section, x, z + a.other_rise), squeezed_height(own, b.section, x - pitch, z + sign * b.other_rise));
         path.height.push_back(z);
         path.slope.push_back(slope);
         path.half_height.push_back(0.5 * height);
@@ -68,6 +58,26 @@ YarnPath make_path(const Section& own, const Crossed& a, const Crossed& b, doubl
             path.length += std::hypot(pitch / (path_samples - 1), path.height[static_cast<std::size_t>(i) + 1] - path.height[static_cast<std::size_t>(i)]);
     }
     return path;
+}
+
+/// Mean length of fibres that keep their places in the section along a path, at about the resolution that fibres are drawn with.
+double untwisted_length(const YarnPath& path, double pitch)
+{
+    constexpr int radii = 6, angles = 8;
+    double sum = 0;
+    for (int r = 0; r < radii; ++r)
+        for (int a = 0; a < angles; ++a) {
+            const double radius = std::sqrt((r + 0.5) / radii), angle = 2 * pi * (a + 0.5) / angles;
+            Vec3d before;
+            for (std::size_t i = 0; i < path_samples; i += 8) {
+                const double up = radius * path.half_height[i] * std::cos(angle), norm = 1 / std::hypot(1.0, path.slope[i]);
+                const Vec3d here{pitch * static_cast<double>(i) / (path_samples - 1) - up * path.slope[i] * norm,
+                                 radius * path.half_width[i] * std::sin(angle), path.height[i] + up * norm};
+                if (i > 0) sum += length(here - before) / (radii * angles);
+                before = here;
+            }
+        }
+    return sum;
 }
 
 YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fitted)
@@ -113,8 +123,9 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
             for (const Crossed& after : all)
                 for (bool turns : {false, true}) system.paths.push_back(make_path(type.section, before, after, span, turns));
         for (std::size_t other = 0; other < all.size(); ++other) {
-            const double length = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1].length;
-            type.length_per_pitch.push_back(1 + (length / span - 1) * changes);
+            const YarnPath& path = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1];
+            type.length_per_pitch.push_back(1 + (path.length / span - 1) * changes);
+            type.fibre_length += changes * (untwisted_length(path, span) / path.length - 1) / static_cast<double>(all.size());
         }
         system.types.push_back(std::move(type));
     }

@@ -33,6 +33,7 @@ struct YarnType {
     int plies = 1;
     double twist = 0;            ///< turns per m of yarn, more than 0 for Z
     double ply_twist = 0;        ///< the same of the plies
+    double fibre_length = 1;     ///< of untwisted fibres over the yarn's: they run in and out where the section is squeezed
     std::vector<double> rise;    ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
     std::vector<double> length_per_pitch; ///< mean, per type it crosses: 1 + crimp
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/design/design.h"
+#include "core/design/draft.h"
 #include "core/project/migrations.h"
 
 namespace hygroloom {
@@ -12,6 +13,10 @@ Design design_from_json(ProjectJson project, const std::string& file, const std:
 
 /// In the newest version, keys in the format's order.
 ProjectJson json_from_design(const Design& design);
+
+/// A weave's draft; shafts, treadles and their lists count from 1 there. Throws FileError, also for what fault_in() finds.
+Draft draft_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
+ProjectJson json_from_draft(const Draft& draft);
 
 /// Two-space indent, lists of plain values on one line. Throws Error when a number is not finite or a text is not UTF-8.
 std::string text_from_json(const ProjectJson& project);

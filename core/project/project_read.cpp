@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The design in a project's JSON. Form only: whether values make sense is for validate().
+#include "core/design/draft.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
@@ -186,10 +187,12 @@ Weave read_weave(const ProjectJson& value, const std::string& file, const std::s
     ObjectReader object(value, file, path);
     const ProjectJson* pattern = object.find("pattern");
     const ProjectJson* rows = object.find("rows");
-    if (object.find("draft")) object.refuse("draft", "This version does not read drafts; give the weave as rows.");
+    const ProjectJson* draft = object.find("draft");
     object.finish();
-    if (!pattern == !rows) throw FileError(fmt::format("{}: {}: A weave is given by either \"pattern\" or \"rows\".", file, path));
+    if ((pattern != nullptr) + (rows != nullptr) + (draft != nullptr) != 1)
+        throw FileError(fmt::format("{}: {}: A weave is given by one of \"pattern\", \"rows\" and \"draft\".", file, path));
     if (rows) return read_rows(object, *rows);
+    if (draft) return weave_from_draft(draft_from_json(*draft, file, object.path_of("draft")));
     try {
         return weave_from_pattern(text_in(*pattern, file, object.path_of("pattern")));
     } catch (const FileError&) {

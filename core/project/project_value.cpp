@@ -132,9 +132,9 @@ Design with_value(const Design& design, const std::string& path, const std::stri
     } else if (value == "null") {
         holder.erase(key); // back to what the program derives
     } else {
-        if (key == "pattern" || key == "rows") { // one replaces the other
-            holder.erase("pattern");
-            holder.erase("rows");
+        if (key == "pattern" || key == "rows" || key == "draft") { // one replaces the other
+            for (const char* given : {"pattern", "rows", "draft"})
+                if (key != given) holder.erase(given);
         }
         const auto old = holder.find(key);
         ProjectJson fresh = value_from(value, old == holder.end() ? nullptr : &*old);

@@ -73,6 +73,7 @@ ProjectJson write_yarn(const Yarn& yarn)
 ProjectJson write_weave(const Weave& weave)
 {
     if (!weave.pattern().empty()) return {{"pattern", weave.pattern()}};
+    if (weave.draft()) return {{"draft", json_from_draft(*weave.draft())}};
     ProjectJson rows = ProjectJson::array();
     for (int pick = weave.picks() - 1; pick >= 0; --pick) {
         std::string row;
@@ -140,7 +141,8 @@ void print(std::string& text, const ProjectJson& value, const std::string& inden
 {
     if (value.is_number_float() && !std::isfinite(value.get<double>()))
         throw Error(fmt::format("{}: The value is {}, which no project can hold; give a number.", path, value.get<double>()));
-    const bool rows = path.size() > 5 && path.compare(path.size() - 5, 5, ".rows") == 0; // one line each: they draw the weave
+    // One line each: rows draw the weave.
+    const bool rows = path.ends_with(".rows") || path.ends_with(".private_lines");
     const bool plain =
         value.is_array() && !rows && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); });
     if (!value.is_structured() || value.empty()) {

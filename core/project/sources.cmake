@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   project/atomic_file.cpp
+  project/draft_json.cpp
   project/json_reader.cpp
   project/mesh_file.cpp
   project/migrations.cpp
@@ -8,4 +9,9 @@ target_sources(hygroloom_core PRIVATE
   project/project_read.cpp
   project/project_value.cpp
   project/project_write.cpp
+  project/weave_picture.cpp
+  project/wif_draft.cpp
+  project/wif_file.cpp
+  project/wif_import.cpp
+  project/wif_write.cpp
 )

@@ -17,7 +17,7 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "devices"}) {
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "devices"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
@@ -108,6 +108,47 @@ private Q_SLOTS:
         const QJsonObject first = answer.json()["devices"].toArray()[0].toObject();
         QCOMPARE(first["backend"].toString(), QString("cpu"));
         QCOMPARE(first["usable"].toBool(), true);
+    }
+    void checkTellsOfFloatsAndJam()
+    {
+        const QStringList call{"check", example("textile-F.hygro"), "--set", "fabrics[0].weave.pattern=satin 8/3"};
+        const Answer text = run_cli(call);
+        QVERIFY(text.out.contains("satin 8/3: smallest repeat 8 ends x 8 picks, warp up at 87.5 % of the crossings"));
+        QVERIFY2(text.out.contains("7 (2 mm)"), text.out); // 7 picks at 35 per cm
+        QVERIFY2(text.out.contains("% of Ashenhurst's limit 40/cm"), text.out); // 50 x 8/10
+        const QJsonObject fabric = run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject();
+        QCOMPARE(fabric["weave"].toObject()["floats"].toObject()["warp_face"].toObject()["longest"].toInt(), 7);
+        QCOMPARE(fabric["weave"].toObject()["shafts"].toInt(), 8);
+        QVERIFY(qAbs(fabric["jam"].toObject()["warp"].toObject()["ashenhurst_percent"].toDouble() - 87.5) < 1e-9);
+    }
+    void importTellsWhatItUnderstoodAndWritesAProject()
+    {
+        QTemporaryDir folder;
+        const QString wif = HYGROLOOM_SOURCE_DIR "/tests/data/wif/basic_wpo__many_color_single_treadles.wpo.wif";
+        const Answer shown = run_cli({"import", wif});
+        QCOMPARE(shown.code, 0);
+        QVERIFY(shown.out.contains("warning: [WARP] declares 1200 threads"));
+        const QString project = folder.filePath("new.hygro");
+        const Answer first = run_cli({"import", wif, "-o", project, "--json"});
+        QCOMPARE(first.code, 0);
+        QCOMPARE(first.json()["added"].toBool(true), false);
+        QCOMPARE(first.json()["weave"].toObject()["ends"].toInt(), 4);
+        QVERIFY(first.json()["report"].toArray().size() > 5);
+        const Answer second = run_cli({"import", wif, "-o", project, "--json", "--use-suggestions"});
+        QCOMPARE(second.json()["fabric"].toString(), QString("many color single treadles.wpo 2"));
+        QCOMPARE(run_cli({"check", project, "--json"}).json()["fabrics"].toArray().size(), 2);
+        QCOMPARE(run_cli({"import", HYGROLOOM_SOURCE_DIR "/tests/data/wif/bad_wif__missing_tieup.wif"}).code, 3);
+        QCOMPARE(run_cli({"import", "/nowhere.wif"}).code, 3);
+        QCOMPARE(run_cli({"import", wif, "-o", folder.filePath("x.json")}).code, 2);
+    }
+    void aDraftGoesOutAndComesBack()
+    {
+        QTemporaryDir folder;
+        const QString wif = folder.filePath("f.wif"), project = folder.filePath("f.hygro");
+        QCOMPARE(run_cli({"export", example("textile-F.hygro"), "-o", wif, "--quiet"}).code, 0);
+        QCOMPARE(run_cli({"import", wif, "-o", project}).code, 0);
+        const auto fabric = [](const QString& file) { return run_cli({"check", file, "--json"}).json()["fabrics"].toArray()[0].toObject(); };
+        QCOMPARE(fabric(project), fabric(example("textile-F.hygro")));
     }
     void exportWritesMeshesAndSaysHowLarge()
     {

@@ -175,11 +175,11 @@ private Q_SLOTS:
         row("newer version", replaced(good, "\"version\": 1", "\"version\": 2"), "newer Hygroloom (format 2)");
         row("version zero", replaced(good, "\"version\": 1", "\"version\": 0"), "Versions begin at 1");
         row("bad pattern", replaced(good, "\"plain\"", "\"satin 8/2\""), "fabrics[0].weave.pattern");
-        row("no pattern", replaced(good, "\"pattern\": \"plain\"", ""), "either \"pattern\" or \"rows\"");
+        row("no pattern", replaced(good, "\"pattern\": \"plain\"", ""), "one of \"pattern\", \"rows\" and \"draft\"");
         row("ragged rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": [\"01\", \"1\"]"), "rows[1]");
         row("rows of letters", replaced(good, "\"pattern\": \"plain\"", "\"rows\": [\"0x\", \"10\"]"), "0 and 1");
         row("no rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": []"), "from 1 to 2000");
-        row("a draft", replaced(good, "\"pattern\": \"plain\"", "\"draft\": {}"), "does not read drafts");
+        row("a draft", replaced(good, "\"pattern\": \"plain\"", "\"draft\": {}"), "fabrics[0].weave.draft: The key \"shafts\" is missing.");
         row("twist direction", replaced(good, "\"Z\"", "\"X\""), "\"Z\" or \"S\"");
         row("experiment of later", replaced(good, "\"type\": \"droplet\"", "\"type\": \"drying\""),
             "This version runs experiments of type \"droplet\"; \"drying\"");

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// import: a weaving draft, a drawing or a picture as a fabric; and its way back, a fabric as a WIF file.
+#include "app/cli.h"
+
+#include "core/design/draft.h"
+#include "core/project/draft_import.h"
+#include "core/project/project_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ImportOptions : CommonOptions {
+    std::string draft;
+    std::string output;
+    std::string name;
+    bool use_suggestions = false;
+};
+
+Json suggestion_json(const Suggestion& suggestion)
+{
+    if (!suggestion.value) return nullptr;
+    Json json{{"value", *suggestion.value}, {"plausible", suggestion.plausible}};
+    if (!suggestion.plausible) json["why"] = suggestion.why;
+    return json;
+}
+
+Json import_json(const ImportOptions& options, const DraftImport& draft, bool existing)
+{
+    const Fabric& fabric = draft.fabric;
+    Json json{{"format", "hygroloom-import"}, {"version", 1}, {"file", options.draft}, {"fabric", fabric.name}};
+    json["weave"] = {{"ends", fabric.weave.ends()}, {"picks", fabric.weave.picks()}, {"pattern", fabric.weave.pattern()}};
+    if (const auto& plan = fabric.weave.draft())
+        json["weave"].update({{"shafts", plan->shafts}, {"treadles", plan->treadles}, {"liftplan", !plan->liftplan.empty()}});
+    json["extra_yarns"] = fabric.extra_yarns.size();
+    json["suggestions"] = {{"ends_per_cm", suggestion_json(draft.ends_per_cm)},
+                           {"picks_per_cm", suggestion_json(draft.picks_per_cm)},
+                           {"warp_diameter_mm", suggestion_json(draft.warp_diameter_mm)},
+                           {"weft_diameter_mm", suggestion_json(draft.weft_diameter_mm)}};
+    json["report"] = Json::array();
+    for (const ImportLine& line : draft.report)
+        json["report"].push_back({{"severity", line.severity == Severity::note ? "note" : "warning"}, {"text", line.text}});
+    if (!options.output.empty()) json.update({{"project", options.output}, {"added", existing}});
+    return json;
+}
+
+/// A name that no fabric of the design has: "twill", "twill 2", ...
+std::string free_name(const Design& design, const std::string& wanted)
+{
+    std::string name = wanted;
+    for (int number = 2; find_fabric(design, name); ++number) name = fmt::format("{} {}", wanted, number);
+    return name;
+}
+
+int import_file(const ImportOptions& options)
+{
+    Design design;
+    const bool existing = !options.output.empty() && std::filesystem::exists(options.output);
+    if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".hygro")
+        throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
+    DraftImport draft;
+    try {
+        if (existing) design = read_project(options.output);
+        draft = import_draft(options.draft, design);
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+    if (options.use_suggestions) take_suggestions(draft);
+    if (!options.name.empty()) draft.fabric.name = options.name;
+    draft.fabric.name = free_name(design, draft.fabric.name);
+    std::vector<Issue> issues;
+    if (!options.output.empty()) {
+        const std::string where = fmt::format("fabrics[{}]", design.fabrics.size());
+        design.fabrics.push_back(draft.fabric);
+        for (const Issue& issue : validate(design))
+            if (issue.where.starts_with(where)) issues.push_back(issue);
+        write_project(design, options.output);
+    }
+    if (options.json) {
+        fmt::print("{}\n", import_json(options, draft, existing).dump(2, ' ', false, Json::error_handler_t::replace));
+    } else {
+        fmt::print("{}: \"{}\"\n", options.draft, draft.fabric.name);
+        for (const ImportLine& line : draft.report)
+            if (line.severity != Severity::note || !options.quiet)
+                fmt::print("  {}{}\n", line.severity == Severity::note ? "" : "warning: ", line.text);
+        if (!options.output.empty()) fmt::print("{} {}\n", existing ? "Added to" : "Written to", options.output);
+    }
+    for (const Issue& issue : issues)
+        if (issue.severity != Severity::note && !options.quiet) print_issue(options.output, issue);
+    return exit_ok;
+}
+
+} // namespace
+
+int export_wif(const ProjectOptions& options, const std::string& output)
+{
+    const Design design = load_project(options);
+    require_valid(design, options);
+    const Fabric& fabric = chosen_fabric(design, options);
+    write_wif(design, fabric, output);
+    if (options.json)
+        fmt::print("{}\n", Json{{"file", output}, {"ends", fabric.weave.ends()}, {"picks", fabric.weave.picks()}}.dump(2));
+    else
+        fmt::print("{}\n", output);
+    return exit_ok;
+}
+
+void add_import(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<ImportOptions>();
+    CLI::App& import_verb =
+        *app.add_subcommand("import", "A weaving draft (WIF), a drawing of 0 and 1, or a picture (PNG, BMP) as a fabric");
+    import_verb.footer("Example: hygroloom-cli import draft.wif -o cloth.hygro\n"
+                       "It prints what was understood and what was repaired. An existing project gets one fabric more.");
+    import_verb.add_option("draft", options->draft, "The file")->required();
+    import_verb.add_option("-o,--output", options->output, "The project to write, or to add the fabric to");
+    import_verb.add_option("--name", options->name, "Name of the fabric; without it, the draft's title");
+    import_verb.add_flag("--use-suggestions", options->use_suggestions, "Take sett and thickness from the draft where they are plausible");
+    add_common_options(import_verb, *options);
+    import_verb.callback([&verb, options] { verb = [options] { return import_file(*options); }; });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What check tells of a fabric's weave and sett.
+#pragma once
+
+#include "core/design/design.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace hygroloom {
+
+/// Keys "weave" and "jam".
+void add_weave_json(nlohmann::ordered_json& json, const Design& design, const Fabric& fabric);
+void print_weave(const Design& design, const Fabric& fabric);
+
+} // namespace hygroloom

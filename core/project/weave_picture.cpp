@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Weaves drawn as text or as pictures, and the choice of a reader.
+#include "core/base/error.h"
+#include "core/design/weave_analysis.h"
+#include "core/project/atomic_file.h"
+#include "core/project/wif_file.h"
+#include "core/project/wif_private.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+[[noreturn]] void refuse_size(const std::string& name, long long ends, long long picks)
+{
+    throw FileError(
+        fmt::format("{}: The drawing has {} ends and {} picks; a weave has from 1 to {} of each.", name, ends, picks, largest_repeat));
+}
+
+/// Rows from the top, 1 = up.
+DraftImport imported(const std::string& name, int ends, int picks, const std::vector<std::uint8_t>& from_top, const char* what)
+{
+    std::vector<std::uint8_t> up(from_top.size());
+    const auto row = static_cast<std::size_t>(ends), rows = static_cast<std::size_t>(picks);
+    for (std::size_t pick = 0; pick < rows; ++pick)
+        std::copy_n(from_top.begin() + static_cast<std::ptrdiff_t>((rows - 1 - pick) * row), ends,
+                    up.begin() + static_cast<std::ptrdiff_t>(pick * row));
+    DraftImport result;
+    Fabric& fabric = result.fabric;
+    fabric.name = std::filesystem::path(name).stem().string().substr(0, 200);
+    if (fabric.name.empty()) fabric.name = "weave";
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = assumed_diameter_mm;
+    fabric.weave = reduced({ends, picks, std::move(up)});
+    const auto note = [&](std::string sentence) { result.report.push_back({Severity::note, std::move(sentence)}); };
+    note(fmt::format("Read a {} of {} ends and {} picks; the top row is the last pick.", what, ends, picks));
+    if (fabric.weave.ends() < ends || fabric.weave.picks() < picks)
+        note(fmt::format("The weave repeats after {} ends and {} picks; one repeat was kept.", fabric.weave.ends(), fabric.weave.picks()));
+    note(assumed_numbers(fabric));
+    return result;
+}
+
+/// Brightness of each pixel from the top left, 0 to 255.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> grey;
+};
+
+Picture read_png(std::string_view bytes, const std::string& name)
+{
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
+        throw FileError(fmt::format("{}: The picture cannot be read: {}.", name, image.message));
+    if (image.width < 1 || image.height < 1 || image.width > largest_repeat || image.height > largest_repeat) {
+        const auto [width, height] = std::pair(image.width, image.height);
+        png_image_free(&image);
+        refuse_size(name, width, height);
+    }
+    image.format = PNG_FORMAT_GRAY;
+    Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+    picture.grey.resize(PNG_IMAGE_SIZE(image));
+    const png_color white{255, 255, 255}; // behind what is transparent
+    if (!png_image_finish_read(&image, &white, picture.grey.data(), 0, nullptr))
+        throw FileError(fmt::format("{}: The picture cannot be read: {}.", name, image.message));
+    return picture;
+}
+
+/// Uncompressed BMP of 1, 4, 8, 24 or 32 bits.
+Picture read_bmp(std::string_view bytes, const std::string& name)
+{
+    const auto number = [&](std::size_t at, std::size_t length) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < length; ++i) value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+        return value;
+    };
+    const auto cut_short = [&] { return FileError(name + ": The picture ends too early."); };
+    if (bytes.size() < 54) throw cut_short();
+    const std::uint32_t data = number(10, 4), header = number(14, 4), bits = number(28, 2), compression = number(30, 4);
+    const auto width = static_cast<std::int32_t>(number(18, 4)), signed_height = static_cast<std::int32_t>(number(22, 4));
+    const long long height = std::abs(static_cast<long long>(signed_height)); // a negative one counts from the top
+    if (header < 40 || compression != 0 || (bits != 1 && bits != 4 && bits != 8 && bits != 24 && bits != 32))
+        throw FileError(name + ": Only uncompressed BMP pictures of 1, 4, 8, 24 or 32 bits are read; save the picture as PNG.");
+    if (width < 1 || height < 1 || width > largest_repeat || height > largest_repeat) refuse_size(name, width, height);
+    const std::size_t stride = (static_cast<std::size_t>(width) * bits + 31) / 32 * 4, palette = 14 + static_cast<std::size_t>(header);
+    if (data > bytes.size() || stride * static_cast<std::size_t>(height) > bytes.size() - data) throw cut_short();
+    Picture picture{width, static_cast<int>(height), {}};
+    const auto brightness = [&](std::size_t at) { // blue, green, red
+        return static_cast<std::uint8_t>((114 * number(at, 1) + 587 * number(at + 1, 1) + 299 * number(at + 2, 1)) / 1000);
+    };
+    for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
+        const std::size_t line = data + stride * (signed_height < 0 ? row : static_cast<std::size_t>(height) - 1 - row);
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+            if (bits >= 24) {
+                picture.grey.push_back(brightness(line + x * bits / 8));
+                continue;
+            }
+            const std::size_t bit = x * bits;
+            const std::uint32_t index = (number(line + bit / 8, 1) >> (8 - bits - bit % 8)) & ((1u << bits) - 1);
+            const std::size_t entry = palette + 4 * static_cast<std::size_t>(index);
+            if (entry + 4 > bytes.size() || entry + 4 > data)
+                throw FileError(name + ": The picture uses a colour that its palette does not have.");
+            picture.grey.push_back(brightness(entry));
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+std::string assumed_numbers(const Fabric& fabric)
+{
+    return fmt::format("{} ends and {} picks per cm of cotton yarn {} mm across are assumed; give the real ones.", fabric.ends_per_cm,
+                       fabric.picks_per_cm, *fabric.warp.diameter_mm);
+}
+
+DraftImport import_grid(std::string_view bytes, const std::string& name)
+{
+    const std::string text = decoded_text(bytes, name);
+    std::vector<std::string_view> rows;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string_view row = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (row.ends_with('\r')) row.remove_suffix(1);
+        rows.push_back(row);
+        if (rows.size() > static_cast<std::size_t>(largest_repeat) + 1000) refuse_size(name, 0, static_cast<long long>(rows.size()));
+    }
+    while (!rows.empty() && rows.back().empty()) rows.pop_back();
+    while (!rows.empty() && rows.front().empty()) rows.erase(rows.begin());
+    std::size_t ends = 0;
+    for (std::string_view row : rows) ends = std::max(ends, row.size());
+    const auto limit = static_cast<std::size_t>(largest_repeat);
+    if (ends < 1 || ends > limit || rows.size() > limit)
+        refuse_size(name, static_cast<long long>(ends), static_cast<long long>(rows.size()));
+
+    // Blanks are crossings only where x draws the others; there an editor may have cut them from a line's end.
+    bool crosses = false, others = false;
+    for (char c : text) {
+        crosses = crosses || c == 'x' || c == 'X';
+        others = others || c == '0' || c == '1' || c == '.' || c == '#';
+    }
+    if (crosses && others) throw FileError(name + ": The drawing mixes x with other marks; use 0 and 1, or . and #, or blanks and x.");
+    std::vector<std::uint8_t> up(ends * rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (!crosses && rows[row].size() != ends)
+            throw FileError(fmt::format("{}: line {}: All rows need {} crossings as the longest; this one has {}.", name, row + 1, ends,
+                                        rows[row].size()));
+        for (std::size_t end = 0; end < rows[row].size(); ++end) {
+            const char mark = rows[row][end];
+            const bool is_up = mark == '1' || mark == '#' || mark == 'x' || mark == 'X';
+            if (!is_up && mark != '0' && mark != '.' && !(crosses && mark == ' '))
+                throw FileError(
+                    fmt::format("{}: line {}, column {}: A drawing is made of 0 and 1, of . and #, or of blanks and x (warp up).", name,
+                                row + 1, end + 1));
+            up[row * ends + end] = is_up;
+        }
+    }
+    return imported(name, static_cast<int>(ends), static_cast<int>(rows.size()), up, "drawing");
+}
+
+DraftImport import_picture(std::string_view bytes, const std::string& name)
+{
+    const Picture picture = bytes.starts_with("BM") ? read_bmp(bytes, name) : read_png(bytes, name);
+    std::vector<std::uint8_t> up;
+    bool greys = false;
+    for (std::uint8_t grey : picture.grey) {
+        up.push_back(grey < 128);
+        greys = greys || (grey > 16 && grey < 239);
+    }
+    DraftImport result = imported(name, picture.width, picture.height, up, "picture");
+    if (greys)
+        result.report.push_back({Severity::warning, "The picture has greys or colours; what is darker than half was taken as warp up."});
+    return result;
+}
+
+DraftImport import_draft(const std::filesystem::path& path, const Design& known)
+{
+    const std::string bytes = read_file(path, largest_import_bytes), name = path.string();
+    if (bytes.starts_with("\x89PNG") || bytes.starts_with("BM")) return import_picture(bytes, name);
+    std::string ending = capitals(path.extension().string());
+    const bool wif = ending == ".WIF" || bytes.find('[') != std::string::npos;
+    return wif ? import_wif(bytes, name, known) : import_grid(bytes, name);
+}
+
+void take_suggestions(DraftImport& draft)
+{
+    const auto take = [](const Suggestion& suggestion, auto& value) {
+        if (suggestion.value && suggestion.plausible) value = *suggestion.value;
+    };
+    take(draft.ends_per_cm, draft.fabric.ends_per_cm);
+    take(draft.picks_per_cm, draft.fabric.picks_per_cm);
+    take(draft.warp_diameter_mm, draft.fabric.warp.diameter_mm);
+    take(draft.weft_diameter_mm, draft.fabric.weft.diameter_mm);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/project/wif_file.h"
+
+#include "core/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\f\v\r";
+
+bool is_utf8(std::string_view text)
+{
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        const std::size_t length = lead < 0x80                   ? 1
+                                   : lead >= 0xC2 && lead < 0xE0 ? 2
+                                   : lead >= 0xE0 && lead < 0xF0 ? 3
+                                   : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                                 : 0;
+        if (length == 0 || i + length > text.size()) return false;
+        for (std::size_t k = 1; k < length; ++k)
+            if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
+        const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0x80;
+        if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) || (lead == 0xF0 && second < 0x90) ||
+            (lead == 0xF4 && second > 0x8F))
+            return false; // overlong, surrogate or beyond Unicode
+        i += length;
+    }
+    return true;
+}
+
+void append_utf8(std::string& text, unsigned code)
+{
+    if (code < 0x80) {
+        text += static_cast<char>(code);
+    } else if (code < 0x800) {
+        text += static_cast<char>(0xC0 | (code >> 6));
+        text += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+        text += static_cast<char>(0xE0 | (code >> 12));
+        text += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+        text += static_cast<char>(0x80 | (code & 0x3F));
+    }
+}
+
+std::string from_windows_1252(std::string_view bytes)
+{
+    // 0x80 to 0x9F; the five that have no character become the replacement character.
+    static constexpr std::array<unsigned, 32> high{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+                                                   0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+                                                   0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+    std::string text;
+    for (char byte : bytes) {
+        const auto code = static_cast<unsigned char>(byte);
+        append_utf8(text, code >= 0x80 && code < 0xA0 ? high[code - 0x80u] : code);
+    }
+    return text;
+}
+
+bool is_foreign(std::string_view name) { return !name.empty() && !is_wif_section(name); }
+
+bool all_digits(std::string_view text)
+{
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string section_name(std::string_view text)
+{
+    std::string name;
+    for (std::string_view word : parted(text, ' '))
+        if (!trimmed(word).empty()) name += (name.empty() ? "" : " ") + capitals(trimmed(word));
+    return name;
+}
+
+std::string_view without_comment(std::string_view value)
+{
+    const std::size_t at = value.find(';');
+    return at == std::string_view::npos ? value : trimmed(value.substr(0, at));
+}
+
+/// Puts line after line where it belongs.
+class Sorter {
+public:
+    explicit Sorter(WifFile& file) : file_(file) {}
+
+    void take(std::string_view raw)
+    {
+        const std::string_view line = trimmed(raw);
+        if (!line.empty() && line.front() == '[' && line.find(']') != std::string_view::npos && header(line, raw)) return;
+        if (here_ && is_foreign(here_->name)) {
+            here_->lines.push_back(raw);
+            take_entry(line);
+            return;
+        }
+        if (line.empty() || line.front() == ';') return;
+        if (!take_entry(line)) stray();
+    }
+
+private:
+    /// False for marks such as "[12]Border", which are left to the section they stand in.
+    bool header(std::string_view line, std::string_view raw)
+    {
+        const std::size_t close = line.find(']');
+        const std::string_view inside = trimmed(line.substr(1, close - 1)), after = without_comment(trimmed(line.substr(close + 1)));
+        if (all_digits(inside)) return false;
+        if (inside.find('=') != std::string_view::npos) { // "[Version=1.1]"
+            if (!here_) here_ = &section("WIF");
+            take_entry(inside);
+            remark(fmt::format("The line \"{}\" is an entry in brackets; it was read as an entry.", line.substr(0, 60)));
+            return true;
+        }
+        const std::string name = section_name(inside);
+        if (name.empty()) return false;
+        if (!after.empty())
+            remark(fmt::format("Words after the section's name [{}] were left out: \"{}\".", name.substr(0, 60), after.substr(0, 60)));
+        const bool known = places_.count(name) > 0;
+        here_ = &section(name);
+        if (known && !is_foreign(name)) remark(fmt::format("The section [{}] stands twice; both were read, the later one counts.", name));
+        if (is_foreign(name)) here_->lines.push_back(raw);
+        return true;
+    }
+
+    WifSection& section(const std::string& name)
+    {
+        const auto [place, fresh] = places_.try_emplace(name, file_.sections.size());
+        if (fresh) file_.sections.push_back({name, {}, {}, 0});
+        return file_.sections[place->second];
+    }
+
+    bool take_entry(std::string_view line)
+    {
+        if (!here_) return false;
+        const std::size_t sign = line.find('=');
+        if (sign == std::string_view::npos || sign == 0) return false;
+        const bool free_text = here_->name == "TEXT" || here_->name == "NOTES" || is_foreign(here_->name);
+        const std::string_view value = trimmed(line.substr(sign + 1));
+        here_->entries.push_back({trimmed(line.substr(0, sign)), free_text ? value : without_comment(value)});
+        return true;
+    }
+
+    void stray()
+    {
+        if (here_)
+            ++here_->strays;
+        else if (!told_++)
+            remark("The file begins with text that stands in no section; it was left out.");
+    }
+
+    void remark(std::string sentence)
+    {
+        if (file_.remarks.size() < 50) file_.remarks.push_back({Severity::warning, std::move(sentence)});
+    }
+
+    WifFile& file_;
+    WifSection* here_ = nullptr; // into file_.sections, set anew whenever a section is added
+    std::map<std::string, std::size_t> places_;
+    int told_ = 0;
+};
+
+} // namespace
+
+bool is_wif_section(std::string_view name)
+{
+    static constexpr std::array<std::string_view, 36> known{"WIF",
+                                                            "CONTENTS",
+                                                            "TRANSLATIONS",
+                                                            "COLOR PALETTE",
+                                                            "COLOR TABLE",
+                                                            "WARP SYMBOL PALETTE",
+                                                            "WEFT SYMBOL PALETTE",
+                                                            "WARP SYMBOL TABLE",
+                                                            "WEFT SYMBOL TABLE",
+                                                            "WARP SYMBOLS",
+                                                            "WEFT SYMBOLS",
+                                                            "TEXT",
+                                                            "NOTES",
+                                                            "WEAVING",
+                                                            "WARP",
+                                                            "WEFT",
+                                                            "THREADING",
+                                                            "TIEUP",
+                                                            "TREADLING",
+                                                            "LIFTPLAN",
+                                                            "WARP COLORS",
+                                                            "WEFT COLORS",
+                                                            "WARP SPACING",
+                                                            "WEFT SPACING",
+                                                            "WARP SPACING ZOOM",
+                                                            "WEFT SPACING ZOOM",
+                                                            "WARP THICKNESS",
+                                                            "WEFT THICKNESS",
+                                                            "WARP THICKNESS ZOOM",
+                                                            "WEFT THICKNESS ZOOM",
+                                                            "BITMAP IMAGE",
+                                                            "BITMAP FILE",
+                                                            "BITMAP IMAGE DATA",
+                                                            "BITMAP FILE DATA",
+                                                            "BITMAP DATA",
+                                                            "PROFILE"};
+    return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+const WifSection* WifFile::find(std::string_view name) const
+{
+    for (const WifSection& section : sections)
+        if (section.name == name) return &section;
+    return nullptr;
+}
+
+std::optional<std::string_view> WifFile::value(std::string_view section, std::string_view key) const
+{
+    const WifSection* found = find(section);
+    if (!found) return {};
+    for (auto entry = found->entries.rbegin(); entry != found->entries.rend(); ++entry)
+        if (entry->key.size() == key.size() && capitals(entry->key) == capitals(key))
+            return entry->value.empty() ? std::nullopt : std::optional(entry->value);
+    return {};
+}
+
+std::string decoded_text(std::string_view bytes, const std::string& name)
+{
+    if (bytes.size() > largest_import_bytes) throw FileError(name + ": The file is larger than 64 MiB; no draft is.");
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+        throw FileError(name + ": The text is UTF-16; save it as plain text (UTF-8) and import it again.");
+    if (bytes.find('\0') != std::string_view::npos) throw FileError(name + ": This is no text file: it holds bytes of value 0.");
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    return is_utf8(bytes) ? std::string(bytes) : from_windows_1252(bytes);
+}
+
+WifFile parse_wif(std::string_view text)
+{
+    WifFile file;
+    Sorter sorter(file);
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\n\r"), text.size());
+        sorter.take(text.substr(0, end));
+        text.remove_prefix(end);
+        text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
+    }
+    for (const WifSection& section : file.sections)
+        if (section.strays > 0)
+            file.remarks.push_back({Severity::warning, fmt::format("{} {} of [{}] left out: not of the form key=value.", section.strays,
+                                                                   section.strays == 1 ? "line" : "lines", section.name)});
+    return file;
+}
+
+std::optional<int> whole_number(std::string_view text)
+{
+    text = trimmed(text);
+    int value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
+std::optional<double> real_number(std::string_view text)
+{
+    std::string number(trimmed(text).substr(0, 64));
+    if (std::count(number.begin(), number.end(), ',') == 1 && number.find('.') == std::string::npos) number[number.find(',')] = '.';
+    double value = 0;
+    const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (failure != std::errc() || end != number.data() + number.size() || number.empty() || !std::isfinite(value)) return {};
+    return value;
+}
+
+std::optional<bool> truth(std::string_view text)
+{
+    const std::string word = capitals(trimmed(text));
+    if (word == "TRUE" || word == "YES" || word == "ON" || word == "1" || word == "T" || word == "Y") return true;
+    if (word == "FALSE" || word == "NO" || word == "OFF" || word == "0" || word == "F" || word == "N") return false;
+    return {};
+}
+
+std::vector<std::string_view> parted(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string capitals(std::string_view text)
+{
+    std::string upper(text);
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return upper;
+}
+
+} // namespace hygroloom

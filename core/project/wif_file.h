@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The lines of a WIF file, sorted into sections; tolerant of all that drafting programs are known to write.
+#pragma once
+
+#include "core/project/draft_import.h"
+
+namespace hygroloom {
+
+struct WifEntry {
+    std::string_view key;
+    std::string_view value;
+};
+
+struct WifSection {
+    std::string name;                    ///< capitals, single spaces
+    std::vector<WifEntry> entries;       ///< in the file's order; a later one of the same key counts
+    std::vector<std::string_view> lines; ///< of private sections, the header included
+    int strays = 0;                      ///< lines that are no entries
+};
+
+/// Views into the text it was made from.
+struct WifFile {
+    std::vector<WifSection> sections;
+    std::vector<ImportLine> remarks;
+
+    const WifSection* find(std::string_view name) const;
+    /// The value of a key in whatever case, of the section if it is there; empty values count as none.
+    std::optional<std::string_view> value(std::string_view section, std::string_view key) const;
+};
+
+/// UTF-8 without a byte order mark, from UTF-8 or Windows-1252.
+std::string decoded_text(std::string_view bytes, const std::string& name);
+
+WifFile parse_wif(std::string_view text);
+
+/// Of a value that may have blanks around it. A decimal comma is understood.
+std::optional<int> whole_number(std::string_view text);
+std::optional<double> real_number(std::string_view text);
+std::optional<bool> truth(std::string_view text);
+std::vector<std::string_view> parted(std::string_view text, char separator);
+std::string_view trimmed(std::string_view text);
+std::string capitals(std::string_view text);
+bool is_wif_section(std::string_view name);
+
+} // namespace hygroloom

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/random.h"
+#include "core/design/draft.h"
+#include "core/design/jam.h"
+#include "core/design/validate.h"
+#include "core/design/weave_analysis.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace hygroloom;
+
+namespace {
+
+using Counts = std::vector<long>;
+
+/// Rows as on point paper, last pick first.
+Weave from_rows(const std::vector<std::string>& rows)
+{
+    std::vector<std::uint8_t> up;
+    for (std::size_t row = rows.size(); row-- > 0;)
+        for (char crossing : rows[row]) up.push_back(crossing == '1');
+    return {static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), std::move(up)};
+}
+
+Design with_weave(const Weave& weave, double sett = 20, double diameter = 0.2)
+{
+    Design design;
+    Fabric& fabric = design.fabrics.emplace_back();
+    fabric.name = "cloth";
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = diameter;
+    fabric.weave = weave;
+    fabric.ends_per_cm = fabric.picks_per_cm = sett;
+    return design;
+}
+
+std::string text_of(const std::vector<Issue>& issues, const std::string& code)
+{
+    for (const Issue& issue : issues)
+        if (issue.code == code) return issue.where + ": " + issue.text;
+    return {};
+}
+
+/// Whether a weave hangs together, by walking from thread to thread that lies over it: all must be reached from all.
+bool hangs_together(const Weave& weave)
+{
+    const int ends = weave.ends(), threads = ends + weave.picks();
+    const auto over = [&](int a, int b) { // a over b
+        if ((a < ends) == (b < ends)) return false;
+        return a < ends ? weave.warp_up(a, b - ends) : !weave.warp_up(b, a - ends);
+    };
+    for (int start = 0; start < threads; ++start) {
+        std::vector<char> reached(static_cast<std::size_t>(threads));
+        std::vector<int> open{start};
+        reached[static_cast<std::size_t>(start)] = 1;
+        while (!open.empty()) {
+            const int at = open.back();
+            open.pop_back();
+            for (int next = 0; next < threads; ++next)
+                if (!reached[static_cast<std::size_t>(next)] && over(next, at)) {
+                    reached[static_cast<std::size_t>(next)] = 1;
+                    open.push_back(next);
+                }
+        }
+        if (std::count(reached.begin(), reached.end(), 1) != threads) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+class TestWeaveAnalysis : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void twillOfTwoAndOneFloatsOverTwoAndUnderOne()
+    {
+        const WeaveAnalysis a = analyse(weave_from_pattern("twill 2/1 Z"));
+        QVERIFY((a.warp_face.count == Counts{0, 0, 3}) && (a.warp_back.count == Counts{0, 3}));
+        QVERIFY((a.weft_face.count == Counts{0, 3}) && (a.weft_back.count == Counts{0, 0, 3}));
+        QCOMPARE(a.warp_up_share, 2.0 / 3);
+        QCOMPARE(a.warp_interlacings, 6L);
+        QCOMPARE(a.weft_interlacings, 6L);
+    }
+    void satinOfEightFloatsOverSeven()
+    {
+        const WeaveAnalysis a = analyse(weave_from_pattern("satin 8/3"));
+        QCOMPARE(a.warp_face.longest, 7);
+        QCOMPARE(a.warp_face.count[7], 8L);
+        QCOMPARE(a.weft_back.longest, 7);
+        QCOMPARE(a.weft_face.longest, 1);
+        QCOMPARE(a.warp_up_share, 7.0 / 8);
+    }
+    void waffleFloatsFurtherInTheMiddleOfItsCells()
+    {
+        const WeaveAnalysis a = analyse(weave_from_pattern("waffle 8"));
+        QCOMPARE(a.warp_face.longest, 5);
+        QCOMPARE(a.weft_face.longest, 7);
+    }
+    void floatsGoOnAcrossTheEdgeOfTheRepeat()
+    {
+        const WeaveAnalysis a = analyse(from_rows({"1", "0", "1", "1"})); // one end, picks 1 1 0 1 from the first on
+        QCOMPARE(a.warp_face.longest, 3);
+        QVERIFY((a.warp_face.count == Counts{0, 0, 0, 1}));
+        QCOMPARE(a.unbound_picks.size(), std::size_t(4));
+    }
+    void theSmallestRepeatIsFound()
+    {
+        const Weave thrice = from_rows({"010101", "101010", "010101", "101010"});
+        const WeaveAnalysis a = analyse(thrice);
+        QCOMPARE(a.repeat_ends, 2);
+        QCOMPARE(a.repeat_picks, 2);
+        QVERIFY(reduced(thrice).same_matrix(Weave()));
+        for (const std::string& pattern : common_weave_patterns()) {
+            const Weave weave = weave_from_pattern(pattern);
+            QVERIFY2(reduced(weave) == weave, pattern.c_str());
+        }
+    }
+    void aRepeatThatDoesNotFitIsNone()
+    {
+        const WeaveAnalysis a = analyse(from_rows({"10101", "01010"})); // the edge joins two ends that are alike
+        QCOMPARE(a.repeat_ends, 5);
+        const std::string text = "abcabcab";
+        QCOMPARE(least_period(8, [&](int i, int k) { return text[std::size_t(i)] == text[std::size_t(k)]; }), 3);
+        QCOMPARE(dividing_period(8, [&](int i, int k) { return text[std::size_t(i)] == text[std::size_t(k)]; }), 8);
+    }
+    void aReducedWeaveKeepsItsDraft()
+    {
+        Draft draft = smallest_draft(weave_from_pattern("twill 2/2 Z"));
+        for (int i = 0; i < 4; ++i) draft.threading.push_back(draft.threading[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < 8; ++i) draft.treadling.push_back(draft.treadling[static_cast<std::size_t>(i)]);
+        const Weave weave = reduced(weave_from_draft(draft));
+        QVERIFY(weave.same_matrix(weave_from_pattern("twill 2/2 Z")));
+        QVERIFY(weave.draft() && *weave.draft() == smallest_draft(weave));
+    }
+    void doubleClothIsFoundToBeTwo()
+    {
+        // Ends and picks 1 and 3 above, 2 and 4 below, both plain.
+        const Weave weave = from_rows({"1011", "0010", "1110", "1000"});
+        const WeaveAnalysis a = analyse(weave);
+        QCOMPARE(a.cloths, 2);
+        QCOMPARE(a.top_ends, 2);
+        QCOMPARE(a.top_picks, 2);
+        QVERIFY(a.unbound_ends.empty() && a.unbound_picks.empty());
+        QVERIFY(QString::fromStdString(text_of(validate(with_weave(weave)), "separate_cloths"))
+                    .contains("fabrics[0].weave: The weave falls into 2 cloths"));
+        QCOMPARE(analyse(weave.toggled(1, 0)).cloths, 1); // one stitch joins them
+    }
+    void aLooseThreadIsNotACloth()
+    {
+        const WeaveAnalysis a = analyse(from_rows({"101", "011"})); // plain with an end on top
+        QCOMPARE(a.cloths, 1);
+        QVERIFY(a.unbound_ends == std::vector<int>{2});
+    }
+    void fallingApartAgreesWithAWalkFromThreadToThread()
+    {
+        int apart = 0;
+        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+            const int ends = 2 + static_cast<int>(random_bits(seed, 0, 0) % 5), picks = 2 + static_cast<int>(random_bits(seed, 0, 1) % 5);
+            std::vector<std::uint8_t> up;
+            for (int i = 0; i < ends * picks; ++i) up.push_back(random_bits(seed, 1, static_cast<std::uint64_t>(i)) & 1);
+            const Weave weave(ends, picks, std::move(up));
+            const WeaveAnalysis a = analyse(weave);
+            const bool whole = a.cloths == 1 && a.top_ends == ends && a.top_picks == picks;
+            QCOMPARE(whole, hangs_together(weave));
+            apart += !whole;
+        }
+        QVERIFY(apart > 50 && apart < 350);
+    }
+    void aLargeWeaveIsAnalysedQuickly()
+    {
+        const Weave crepe = weave_from_pattern("crepe 2000 seed 3");
+        QBENCHMARK_ONCE { QCOMPARE(analyse(crepe).cloths, 1); }
+    }
+    void floatsLongerThanTenMillimetresAreWarnedOf()
+    {
+        // 7 picks at 5 per cm are 14 mm; at 8 per cm 8.75 mm.
+        const std::string text = text_of(validate(with_weave(weave_from_pattern("satin 8/3"), 5, 1)), "long_float");
+        QCOMPARE(QString::fromStdString(text), QString("fabrics[0].weave: The longest warp float passes over 7 threads, 14 mm on the face; "
+                                                       "floats over 10 mm catch on things."));
+        QCOMPARE(text_of(validate(with_weave(weave_from_pattern("satin 8/3"), 8, 0.8)), "long_float"), std::string());
+    }
+
+    void ashenhurstGivesHalfTheThreadsSideBySideForPlain()
+    {
+        // 0.2 mm: 50 per cm side by side; r/(r + i) is 2/4 for plain, 4/6 for 2/2 twill, 8/10 for a satin of 8.
+        QCOMPARE(jam_gauge(Weave(), 35, 35, 0.2, 0.2).warp.ashenhurst_per_cm, 25.0);
+        QVERIFY(std::abs(jam_gauge(Weave(), 35, 35, 0.2, 0.2).warp.ashenhurst_percent - 140) < 1e-9);
+        QVERIFY(std::abs(jam_gauge(weave_from_pattern("twill 2/2 Z"), 20, 20, 0.2, 0.2).weft.ashenhurst_per_cm - 100.0 / 3) < 1e-9);
+        QVERIFY(std::abs(jam_gauge(weave_from_pattern("satin 8/3"), 20, 20, 0.2, 0.2).warp.ashenhurst_per_cm - 40) < 1e-9);
+        // Yarns of 0.2 and 0.3 mm: each end of plain weave needs 0.5 mm.
+        QVERIFY(std::abs(jam_gauge(Weave(), 20, 20, 0.2, 0.3).warp.ashenhurst_per_cm - 20) < 1e-9);
+    }
+    void aWarpRibPacksItsEndsAsPlainAndItsPicksCloser()
+    {
+        const JamGauge jam = jam_gauge(weave_from_pattern("rib 2/2 warp"), 20, 20, 0.2, 0.2);
+        QCOMPARE(jam.warp.ashenhurst_per_cm, 25.0);                       // every end to its neighbour changes
+        QVERIFY(std::abs(jam.weft.ashenhurst_per_cm - 100.0 / 3) < 1e-9); // two picks in one shed
+    }
+    void peircesSquareClothJamsAtPitch0866OfTheSumOfDiameters()
+    {
+        // cos a = cos b = 1/2: pitch = 0.4 mm x sin 60 degrees.
+        const double sett = 10 / (0.4 * std::sqrt(0.75));
+        const JamGauge jam = jam_gauge(Weave(), sett, sett, 0.2, 0.2);
+        QVERIFY(std::abs(jam.warp.peirce_percent - 100) < 1e-6);
+        QVERIFY(std::abs(jam.weft.peirce_percent - 100) < 1e-6);
+    }
+    void anOpenWeftLetsTheEndsTouchAndACrammedOneKeepsThemTwoDiametersApart()
+    {
+        QCOMPARE(jam_gauge(Weave(), 20, 5, 0.2, 0.2).warp.peirce_per_cm, 50.0);
+        QVERIFY(std::abs(jam_gauge(Weave(), 20, 1e6, 0.2, 0.2).warp.peirce_per_cm - 25) < 1e-3);
+        // Picks 0.32 mm apart on 0.4 mm: sin b = 0.8, cos b = 0.6, cos a = 0.4, pitch = 0.4 x sqrt(0.84).
+        QVERIFY(std::abs(jam_gauge(Weave(), 20, 31.25, 0.2, 0.2).warp.peirce_per_cm - 10 / (0.4 * std::sqrt(0.84))) < 1e-9);
+    }
+    void aSettAboveAshenhurstsLimitIsAWarning()
+    {
+        const std::vector<Issue> issues = validate(with_weave(Weave(), 35));
+        QVERIFY(!has_error(issues));
+        const QString text = QString::fromStdString(text_of(issues, "jammed"));
+        QVERIFY2(text.startsWith("fabrics[0].ends_per_cm: 35 ends per cm are 140 % of Ashenhurst's limit of 25 "), qPrintable(text));
+        QCOMPARE(text_of(validate(with_weave(Weave(), 24)), "jammed"), std::string());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestWeaveAnalysis)
+#include "tst_weave_analysis.moc"
