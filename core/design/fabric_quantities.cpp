@@ -39,7 +39,7 @@ double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, dou
     for (std::size_t other = 0; other < crossed.size(); ++other) {
         const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
         const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
-        const Interlacing path = interlace(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
+        const Interlacing path = fitted.path(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
         sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
     }
     return sum;
@@ -55,7 +55,7 @@ double mean_width_of(const FittedYarns& fitted, bool warp, double crossed_pitch,
         for (std::size_t other = 0; other < crossed.size(); ++other) {
             const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
             const Section &own = yarns[type].section, &over = crossed[other].section;
-            const Interlacing path = interlace(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
+            const Interlacing path = fitted.path(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
             const double bent = mean_width(path, own, over, warp ? heights.weft : heights.warp);
             sum += order.share[type] * other_order.share[other] * (changes * bent + (1 - changes) * own.width);
         }
@@ -80,8 +80,8 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(interlace(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(interlace(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
+            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
+            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
             double here = 0;
             for (bool warp_turns : {false, true})
                 for (bool weft_turns : {false, true}) {
