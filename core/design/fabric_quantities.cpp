@@ -159,6 +159,9 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     FabricQuantities q;
     q.warp = describe(warp, fabric, fabric.ends_per_cm);
     q.weft = describe(weft, fabric, fabric.picks_per_cm);
+    q.warp.rise_mm = 2 * fitted.at(0, 0).warp;
+    q.weft.rise_mm = 2 * fitted.at(0, 0).weft;
+
     // A yarn runs longer than the fabric only where it changes sides.
     const double warp_changes = share_of_changes(fabric.weave, true);
     const double weft_changes = share_of_changes(fabric.weave, false);
@@ -181,6 +184,7 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     const double fly = flyaway_volume(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm) +
                        flyaway_volume(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
     q.smoothness = std::max(0.0, 1 - fly / q.thickness_mm);
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
@@ -221,6 +225,7 @@ FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
     q.areal_density_g_m2 *= scale;
     q.fibre_volume_fraction *= scale;
     q.porosity = fabric.measured.porosity.value_or(1 - scale * (1 - q.porosity));
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     return q;
 }
 

@@ -138,7 +138,8 @@ const std::vector<Finish>& finishes()
         std::vector<Finish> list;
         const ProjectJson file = ProjectJson::parse(library_finishes_json);
         for (const auto& entry : file.at("finishes"))
-            list.push_back({entry.at("name").get<std::string>(), entry.at("contact_angle_deg").get<double>(), entry.at("note").get<std::string>()});
+            list.push_back(
+                {entry.at("name").get<std::string>(), entry.at("contact_angle_deg").get<double>(), entry.at("note").get<std::string>()});
         return list;
     }();
     return all;
