@@ -139,6 +139,7 @@ int run(int count, char** values)
     add_measure(app, verb);
     add_export(app, verb);
     add_import(app, verb);
+    add_presets(app, verb);
     add_devices(app, verb);
     add_verify(app, verb);
 

@@ -60,6 +60,7 @@ void add_simulate(CLI::App& app, Verb& chosen);
 void add_measure(CLI::App& app, Verb& chosen);
 void add_export(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
+void add_presets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_verify(CLI::App& app, Verb& chosen);
 

@@ -17,7 +17,7 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "devices"}) {
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
@@ -61,6 +61,21 @@ private Q_SLOTS:
                  wrong.err);
         QCOMPARE(run_cli({"simulate", example("textile-F.hygro"), "--set", "experiments[0].duration_s=0"}).code, 3);
         QCOMPARE(run_cli({"measure", example("textile-F.hygro")}).code, 3);
+    }
+    void presetsAreListedAndAddedToAProject()
+    {
+        QVERIFY(run_cli({"presets"}).out.contains("Poplin shirting"));
+        QVERIFY(run_cli({"presets", "--finishes"}).out.contains("water repellent"));
+        QTemporaryDir folder;
+        const QString project = folder.filePath("cloth.hygro");
+        QCOMPARE(run_cli({"presets", "Denim", "Textile F", "-o", project}).code, 0);
+        QCOMPARE(run_cli({"presets", "Denim", "-o", project}).code, 0);
+        const Answer check = run_cli({"check", project, "--fabric", "Denim 2"});
+        QCOMPARE(check.code, 0);
+        QVERIFY(check.out.contains("laboratory"));
+        const Answer wrong = run_cli({"presets", "Jeans", "-o", project});
+        QCOMPARE(wrong.code, 2);
+        QVERIFY(wrong.err.contains("Denim"));
     }
     void checkPrintsDerivedBesideMeasured()
     {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// presets: the fabrics that ship with the program, as a list or as a project to begin with.
+#include "app/cli.h"
+
+#include "core/design/fabric_quantities.h"
+#include "core/project/library.h"
+#include "core/project/project_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PresetOptions : CommonOptions {
+    std::vector<std::string> names;
+    std::string output;
+    std::string library;
+    bool finishes = false;
+};
+
+int list_finishes(const PresetOptions& options)
+{
+    Json json = Json::array();
+    for (const Finish& finish : finishes()) {
+        json.push_back({{"name", finish.name}, {"contact_angle_deg", finish.contact_angle_deg}, {"note", finish.note}});
+        if (!options.json) fmt::print("  {:<30} {:>4.0f} degrees  {}\n", finish.name, finish.contact_angle_deg, finish.note);
+    }
+    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(2));
+    return exit_ok;
+}
+
+int list_presets(const PresetOptions& options, const std::vector<Preset>& presets)
+{
+    Json json = Json::array();
+    std::string group;
+    for (const Preset& preset : presets) {
+        const double weight = derive_quantities(preset.design, preset.fabric()).areal_density_g_m2;
+        json.push_back({{"name", preset.fabric().name}, {"group", preset.group}, {"note", preset.note}, {"areal_density_g_m2", weight}});
+        if (options.json) continue;
+        if (preset.group != group) fmt::print("{}\n", group = preset.group);
+        fmt::print("  {:<20} {:>4.0f} g/m2  {}\n", preset.fabric().name, weight, preset.note);
+    }
+    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(2));
+    return exit_ok;
+}
+
+int presets(const PresetOptions& options)
+{
+    if (options.finishes) return list_finishes(options);
+    std::vector<Preset> all = shipped_presets();
+    if (!options.library.empty()) all = read_library(options.library);
+    for (const Preset& preset : all)
+        for (const Issue& issue : validate(preset.design))
+            if (issue.severity == Severity::error)
+                throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text));
+    if (options.names.empty() && options.output.empty()) return list_presets(options, all);
+    if (options.names.empty() || options.output.empty())
+        throw Stop(exit_usage, "Name one or more presets and give the project to write with -o, or neither to see the list.");
+    Design design;
+    if (std::filesystem::exists(options.output)) design = read_project(options.output);
+    std::vector<std::string> added;
+    for (const std::string& name : options.names) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Preset& preset) { return preset.fabric().name == name; });
+        if (found == all.end()) {
+            std::string known;
+            for (const Preset& preset : all) known += (known.empty() ? "" : ", ") + preset.fabric().name;
+            throw Stop(exit_usage, fmt::format("There is no preset \"{}\". There are: {}.", name, known));
+        }
+        added.push_back(design.fabrics[add_preset(design, *found)].name);
+    }
+    write_project(design, options.output);
+    if (options.json)
+        fmt::print("{}\n", Json{{"file", options.output}, {"fabrics", added}}.dump(2));
+    else
+        fmt::print("{}\n", options.output);
+    return exit_ok;
+}
+
+} // namespace
+
+void add_presets(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<PresetOptions>();
+    CLI::App& presets_verb = *app.add_subcommand("presets", "Fabrics to begin with, listed or written into a project; finishes");
+    presets_verb.footer("Example: hygroloom-cli presets \"Denim\" \"Textile F\" -o cloth.hygro");
+    add_common_options(presets_verb, *options);
+    presets_verb.add_option("NAMES", options->names, "Presets to add to the project");
+    presets_verb.add_option("-o,--output", options->output, "The project; what it holds stays");
+    presets_verb.add_option("--library", options->library, "A library of one's own (.hygrolib) instead of the shipped one");
+    presets_verb.add_flag("--finishes", options->finishes, "List the finishes and their contact angles");
+    presets_verb.callback([&verb, options] { verb = [options] { return presets(*options); }; });
+}
+
+} // namespace hygroloom
