@@ -8,7 +8,7 @@
 namespace hygroloom {
 
 struct Design {
-    std::vector<Material> materials;     ///< the project's own, before the library's
+    std::vector<Material> materials; ///< the project's own, before the library's
     std::vector<Fabric> fabrics;
     std::vector<Experiment> experiments;
     bool operator==(const Design&) const = default;

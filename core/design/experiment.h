@@ -10,7 +10,7 @@ namespace hygroloom {
 
 struct Climate {
     double temperature_c = 25;
-    double relative_humidity = 0.65;   ///< 0..1
+    double relative_humidity = 0.65; ///< 0..1
     double air_speed_m_s = 0.1;
     bool operator==(const Climate&) const = default;
 };
@@ -31,7 +31,7 @@ struct Experiment {
     ExperimentType type = ExperimentType::droplet;
     Climate climate;
     std::string liquid = "water";
-    std::array<double, 2> sample_mm{20, 20};   ///< along the weft, along the warp
+    std::array<double, 2> sample_mm{20, 20}; ///< along the weft, along the warp
     double duration_s = 10;
     std::vector<Droplet> droplets{Droplet{}};
     bool operator==(const Experiment&) const = default;

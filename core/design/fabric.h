@@ -42,14 +42,14 @@ struct Fabric {
     Weave weave;
     double ends_per_cm = 20;
     double picks_per_cm = 20;
-    std::vector<Yarn> extra_yarns;             ///< for stripes and checks
-    std::vector<YarnRun> warp_order;           ///< one period, from end 0; empty: all ends alike
+    std::vector<Yarn> extra_yarns;   ///< for stripes and checks
+    std::vector<YarnRun> warp_order; ///< one period, from end 0; empty: all ends alike
     std::vector<YarnRun> weft_order;
     std::optional<double> thickness_mm;
-    std::optional<double> warp_crimp_percent;  ///< set; without it warp and weft share the crimp by their stiffness
+    std::optional<double> warp_crimp_percent; ///< set; without it warp and weft share the crimp by their stiffness
     std::optional<double> weft_crimp_percent;
     Flyaway flyaway;
-    std::optional<double> contact_angle_deg;   ///< of the finish; without it, each yarn's fibres
+    std::optional<double> contact_angle_deg; ///< of the finish; without it, each yarn's fibres
     Measured measured;
     bool operator==(const Fabric&) const = default;
 };

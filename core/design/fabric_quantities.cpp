@@ -80,8 +80,10 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
+            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft),
+                                      warp_straight(steps, 0.5 * a.width);
+            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp),
+                                      weft_straight(steps, 0.5 * b.width);
             double here = 0;
             for (bool warp_turns : {false, true})
                 for (bool weft_turns : {false, true}) {
@@ -89,7 +91,8 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                     int free = 0;
                     for (std::size_t k = 0; k < steps; ++k)
                         for (std::size_t l = 0; l < steps; ++l) {
-                            const double x = 0.5 * warp_pitch * (static_cast<double>(k) + 0.5) / steps, y = 0.5 * weft_pitch * (static_cast<double>(l) + 0.5) / steps;
+                            const double x = 0.5 * warp_pitch * (static_cast<double>(k) + 0.5) / steps,
+                                         y = 0.5 * weft_pitch * (static_cast<double>(l) + 0.5) / steps;
                             free += x > warp[l] && y > weft[k];
                         }
                     const double likely = (warp_turns ? warp_changes : 1 - warp_changes) * (weft_turns ? weft_changes : 1 - weft_changes);
@@ -140,8 +143,8 @@ void note_section(std::vector<std::string>& notes, const char* name, const Fitte
     const FreeYarn& free = fitted.free;
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.",
-                                    name, free.diameter, section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
+        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.", name,
+                                    free.diameter, section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
     if (fitted.narrowed)
         notes.push_back(
             fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
@@ -197,6 +200,13 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
         q.notes.push_back(
             fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
                         q.yarn_layer_thickness_mm, hair));
+    const auto note_crimp = [&](const char* name, const std::optional<double>& set, double reached) {
+        if (set && std::abs(*set - reached) > 0.5)
+            q.notes.push_back(fmt::format("The {}'s crimp is set to {:.3g} %; yarns of these sections and setts can have {:.3g} %.", name,
+                                          *set, reached));
+    };
+    note_crimp("warp", fabric.warp_crimp_percent, q.warp.crimp_percent);
+    note_crimp("weft", fabric.weft_crimp_percent, q.weft.crimp_percent);
     if (q.jammed)
         q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;

@@ -9,35 +9,35 @@ namespace hygroloom {
 
 struct YarnQuantities {
     double linear_density_tex = 0;
-    double diameter_mm = 0;              ///< of the free, round yarn
-    double packing_factor = 0;           ///< of the free yarn
-    Section section_mm;                  ///< in the fabric
+    double diameter_mm = 0;    ///< of the free, round yarn
+    double packing_factor = 0; ///< of the free yarn
+    Section section_mm;        ///< in the fabric
     double packing_factor_in_fabric = 0;
-    double pitch_mm = 0;                 ///< from yarn to yarn
-    double rise_mm = 0;                  ///< of the centreline, from side to side
+    double pitch_mm = 0; ///< from yarn to yarn
+    double rise_mm = 0;  ///< of the centreline, from side to side
     double crimp_percent = 0;
-    double cover = 0;                    ///< sett x mean width, 1 = touching
-    double pore_radius_um = 0;           ///< between the fibres: 2 x void area / wetted perimeter
+    double cover = 0;          ///< sett x mean width, 1 = touching
+    double pore_radius_um = 0; ///< between the fibres: 2 x void area / wetted perimeter
     double contact_angle_deg = 0;
-    bool flattened = false;              ///< section is not the free circle
+    bool flattened = false; ///< section is not the free circle
 };
 
 struct FabricQuantities {
     YarnQuantities warp;
     YarnQuantities weft;
-    double cover_factor = 0;             ///< share of the area under yarns; c1 + c2 - c1 c2 where they keep their width
-    double areal_density_g_m2 = 0;       ///< dry
-    double yarn_layer_thickness_mm = 0;  ///< of the interlaced yarns
-    double thickness_mm = 0;             ///< with flyaway, or as given
-    double porosity = 0;                 ///< 1 - areal density / (thickness x fibre density)
-    double rough_porosity = 0;           ///< porosity less the share of flyaways: eps - k (1 - smoothness), k = 1, at least 0.01
-    double fibre_volume_fraction = 0;    ///< of the yarn layer
-    double gap_warp_mm = 0;              ///< between neighbouring ends
+    double cover_factor = 0;            ///< share of the area under yarns; c1 + c2 - c1 c2 where they keep their width
+    double areal_density_g_m2 = 0;      ///< dry
+    double yarn_layer_thickness_mm = 0; ///< of the interlaced yarns
+    double thickness_mm = 0;            ///< with flyaway, or as given
+    double porosity = 0;                ///< 1 - areal density / (thickness x fibre density)
+    double rough_porosity = 0;          ///< porosity less the share of flyaways: eps - k (1 - smoothness), k = 1, at least 0.01
+    double fibre_volume_fraction = 0;   ///< of the yarn layer
+    double gap_warp_mm = 0;             ///< between neighbouring ends
     double gap_weft_mm = 0;
-    double inter_yarn_pore_radius_um = 0;///< hydraulic radius of the hole between four yarns
-    double smoothness = 1;               ///< 1 - volume of flyaway fibres / volume of the fabric
-    bool jammed = false;                 ///< yarns cannot bend round each other without being squeezed
-    std::vector<std::string> notes;      ///< what was done to the sections, in sentences
+    double inter_yarn_pore_radius_um = 0; ///< hydraulic radius of the hole between four yarns
+    double smoothness = 1;                ///< 1 - volume of flyaway fibres / volume of the fabric
+    bool jammed = false;                  ///< yarns cannot bend round each other without being squeezed
+    std::vector<std::string> notes;       ///< what was done to the sections, in sentences
 };
 
 /// By formula alone, laboratory values left aside. Precondition: validate() found no error in this fabric.

@@ -4,9 +4,10 @@
 
 namespace hygroloom {
 
-constexpr double loop_width = 1.5;         ///< half the base of a loop / its height; its profile is a squared cosine
-constexpr double lowest_loop = 0.5;        ///< heights lie evenly between this share of the given height and the given height
-constexpr double shortest_hair = 0.5;      ///< lengths lie evenly between this share of the given length and 1.5 times it; the mean is the given one
+constexpr double loop_width = 1.5;  ///< half the base of a loop / its height; its profile is a squared cosine
+constexpr double lowest_loop = 0.5; ///< heights lie evenly between this share of the given height and the given height
+constexpr double shortest_hair =
+    0.5; ///< lengths lie evenly between this share of the given length and 1.5 times it; the mean is the given one
 
 /// Length of a loop from where it leaves the skin of a yarn of this radius to where it comes back, its fibre turning round the yarn by
 /// so many turns per length. Numerical integral of the profile, within 1e-4.

@@ -86,8 +86,7 @@ double Interlacing::slope_at(double x) const
 {
     const double past_flat = std::min(x, pitch - x) - flat;
     if (past_flat <= 0) return 0;
-    if (past_flat < arc_radius * std::sin(weave_angle))
-        return -past_flat / std::sqrt(arc_radius * arc_radius - past_flat * past_flat);
+    if (past_flat < arc_radius * std::sin(weave_angle)) return -past_flat / std::sqrt(arc_radius * arc_radius - past_flat * past_flat);
     return -std::tan(weave_angle);
 }
 

@@ -20,13 +20,13 @@ Section flattened_section(double diameter, double height);
 /// Centreline of one yarn between two crossings where it changes sides, from +amplitude at x = 0 to -amplitude at x = pitch,
 /// and flat where it stays on a side.
 struct Interlacing {
-    double pitch = 0;        ///< distance of the two crossings
-    double amplitude = 0;    ///< height over the fabric's middle plane at a crossing
-    double flat = 0;         ///< straight part over the crossed yarn's flat, to each side of the crossing
-    double arc_radius = 0;   ///< of the centreline
-    double weave_angle = 0;  ///< greatest inclination, radian
-    double length = 0;       ///< of the centreline over one pitch
-    bool jammed = false;     ///< arcs are tighter than the crossed yarn asks for
+    double pitch = 0;       ///< distance of the two crossings
+    double amplitude = 0;   ///< height over the fabric's middle plane at a crossing
+    double flat = 0;        ///< straight part over the crossed yarn's flat, to each side of the crossing
+    double arc_radius = 0;  ///< of the centreline
+    double weave_angle = 0; ///< greatest inclination, radian
+    double length = 0;      ///< of the centreline over one pitch
+    bool jammed = false;    ///< arcs are tighter than the crossed yarn asks for
 
     double height_at(double x) const; ///< 0 <= x <= pitch
     double slope_at(double x) const;  ///< dz/dx
@@ -36,7 +36,10 @@ struct Interlacing {
 /// lie pitch apart. Where full arcs do not fit, own first leaves the crossed yarn's flat earlier, then its arcs tighten.
 Interlacing interlace(double pitch, const Section& own, const Section& other, double amplitude);
 /// With level faces: the amplitude is half other's height.
-inline Interlacing interlace(double pitch, const Section& own, const Section& other) { return interlace(pitch, own, other, 0.5 * other.height); }
+inline Interlacing interlace(double pitch, const Section& own, const Section& other)
+{
+    return interlace(pitch, own, other, 0.5 * other.height);
+}
 
 /// Height that a crossed section leaves to own's section whose middle is this far along and over the crossed one's middle; from a tenth of
 /// own's height to all of it. The flat stays, so the width shrinks by as much as the height.

@@ -18,22 +18,22 @@ struct GabIsotherm {
 
 /// How water moves inside a fibre.
 struct FibreDiffusion {
-    bool two_stage = false;          ///< Li and Luo's two-stage law of cotton or wool, see physics/sorption.h
-    double constant_m2_s = 0;        ///< used when not two_stage
+    bool two_stage = false;   ///< Li and Luo's two-stage law of cotton or wool, see physics/sorption.h
+    double constant_m2_s = 0; ///< used when not two_stage
     bool operator==(const FibreDiffusion&) const = default;
 };
 
 /// One fibre substance, dry.
 struct Material {
     std::string name;
-    std::string based_on;              ///< library material a project's own one starts from; empty for the library's
+    std::string based_on; ///< library material a project's own one starts from; empty for the library's
     double density_kg_m3 = 0;
     double fibre_radius_um = 0;
-    double standard_regain = 0;        ///< at 65 % relative humidity and 20 C, absorption, fraction
-    double saturation_regain = 0;      ///< at 100 % relative humidity, fraction
+    double standard_regain = 0;   ///< at 65 % relative humidity and 20 C, absorption, fraction
+    double saturation_regain = 0; ///< at 100 % relative humidity, fraction
     GabIsotherm gab;
     FibreDiffusion diffusion;
-    double contact_angle_deg = 0;      ///< of water, advancing
+    double contact_angle_deg = 0; ///< of water, advancing
     double thermal_conductivity_w_mk = 0;
     double specific_heat_j_kgk = 0;
     bool operator==(const Material&) const = default;

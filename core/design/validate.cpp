@@ -26,8 +26,9 @@ void validate_droplet(const Experiment& experiment, const Droplet& drop, const s
     }
     list.range(where + ".time_s", "time when a droplet appears", drop.time_s, 0, 86400, "s");
     if (experiment.duration_s > 0 && drop.time_s >= experiment.duration_s)
-        list.error("droplet_after_end", where + ".time_s",
-                   fmt::format("The droplet appears at {} s, not before the experiment's end at {} s.", drop.time_s, experiment.duration_s));
+        list.error(
+            "droplet_after_end", where + ".time_s",
+            fmt::format("The droplet appears at {} s, not before the experiment's end at {} s.", drop.time_s, experiment.duration_s));
     list.range(where + ".height_mm", "height of a droplet over the fabric", drop.height_mm, 0, 100, "mm");
     list.range(where + ".speed_m_s", "droplet's speed", drop.speed_m_s, 0, 5, "m/s");
     bool reaches_over = false;

@@ -99,7 +99,8 @@ void validate_order(const Fabric& fabric, const std::vector<YarnRun>& order, con
         threads += order[i].count;
     }
     if (threads > largest_yarn_order)
-        list.error("range", where, fmt::format("One period of the order may have up to {} threads; it has {}.", largest_yarn_order, threads));
+        list.error("range", where,
+                   fmt::format("One period of the order may have up to {} threads; it has {}.", largest_yarn_order, threads));
 }
 
 void validate_extra_yarns(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
@@ -169,10 +170,11 @@ void validate_fibre_scale(const Design& design, const Fabric& fabric, const std:
     const double packing = scale * std::max(derived.warp.packing_factor_in_fabric, derived.weft.packing_factor_in_fabric);
     const char* key = fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity";
     if (scale != 1 && (packing > densest_packing || packing < 0.01))
-        list.error("measured_disagrees", where + key,
-                   fmt::format("The laboratory's value means yarns packed to {:.3g}; the sections that follow from sett, thickness and diameters "
-                               "can hold from 0.01 to {}. Derived are {:.4g} g/m2 and a porosity of {:.3g}.",
-                               packing, densest_packing, derived.areal_density_g_m2, derived.porosity));
+        list.error(
+            "measured_disagrees", where + key,
+            fmt::format("The laboratory's value means yarns packed to {:.3g}; the sections that follow from sett, thickness and diameters "
+                        "can hold from 0.01 to {}. Derived are {:.4g} g/m2 and a porosity of {:.3g}.",
+                        packing, densest_packing, derived.areal_density_g_m2, derived.porosity));
 }
 
 void note_wicking(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)

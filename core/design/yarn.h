@@ -22,16 +22,16 @@ struct Color {
 /// Of a plied yarn, diameter and linear density are the whole yarn's; twist is that of its single yarns.
 struct Yarn {
     std::vector<MaterialShare> material{{"cotton", 1.0}};
-    std::optional<double> diameter_mm;         ///< of the free yarn
+    std::optional<double> diameter_mm; ///< of the free yarn
     std::optional<double> linear_density_tex;
-    std::optional<double> packing_factor;      ///< fibre volume / yarn volume
-    int fibres_per_yarn = 30;                  ///< drawn fibres (bundles of real ones)
+    std::optional<double> packing_factor; ///< fibre volume / yarn volume
+    int fibres_per_yarn = 30;             ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
     TwistDirection twist_direction = TwistDirection::z;
     int plies = 1;
-    double ply_twist_per_m = 400;              ///< of two plies or more round each other
+    double ply_twist_per_m = 400; ///< of two plies or more round each other
     TwistDirection ply_twist_direction = TwistDirection::s;
-    std::optional<Color> color;                ///< without it, the undyed fibre's
+    std::optional<Color> color; ///< without it, the undyed fibre's
     bool operator==(const Yarn&) const = default;
 };
 

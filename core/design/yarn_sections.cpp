@@ -12,6 +12,7 @@ namespace {
 
 constexpr double flattest = 0.15; // height / diameter that flattening may reach
 constexpr int flattening_steps = 34;
+constexpr double steepest = 0.49; // rise over span of the steepest arcs
 
 constexpr double circle_area(double diameter) { return 0.25 * pi * diameter * diameter; }
 
@@ -73,13 +74,18 @@ struct Loom {
     {
         const Section &a = warp.section, &b = weft.section;
         const double sum = 0.5 * (a.height + b.height);
-        if (warp_crimp >= 0 && weft_crimp >= 0) return asked(a, b, sum);
+        // No arc turns by more than a right angle; level faces always do with less.
+        const double warp_limit = std::min(sum, std::max(0.5 * b.height, steepest * weft_pitch));
+        const double weft_limit = std::min(sum, std::max(0.5 * a.height, steepest * warp_pitch));
+        if (warp_crimp >= 0 && weft_crimp >= 0)
+            return {rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, warp_limit),
+                    rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, weft_limit)};
         if (warp_crimp >= 0) {
-            const double rise = rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, sum);
+            const double rise = std::max(sum - weft_limit, rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, warp_limit));
             return {rise, sum - rise};
         }
         if (weft_crimp >= 0) {
-            const double rise = rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, sum);
+            const double rise = std::max(sum - warp_limit, rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, weft_limit));
             return {sum - rise, rise};
         }
         const double warp_gives = std::pow(weft_pitch, 3) / stiffness(warp), weft_gives = std::pow(warp_pitch, 3) / stiffness(weft);
@@ -88,12 +94,6 @@ struct Loom {
         const double weft_most = std::max(0.5 * a.height, rise_before_jam(warp_pitch, b, a));
         const double warp_rise = std::clamp(sum * warp_gives / (warp_gives + weft_gives), sum - weft_most, warp_most);
         return {warp_rise, sum - warp_rise};
-    }
-
-    /// The rises both set crimps ask for; less than sum where the yarns would have to be flatter.
-    CrossingHeights asked(const Section& a, const Section& b, double sum) const
-    {
-        return {rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, sum), rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, sum)};
     }
 
     bool jams() const
@@ -111,7 +111,8 @@ struct Loom {
     bool touching_neighbours() const
     {
         const auto narrowed = [](const FittedYarn& yarn) { return yarn.narrowed; };
-        return std::any_of(fitted.warp.begin(), fitted.warp.end(), narrowed) || std::any_of(fitted.weft.begin(), fitted.weft.end(), narrowed);
+        return std::any_of(fitted.warp.begin(), fitted.warp.end(), narrowed) ||
+               std::any_of(fitted.weft.begin(), fitted.weft.end(), narrowed);
     }
 
     /// Whether set crimps leave the yarns of every crossing cutting into each other.
@@ -128,7 +129,8 @@ struct Loom {
     bool warp_changes = true, weft_changes = true;
 };
 
-double mean_of(const std::optional<double>& set, const std::optional<double>& measured, double changes)
+/// As a share, of one change of sides; negative when it is not given.
+double crimp_of_change(const std::optional<double>& set, const std::optional<double>& measured, double changes)
 {
     const std::optional<double>& percent = set ? set : measured;
     return percent && changes > 0 ? 0.01 * *percent / changes : -1;
@@ -226,8 +228,8 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
     loom.lay(1);
     fitted.jammed = loom.jams();
 
-    loom.warp_crimp = mean_of(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
-    loom.weft_crimp = mean_of(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
+    loom.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
+    loom.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
     fitted.rounded = loom.warp_crimp >= 0 || loom.weft_crimp >= 0;
     loom.lay(1);
     double scale = 1;

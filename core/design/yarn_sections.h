@@ -26,10 +26,10 @@ FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
 
 /// The different yarns of one system and the order they come in.
 struct YarnOrder {
-    std::vector<int> yarns;             ///< of each type, as yarn_in() numbers them; yarns that differ in colour alone are one type
-    std::vector<double> share;          ///< of the threads, per type
-    std::vector<std::uint8_t> type;     ///< of each thread of one period
-    std::vector<std::uint16_t> yarn;    ///< of each thread of one period
+    std::vector<int> yarns;          ///< of each type, as yarn_in() numbers them; yarns that differ in colour alone are one type
+    std::vector<double> share;       ///< of the threads, per type
+    std::vector<std::uint8_t> type;  ///< of each thread of one period
+    std::vector<std::uint16_t> yarn; ///< of each thread of one period
 };
 /// Precondition: the order's numbers are in range.
 YarnOrder yarn_order(const Fabric& fabric, bool warp);
@@ -57,9 +57,9 @@ struct FittedYarns {
     std::vector<FittedYarn> warp; ///< per type
     std::vector<FittedYarn> weft;
     std::vector<CrossingHeights> heights; ///< warp type x number of weft types + weft type
-    double available_height = 0;  ///< mm, thickness less the loops on both faces; 0 when no thickness is given
-    bool rounded = false;         ///< a crimp is set: yarns are as round where they touch as a path of that crimp needs
-    bool jammed = false;          ///< free yarns of this sett cannot bend round each other in full arcs
+    double available_height = 0;          ///< mm, thickness less the loops on both faces; 0 when no thickness is given
+    bool rounded = false;                 ///< a crimp is set: yarns are as round where they touch as a path of that crimp needs
+    bool jammed = false;                  ///< free yarns of this sett cannot bend round each other in full arcs
 
     const CrossingHeights& at(std::size_t warp_type, std::size_t weft_type) const { return heights[warp_type * weft.size() + weft_type]; }
     /// One yarn's path over another's. Precondition of Interlacing holds.
@@ -74,7 +74,8 @@ struct FittedYarns {
 /// Precondition: the yarns, the setts and the orders are in range.
 /// Crimp: as set; else the centrelines' rises are those of beams of the yarns' stiffness that press on each other half-way between
 /// their crossings (stiffness ~ tex x fibre radius2 / fibre density; deflection ~ span3 / stiffness), as far as neither jams.
-/// With both crimps set, yarns are flattened until they touch at those rises. Without a thickness or a set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
+/// With both crimps set, yarns are flattened until they touch at those rises. Without a thickness or a set crimp, yarns that would jam are
+/// flattened until they do not or touch their neighbours.
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric);
 
 } // namespace hygroloom

@@ -25,7 +25,8 @@ enum Draw : std::uint64_t { draw_phase, draw_angle, draw_loop, draw_hair };
 
 std::uint64_t draw_index(Draw what, int part, std::int64_t number)
 {
-    return (static_cast<std::uint64_t>(what) << 60) + (static_cast<std::uint64_t>(part) << 56) + static_cast<std::uint64_t>(number + (std::int64_t(1) << 50));
+    return (static_cast<std::uint64_t>(what) << 60) + (static_cast<std::uint64_t>(part) << 56) +
+           static_cast<std::uint64_t>(number + (std::int64_t(1) << 50));
 }
 
 std::uint64_t stream_of(const Textile& textile, YarnKind kind, int yarn)
@@ -117,9 +118,10 @@ double drawn_fibre_radius(const YarnType& type)
 {
     const double radius = equivalent_radius(type), ply = ply_radius(type.plies);
     const double thick = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
-    const double reach = std::max(0.1 * radius * ply, radius * ply - thick);        // of the middles
+    const double reach = std::max(0.1 * radius * ply, radius * ply - thick);       // of the middles
     const double round = type.plies > 1 ? 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply) : 0;
-    const double lengthening = helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
+    const double lengthening =
+        helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
     return thick / std::sqrt(lengthening);
 }
 
@@ -192,7 +194,8 @@ YarnFibres::YarnFibres(const Textile& textile, const FibreOptions& options, Yarn
     }
 }
 
-std::size_t YarnFibres::count_hairs(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing, int crossings)
+std::size_t YarnFibres::count_hairs(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing,
+                                    int crossings)
 {
     const double density = 1e3 * textile.flyaway.hair_density_per_mm;
     if (!options.flyaways || density <= 0 || textile.flyaway.hair_length_mm <= 0) return 0;
@@ -222,7 +225,8 @@ void YarnFibres::find_loops(std::uint64_t stream)
         const auto draw = [&](int part) { return random_uniform(options_.seed, stream, draw_index(draw_loop, part, k)); };
         const auto fibre = std::min(static_cast<std::size_t>(draw(0) * fibres_), loops_.size() - 1);
         const double h = height * (lowest_loop + (1 - lowest_loop) * draw(1));
-        loops_[fibre].push_back({static_cast<float>((static_cast<double>(k) + draw(2)) / density), static_cast<float>(h), static_cast<float>(loop_width * h)});
+        loops_[fibre].push_back(
+            {static_cast<float>((static_cast<double>(k) + draw(2)) / density), static_cast<float>(h), static_cast<float>(loop_width * h)});
     }
 }
 
@@ -242,7 +246,9 @@ void YarnFibres::find_hairs(std::uint64_t stream)
         const Ring& a = ring_[index + 1];
         const Ring& b = ring_[index + 2];
         const double part = position - static_cast<double>(index);
-        const auto mix = [&](float x, float y) { return static_cast<double>(x) + part * (static_cast<double>(y) - static_cast<double>(x)); };
+        const auto mix = [&](float x, float y) {
+            return static_cast<double>(x) + part * (static_cast<double>(y) - static_cast<double>(x));
+        };
         const Vec3d centre{mix(a.centre[0], b.centre[0]), mix(a.centre[1], b.centre[1]), mix(a.centre[2], b.centre[2])};
         const Vec3d across{static_cast<double>(a.across[0]), static_cast<double>(a.across[1]), 0};
         const Vec3d up{static_cast<double>(a.up[0]), static_cast<double>(a.up[1]), static_cast<double>(a.up[2])};
@@ -251,7 +257,8 @@ void YarnFibres::find_hairs(std::uint64_t stream)
         const Vec3d out = std::sin(angle) * across + std::cos(angle) * up, round = std::cos(angle) * across - std::sin(angle) * up;
         const Vec3d flat = std::cos(lean) * along_yarn + std::sin(lean) * round;
         Hair hair;
-        hair.root = centre + hair_root * (mix(a.half_width, b.half_width) * std::sin(angle) * across + mix(a.half_height, b.half_height) * std::cos(angle) * up);
+        hair.root = centre + hair_root * (mix(a.half_width, b.half_width) * std::sin(angle) * across +
+                                          mix(a.half_height, b.half_height) * std::cos(angle) * up);
         hair.direction = std::sin(steepness) * out + std::cos(steepness) * flat;
         // Turning in its own plane, either over towards the yarn or away from it, or sideways.
         const Vec3d fold = std::cos(steepness) * out - std::sin(steepness) * flat, side = cross(hair.direction, fold);
@@ -338,7 +345,8 @@ double YarnFibres::loop_length(int strand) const
         for (const Loop& loop : loops_[static_cast<std::size_t>(strand)])
             outside = outside || std::abs(ring_[ring + 1].along - loop.middle) < loop.half_width;
         if (ring > 0 && (outside || outside_before)) {
-            const double piece = std::hypot(static_cast<double>(here[0] - before[0]), static_cast<double>(here[1] - before[1]), static_cast<double>(here[2] - before[2]));
+            const double piece = std::hypot(static_cast<double>(here[0] - before[0]), static_cast<double>(here[1] - before[1]),
+                                            static_cast<double>(here[2] - before[2]));
             length += outside && outside_before ? piece : 0.5 * piece;
         }
         outside_before = outside;

@@ -12,7 +12,7 @@ struct FibreOptions {
     int samples_per_crossing = 8; ///< >= 1
     int sides = 6;                ///< of a fibre, >= 3
     bool flyaways = true;
-    bool capped = true;           ///< ends of the tubes
+    bool capped = true; ///< ends of the tubes
     std::uint64_t seed = 1;
 };
 
@@ -70,9 +70,9 @@ private:
         float centre[3], across[2], up[3]; ///< the frame; across lies in the fabric's plane
         float half_width, half_height;
         float twist_cos, twist_sin, ply_cos, ply_sin;
-        float along;                       ///< m from the fabric's crossing 0, in yarn length
+        float along; ///< m from the fabric's crossing 0, in yarn length
         int segment;
-        float u;                           ///< crossings from the region's edge
+        float u; ///< crossings from the region's edge
     };
     struct Loop {
         float middle, height, half_width;
@@ -96,11 +96,11 @@ private:
     int fibres_ = 0;
     std::size_t rings_ = 0;
     double fibre_radius_ = 0, hair_radius_ = 0;
-    float core_ = 0;           ///< how much denser the axis is than the mean
-    float inner_ = 1;          ///< share of the section's half axes that fibres' middles reach
-    float migration_ = 0;      ///< m of yarn from surface to surface
+    float core_ = 0;      ///< how much denser the axis is than the mean
+    float inner_ = 1;     ///< share of the section's half axes that fibres' middles reach
+    float migration_ = 0; ///< m of yarn from surface to surface
     double along0_ = 0, along1_ = 0;
-    std::vector<Ring> ring_;   ///< one more at each end
+    std::vector<Ring> ring_; ///< one more at each end
     std::vector<float> start_angle_cos_, start_angle_sin_, phase_;
     std::vector<std::vector<Loop>> loops_; ///< per fibre
     std::vector<Hair> hairs_;

@@ -79,7 +79,8 @@ FibreSums sum_fibres(const Textile& textile)
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) {
                 const YarnType& type = textile.type(kind, yarn);
-                const YarnFibres fibres(textile, {24, 6, flyaways, true, 1}, kind, yarn, 0, kind == YarnKind::warp ? textile.picks() : textile.ends());
+                const YarnFibres fibres(textile, {24, 6, flyaways, true, 1}, kind, yarn, 0,
+                                        kind == YarnKind::warp ? textile.picks() : textile.ends());
                 const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
                 for (int strand = 0; strand < fibres.strands(); ++strand) {
                     line.resize(3 * fibres.points(strand));
@@ -125,8 +126,10 @@ Cover rasterize(const Textile& textile)
             for (int i = 0; i < crossings * raster; ++i) all.push_back(at(yarn, i / raster, (i % raster + 0.5) * step - 0.5));
         return all;
     };
-    const auto warp = strips(textile.ends(), textile.picks(), [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::warp, yarn, at, offset); });
-    const auto weft = strips(textile.picks(), textile.ends(), [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::weft, yarn, at, offset); });
+    const auto warp = strips(textile.ends(), textile.picks(),
+                             [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::warp, yarn, at, offset); });
+    const auto weft = strips(textile.picks(), textile.ends(),
+                             [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::weft, yarn, at, offset); });
     const auto covered = [](const std::vector<Strip>& all, int yarn, int along, int length, double place) {
         for (int beside = 0; beside <= 2; ++beside) {
             const Strip& strip = all[static_cast<std::size_t>((yarn + beside) * length + along)];
@@ -140,7 +143,8 @@ Cover rasterize(const Textile& textile)
         for (int row = 0; row < rows; ++row) {
             const double x = textile.x_of_end(0) + ((column + 0.5) * step - 0.5) * textile.warp.pitch;
             const double y = textile.y_of_pick(0) + ((row + 0.5) * step - 0.5) * textile.weft.pitch;
-            const bool under_warp = covered(warp, column / raster, row, rows, x), under_weft = covered(weft, row / raster, column, columns, y);
+            const bool under_warp = covered(warp, column / raster, row, rows, x),
+                       under_weft = covered(weft, row / raster, column, columns, y);
             cover.warp += under_warp;
             cover.weft += under_weft;
             cover.both += under_warp || under_weft;
@@ -191,7 +195,8 @@ double mean_crimp_percent(const Textile& textile, YarnKind kind)
             const bool is_warp = kind == YarnKind::warp;
             Vec3d before;
             for (int i = 0; i <= steps; ++i) {
-                const Vec3d here = yarn_point(textile, kind, is_warp ? end : pick, is_warp ? pick : end, static_cast<double>(i) / steps - 0.5).centre;
+                const Vec3d here =
+                    yarn_point(textile, kind, is_warp ? end : pick, is_warp ? pick : end, static_cast<double>(i) / steps - 0.5).centre;
                 if (i > 0) length += hygroloom::length(here - before);
                 before = here;
             }
@@ -224,8 +229,7 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
 {
     Fabric unmeasured = fabric; // to compare with the formulas
     unmeasured.measured = {};
-    const Textile textile =
-        build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends()), threads_for(fabric.weave.picks())});
+    const Textile textile = build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends()), threads_for(fabric.weave.picks())});
     const FabricQuantities& formula = textile.quantities;
     const double area = textile.crossings() * textile.warp.pitch * textile.weft.pitch;
     const FibreSums sums = sum_fibres(textile);
@@ -271,7 +275,8 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
     const auto along = [&](YarnKind kind, const MeasuredYarn& yarn) {
         const YarnType& type = textile.type(kind, 0);
         const double share = type.area / (textile.system(kind).pitch * metre_from_mm(m.yarn_layer_thickness_mm));
-        return share * permeability_along(metre_from_um(type.fibre.fibre_radius_um), type.packing) / std::pow(1 + 0.01 * yarn.crimp_percent, 2);
+        return share * permeability_along(metre_from_um(type.fibre.fibre_radius_um), type.packing) /
+               std::pow(1 + 0.01 * yarn.crimp_percent, 2);
     };
     m.permeability = {through(open / area, r2, 0.5 * (across(YarnKind::warp) + across(YarnKind::weft))), along(YarnKind::warp, m.warp),
                       along(YarnKind::weft, m.weft)};

@@ -34,13 +34,13 @@ struct MeasuredGeometry {
     double cover_factor = 0;
     double areal_density_g_m2 = 0;
     double yarn_layer_thickness_mm = 0;
-    double thickness_mm = 0;            ///< with the highest loops of the piece that was measured
-    double porosity = 0;                ///< of the thickness that the formulas use, so that both compare
-    double fibre_volume_fraction = 0;   ///< of the yarn layer
+    double thickness_mm = 0;          ///< with the highest loops of the piece that was measured
+    double porosity = 0;              ///< of the thickness that the formulas use, so that both compare
+    double fibre_volume_fraction = 0; ///< of the yarn layer
     double smoothness = 1;
-    PoreRadii holes;                    ///< between yarns
+    PoreRadii holes; ///< between yarns
     Permeability permeability;
-    int ends = 0, picks = 0;            ///< that were measured
+    int ends = 0, picks = 0; ///< that were measured
 };
 
 /// Makes every fibre of a few repeats (some thousand crossings at most) and measures them. Precondition: validate() found no error.

@@ -141,21 +141,17 @@ bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::
         Piece piece;
         YarnMesh* mesh = nullptr;
     };
-    tbb::parallel_pipeline(pieces_at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order,
-                                                                        [&](tbb::flow_control& flow) {
-                                                                            Work work;
-                                                                            if (stopped || !cutter.next(work.piece)) flow.stop();
-                                                                            work.mesh = &buffers[next_buffer++ % pieces_at_once];
-                                                                            return work;
-                                                                        }) &
-                                               tbb::make_filter<Work, Work>(tbb::filter_mode::parallel,
-                                                                            [&](Work work) {
-                                                                                make(textile, request, work.piece, *work.mesh);
-                                                                                return work;
-                                                                            }) &
-                                               tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
-                                                   if (!stopped && !take(*work.mesh)) stopped = true;
-                                               }));
+    tbb::parallel_pipeline(pieces_at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
+                                               Work work;
+                                               if (stopped || !cutter.next(work.piece)) flow.stop();
+                                               work.mesh = &buffers[next_buffer++ % pieces_at_once];
+                                               return work;
+                                           }) & tbb::make_filter<Work, Work>(tbb::filter_mode::parallel, [&](Work work) {
+                                               make(textile, request, work.piece, *work.mesh);
+                                               return work;
+                                           }) & tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
+                                               if (!stopped && !take(*work.mesh)) stopped = true;
+                                           }));
     return !stopped;
 }
 

@@ -45,7 +45,8 @@ YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed&
             slope = smooth_slope(t) / pitch * (b.own_rise - a.own_rise);
         }
         // The section keeps its flat; its height is what the two crossed yarns leave it.
-        const double height = std::min(squeezed_height(own, a.section, x, z + a.other_rise), squeezed_height(own, b.section, x - pitch, z + sign * b.other_rise));
+        const double height = std::min(squeezed_height(own, a.section, x, z + a.other_rise),
+                                       squeezed_height(own, b.section, x - pitch, z + sign * b.other_rise));
         path.height.push_back(z);
         path.slope.push_back(slope);
         path.half_height.push_back(0.5 * height);
@@ -55,7 +56,8 @@ YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed&
         path.length = from.length;
     } else {
         for (int i = 0; i + 1 < path_samples; ++i)
-            path.length += std::hypot(pitch / (path_samples - 1), path.height[static_cast<std::size_t>(i) + 1] - path.height[static_cast<std::size_t>(i)]);
+            path.length += std::hypot(pitch / (path_samples - 1),
+                                      path.height[static_cast<std::size_t>(i) + 1] - path.height[static_cast<std::size_t>(i)]);
     }
     return path;
 }
@@ -181,9 +183,9 @@ double Textile::shift_at_crossing(YarnKind kind, int end, int pick) const
 {
     const bool is_warp = kind == YarnKind::warp;
     // A yarn is too stiff to follow every crossing: the mean over the two half floats beside it.
-    const double drift = 0.5 * drawn(*this, is_warp, end, pick) +
-                         0.25 * (drawn(*this, is_warp, end - (is_warp ? 0 : 1), pick - (is_warp ? 1 : 0)) +
-                                 drawn(*this, is_warp, end + (is_warp ? 0 : 1), pick + (is_warp ? 1 : 0)));
+    const double drift =
+        0.5 * drawn(*this, is_warp, end, pick) + 0.25 * (drawn(*this, is_warp, end - (is_warp ? 0 : 1), pick - (is_warp ? 1 : 0)) +
+                                                         drawn(*this, is_warp, end + (is_warp ? 0 : 1), pick + (is_warp ? 1 : 0)));
     if (drift == 0) return 0;
     const int yarn = is_warp ? end : pick, neighbour = drift > 0 ? yarn + 1 : yarn - 1;
     const double gap = system(kind).pitch - 0.5 * (type(kind, yarn).section.width + type(kind, neighbour).section.width);

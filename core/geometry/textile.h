@@ -17,35 +17,35 @@ struct YarnPath {
     std::vector<double> slope;       ///< dz/dx of the centreline
     std::vector<double> half_height; ///< of the section, across the yarn; smaller where neighbours squeeze it
     std::vector<double> half_width;
-    double length = 0;               ///< of the centreline
+    double length = 0; ///< of the centreline
 };
 
 /// Yarns of one system that are alike but for their colour.
 struct YarnType {
-    Section section;             ///< m, at a crossing
-    double area = 0;             ///< m2, of the section with its pores
-    double packing = 0;          ///< fibre volume / yarn volume, in the fabric
-    double pore_radius = 0;      ///< m, effective, between the fibres
+    Section section;        ///< m, at a crossing
+    double area = 0;        ///< m2, of the section with its pores
+    double packing = 0;     ///< fibre volume / yarn volume, in the fabric
+    double pore_radius = 0; ///< m, effective, between the fibres
     double tortuosity = 1;
-    double contact_angle = 0;    ///< radian
-    Material fibre;              ///< the blend's mean substance
-    int fibres = 30;             ///< drawn
+    double contact_angle = 0; ///< radian
+    Material fibre;           ///< the blend's mean substance
+    int fibres = 30;          ///< drawn
     int plies = 1;
-    double twist = 0;            ///< turns per m of yarn, more than 0 for Z
-    double ply_twist = 0;        ///< the same of the plies
-    double fibre_length = 1;     ///< of untwisted fibres over the yarn's: they run in and out where the section is squeezed
-    std::vector<double> rise;    ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
+    double twist = 0;                     ///< turns per m of yarn, more than 0 for Z
+    double ply_twist = 0;                 ///< the same of the plies
+    double fibre_length = 1;              ///< of untwisted fibres over the yarn's: they run in and out where the section is squeezed
+    std::vector<double> rise;             ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
     std::vector<double> length_per_pitch; ///< mean, per type it crosses: 1 + crimp
 };
 
 /// All ends, or all picks.
 struct YarnSystem {
-    int count = 0;               ///< yarns in the region
-    double pitch = 0;            ///< m, from yarn to yarn
+    int count = 0;    ///< yarns in the region
+    double pitch = 0; ///< m, from yarn to yarn
     std::vector<YarnType> types;
-    std::vector<std::uint8_t> order;     ///< type of each thread of one period, from the fabric's thread 0
-    std::vector<std::uint16_t> yarns;    ///< number of each as yarn_in() has it, for its colour
-    std::vector<YarnPath> paths; ///< per own type, crossed type before, crossed type after, and whether it changes sides; see path()
+    std::vector<std::uint8_t> order;  ///< type of each thread of one period, from the fabric's thread 0
+    std::vector<std::uint16_t> yarns; ///< number of each as yarn_in() has it, for its colour
+    std::vector<YarnPath> paths;      ///< per own type, crossed type before, crossed type after, and whether it changes sides; see path()
 };
 
 enum class YarnKind { warp, weft };
@@ -60,7 +60,7 @@ struct Textile {
     YarnSystem weft;
     Weave weave;
     Flyaway flyaway;
-    int first_end = 0;  ///< of the region in the fabric, which goes on to both sides
+    int first_end = 0; ///< of the region in the fabric, which goes on to both sides
     int first_pick = 0;
     double thickness = 0; ///< m, of the interlaced yarns, from face to face
     FabricQuantities quantities;
@@ -115,7 +115,7 @@ Textile build_textile(const Design& design, const Fabric& fabric, const TextileR
 /// A yarn at one place: its centreline and half its section across and along the fabric.
 struct YarnPoint {
     Vec3d centre;
-    Vec3d tangent;      ///< unit, along the yarn
+    Vec3d tangent; ///< unit, along the yarn
     double half_height;
     double half_width;
 };

@@ -32,7 +32,8 @@ void mesh(benchmark::State& state, const MeshRequest& request)
         vertices = bytes = 0;
         stream_mesh(textile, request, [&](const YarnMesh& piece) {
             vertices += piece.segment_of_vertex.size();
-            bytes += 4 * (piece.positions.size() + piece.normals.size() + piece.uvs.size() + piece.segment_of_vertex.size() + piece.indices.size());
+            bytes += 4 * (piece.positions.size() + piece.normals.size() + piece.uvs.size() + piece.segment_of_vertex.size() +
+                          piece.indices.size());
             benchmark::DoNotOptimize(piece.positions.data());
             return true;
         });

@@ -20,16 +20,29 @@ private Q_SLOTS:
     {
         QVERIFY(shipped_presets().size() >= 24);
         for (const Preset& preset : shipped_presets())
-            for (const Issue& issue : validate(preset.design)) QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text).c_str());
+            for (const Issue& issue : validate(preset.design))
+                QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text).c_str());
     }
     void presetsWeighWhatTheirConstructionsDo()
     {
         // g/m2 by hand: (ends/cm x tex x (1 + crimp) + picks/cm x tex x (1 + crimp)) / 10, rounded.
-        const std::map<std::string, double> expected{
-            {"Poplin shirting", 128}, {"Sheeting", 105},       {"Drill", 245},        {"Denim", 394},        {"Oxford", 123},
-            {"Voile", 47},            {"Cotton sateen", 119},  {"Wool serge", 269},   {"Tropical worsted", 154}, {"Hemp canvas", 277},
-            {"Linen cloth", 149},     {"Polyester taffeta", 69}, {"Sports micro-twill", 84}, {"Pongee", 68},  {"Nylon taslan", 93},
-            {"Silk habotai", 53},     {"Viscose challis", 105}};
+        const std::map<std::string, double> expected{{"Poplin shirting", 128},
+                                                     {"Sheeting", 105},
+                                                     {"Drill", 245},
+                                                     {"Denim", 394},
+                                                     {"Oxford", 123},
+                                                     {"Voile", 47},
+                                                     {"Cotton sateen", 119},
+                                                     {"Wool serge", 269},
+                                                     {"Tropical worsted", 154},
+                                                     {"Hemp canvas", 277},
+                                                     {"Linen cloth", 149},
+                                                     {"Polyester taffeta", 69},
+                                                     {"Sports micro-twill", 84},
+                                                     {"Pongee", 68},
+                                                     {"Nylon taslan", 93},
+                                                     {"Silk habotai", 53},
+                                                     {"Viscose challis", 105}};
         std::size_t found = 0;
         for (const Preset& preset : shipped_presets()) {
             const auto weight = expected.find(preset.fabric().name);
@@ -38,8 +51,10 @@ private Q_SLOTS:
             const FabricQuantities q = derive_quantities(preset.design, preset.fabric());
             QVERIFY2(std::abs(q.areal_density_g_m2 - weight->second) < 1.5 + 0.01 * weight->second,
                      qPrintable(QString("%1: %2").arg(preset.fabric().name.c_str()).arg(q.areal_density_g_m2)));
-            QVERIFY2(std::abs(q.warp.crimp_percent - *preset.fabric().warp_crimp_percent) < 1, qPrintable(QString("%1: warp crimp %2").arg(preset.fabric().name.c_str()).arg(q.warp.crimp_percent)));
-            QVERIFY2(std::abs(q.weft.crimp_percent - *preset.fabric().weft_crimp_percent) < 1, qPrintable(QString("%1: weft crimp %2").arg(preset.fabric().name.c_str()).arg(q.weft.crimp_percent)));
+            QVERIFY2(std::abs(q.warp.crimp_percent - *preset.fabric().warp_crimp_percent) < 1,
+                     qPrintable(QString("%1: warp crimp %2").arg(preset.fabric().name.c_str()).arg(q.warp.crimp_percent)));
+            QVERIFY2(std::abs(q.weft.crimp_percent - *preset.fabric().weft_crimp_percent) < 1,
+                     qPrintable(QString("%1: weft crimp %2").arg(preset.fabric().name.c_str()).arg(q.weft.crimp_percent)));
         }
         QCOMPARE(found, expected.size());
     }
@@ -88,7 +103,8 @@ private Q_SLOTS:
         const QString path = folder.filePath("mine.hygrolib");
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(R"({"format":"hygroloom-library","version":1,"presets":[{"group":"x","project":{"format":"hygroloom-project","version":1,"fabrics":[]}}]})");
+        file.write(
+            R"({"format":"hygroloom-library","version":1,"presets":[{"group":"x","project":{"format":"hygroloom-project","version":1,"fabrics":[]}}]})");
         file.close();
         try {
             read_library(path.toStdString());
@@ -100,7 +116,8 @@ private Q_SLOTS:
     void finishesAreWithinTheAnglesThereAre()
     {
         QVERIFY(finishes().size() >= 6);
-        for (const Finish& finish : finishes()) QVERIFY(finish.contact_angle_deg >= 0 && finish.contact_angle_deg <= 180 && !finish.note.empty());
+        for (const Finish& finish : finishes())
+            QVERIFY(finish.contact_angle_deg >= 0 && finish.contact_angle_deg <= 180 && !finish.note.empty());
     }
 };
 

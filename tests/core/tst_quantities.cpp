@@ -207,7 +207,8 @@ private Q_SLOTS:
         const FabricQuantities q = derive_quantities({}, fabric);
         // 24.347 tex and a quarter of it: (20 x 24.347 x (1 + 3/4)/4 + 20 x 24.347) / 10
         const double mean = 24.347 * (1 + 0.75) / 4;
-        QVERIFY2(near(q.areal_density_g_m2, 2 * mean + 2 * 24.347 * (1 + 0.01 * q.weft.crimp_percent), 0.3), qPrintable(QString::number(q.areal_density_g_m2)));
+        QVERIFY2(near(q.areal_density_g_m2, 2 * mean + 2 * 24.347 * (1 + 0.01 * q.weft.crimp_percent), 0.3),
+                 qPrintable(QString::number(q.areal_density_g_m2)));
     }
     void theFabricsContactAngleReplacesTheFibres()
     {

@@ -74,7 +74,8 @@ private Q_SLOTS:
     {
         const Design design = textile_f();
         const Textile textile = part(design, {0, 0, 12, 12});
-        const YarnFibres whole(textile, fine, YarnKind::weft, 4, 0, 12), left(textile, fine, YarnKind::weft, 4, 0, 5), right(textile, fine, YarnKind::weft, 4, 5, 7);
+        const YarnFibres whole(textile, fine, YarnKind::weft, 4, 0, 12), left(textile, fine, YarnKind::weft, 4, 0, 5),
+            right(textile, fine, YarnKind::weft, 4, 5, 7);
         QCOMPARE(left.strands() - left.regular() + right.strands() - right.regular(), whole.strands() - whole.regular());
         for (int strand = 0; strand < whole.regular(); ++strand) {
             const auto a = curve_of(left, strand), b = curve_of(right, strand), all = curve_of(whole, strand);
@@ -208,7 +209,8 @@ private Q_SLOTS:
             for (int end = 0; end < 40; ++end) {
                 const YarnFibres fibres(textile, {24, 6, true, true, 1}, YarnKind::warp, end, 0, 200);
                 for (int strand = 0; strand < fibres.strands(); ++strand)
-                    (fibres.is_hair(strand) ? hairs : loops) += fibres.is_hair(strand) ? length_of(curve_of(fibres, strand)) : fibres.loop_length(strand);
+                    (fibres.is_hair(strand) ? hairs : loops) +=
+                        fibres.is_hair(strand) ? length_of(curve_of(fibres, strand)) : fibres.loop_length(strand);
                 for (int pick = 0; pick < 200; ++pick) yarn += textile.segment_length(YarnKind::warp, end, pick);
             }
             const FlyawayLength expected = flyaway_length(textile, textile.warp.types[0]);
@@ -223,9 +225,11 @@ private Q_SLOTS:
         const Textile textile = part(design, {0, 0, 20, 20});
         double highest = 0;
         const YarnMesh mesh = mesh_fibres(textile, {0, 0, 20, 20}, {});
-        for (std::size_t i = 2; i < mesh.positions.size(); i += 3) highest = std::max(highest, std::abs(static_cast<double>(mesh.positions[i])));
+        for (std::size_t i = 2; i < mesh.positions.size(); i += 3)
+            highest = std::max(highest, std::abs(static_cast<double>(mesh.positions[i])));
         const double limit = textile.half_thickness() + 0.1e-3;
-        QVERIFY2(highest > limit - 0.03e-3 && highest < limit + 2 * drawn_fibre_radius(textile.warp.types[0]), qPrintable(QString::number(highest / limit)));
+        QVERIFY2(highest > limit - 0.03e-3 && highest < limit + 2 * drawn_fibre_radius(textile.warp.types[0]),
+                 qPrintable(QString::number(highest / limit)));
     }
     void tubesAreClosedAndFaceOutwards()
     {
@@ -235,7 +239,8 @@ private Q_SLOTS:
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         double volume = 0;
         const auto at = [&](std::uint32_t v) {
-            return Vec3d{static_cast<double>(mesh.positions[3 * v]), static_cast<double>(mesh.positions[3 * v + 1]), static_cast<double>(mesh.positions[3 * v + 2])};
+            return Vec3d{static_cast<double>(mesh.positions[3 * v]), static_cast<double>(mesh.positions[3 * v + 1]),
+                         static_cast<double>(mesh.positions[3 * v + 2])};
         };
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             for (std::size_t c = 0; c < 3; ++c) ++edges[{mesh.indices[i + c], mesh.indices[i + (c + 1) % 3]}];

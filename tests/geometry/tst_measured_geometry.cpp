@@ -10,12 +10,15 @@ using namespace hygroloom;
 
 namespace {
 
-Design example(const QString& file) { return read_project((QString(HYGROLOOM_SOURCE_DIR "/resources/examples/") + file + ".hygro").toStdString()); }
+Design example(const QString& file)
+{
+    return read_project((QString(HYGROLOOM_SOURCE_DIR "/resources/examples/") + file + ".hygro").toStdString());
+}
 
 } // namespace
 
 #define AGREES(measured, formula)                                                                                                          \
-    QVERIFY2(std::abs((measured) / (formula) - 1) < 0.02, qPrintable(QString("%1 against %2").arg(measured).arg(formula)))
+    QVERIFY2(std::abs((measured) / (formula)-1) < 0.02, qPrintable(QString("%1 against %2").arg(measured).arg(formula)))
 
 class TestMeasuredGeometry : public QObject {
     Q_OBJECT
@@ -25,8 +28,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<double>("sett"); // 0: the example's
-        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"}) QTest::newRow(letter) << QString("textile-%1").arg(letter) << "plain" << 0.0;
-        for (const char* pattern : {"plain", "twill 2/1 Z", "satin 5/2", "basket 2/2"}) QTest::newRow(pattern) << "textile-F" << pattern << 22.0;
+        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"})
+            QTest::newRow(letter) << QString("textile-%1").arg(letter) << "plain" << 0.0;
+        for (const char* pattern : {"plain", "twill 2/1 Z", "satin 5/2", "basket 2/2"})
+            QTest::newRow(pattern) << "textile-F" << pattern << 22.0;
     }
     void formulasAndGeometryAgree()
     {
@@ -72,7 +77,8 @@ private Q_SLOTS:
         const Design design = example("textile-G");
         const FabricQuantities q = derive_quantities(design, design.fabrics[0]);
         const double radius = blended_material(design, design.fabrics[0].warp.material).fibre_radius_um;
-        const Permeability formula = permeability_of(q, radius, radius), measured = measure_geometry(design, design.fabrics[0]).permeability;
+        const Permeability formula = permeability_of(q, radius, radius),
+                           measured = measure_geometry(design, design.fabrics[0]).permeability;
         AGREES(measured.through, formula.through);
         AGREES(measured.along_warp, formula.along_warp);
         AGREES(measured.along_weft, formula.along_weft);

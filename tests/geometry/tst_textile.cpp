@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Yarn paths and sections: smooth, within the thickness, and out of each other's way.
 #include "core/base/units.h"
+#include "core/design/validate.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/textile.h"
 #include "core/project/project_file.h"
@@ -98,8 +99,10 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("pattern");
-        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"}) QTest::newRow(letter) << QString("textile-%1").arg(letter) << QString();
-        for (const char* pattern : {"twill 2/1 Z", "twill 2/2 S", "satin 5/2", "basket 2/2"}) QTest::newRow(pattern) << "textile-F" << pattern;
+        for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"})
+            QTest::newRow(letter) << QString("textile-%1").arg(letter) << QString();
+        for (const char* pattern : {"twill 2/1 Z", "twill 2/2 S", "satin 5/2", "basket 2/2"})
+            QTest::newRow(pattern) << "textile-F" << pattern;
     }
     void yarnsDoNotInterpenetrate()
     {
@@ -174,6 +177,31 @@ private Q_SLOTS:
             QVERIFY(std::abs(one.warp.types[0].rise[0] + one.weft.types[0].rise[0] - 0.2e-3) < 1e-9);
         }
     }
+    void anyCrimpThatMayBeSetMakesAContinuousCloth()
+    {
+        for (double sett : {5.0, 28.0, 48.0})
+            for (double warp : {0.0, 3.0, 100.0})
+                for (double weft : {-1.0, 0.0, 100.0}) {
+                    Design design = example("textile-G");
+                    Fabric& fabric = design.fabrics[0];
+                    fabric.thickness_mm.reset();
+                    fabric.ends_per_cm = fabric.picks_per_cm = sett;
+                    fabric.warp_crimp_percent = warp;
+                    if (weft >= 0) fabric.weft_crimp_percent = weft;
+                    if (has_error(validate(design))) continue;
+                    const Textile t = build_textile(design, fabric, {0, 0, 4, 4});
+                    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                        YarnPoint before = yarn_point(t, kind, 1, 1, 0);
+                        for (int i = 1; i <= 256; ++i) {
+                            const YarnPoint here = yarn_point(t, kind, 1, i <= 128 ? 1 : 2, i <= 128 ? i / 256.0 : i / 256.0 - 1);
+                            QVERIFY(std::isfinite(here.centre.z) && here.half_height > 0);
+                            QVERIFY2(std::abs(here.centre.z - before.centre.z) < 0.1 * t.thickness,
+                                     qPrintable(QString("%1 %2 %3").arg(sett).arg(warp).arg(weft)));
+                            before = here;
+                        }
+                    }
+                }
+    }
     void yarnsThatWouldJamAreFlattenedWhenNoThicknessIsGiven()
     {
         Design design = example("textile-G");
@@ -211,8 +239,10 @@ private Q_SLOTS:
         // Where two yarns cross, their skins touch.
         for (int end = 0; end < 12; ++end)
             for (int pick = 0; pick < 12; ++pick) {
-                const double apart = std::abs(t.height_at_crossing(YarnKind::warp, end, pick) - t.height_at_crossing(YarnKind::weft, end, pick));
-                QVERIFY(std::abs(apart - 0.5 * (t.type(YarnKind::warp, end).section.height + t.type(YarnKind::weft, pick).section.height)) < 1e-12);
+                const double apart =
+                    std::abs(t.height_at_crossing(YarnKind::warp, end, pick) - t.height_at_crossing(YarnKind::weft, end, pick));
+                QVERIFY(std::abs(apart - 0.5 * (t.type(YarnKind::warp, end).section.height + t.type(YarnKind::weft, pick).section.height)) <
+                        1e-12);
             }
         // Paths join at the crossings.
         for (int pick = 1; pick < 19; ++pick)
@@ -238,7 +268,8 @@ private Q_SLOTS:
             for (int end = 0; end < 15; ++end)
                 for (int pick = 0; pick < 16; ++pick)
                     for (double offset : {-0.5, -0.2, 0.0, 0.3}) {
-                        const YarnPoint a = yarn_point(cloth, YarnKind::warp, end, pick, offset), b = yarn_point(cloth, YarnKind::warp, end + 1, pick, offset);
+                        const YarnPoint a = yarn_point(cloth, YarnKind::warp, end, pick, offset),
+                                        b = yarn_point(cloth, YarnKind::warp, end + 1, pick, offset);
                         QVERIFY(b.centre.x - a.centre.x >= a.half_width + b.half_width - 1e-9);
                     }
             if (fabric.weave.pattern() == "plain") QCOMPARE(cloth.shift_at_crossing(YarnKind::warp, 4, 4), 0.0);
