@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -84,14 +85,14 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
 std::vector<std::filesystem::path> companions(const ExportJob& job, const std::filesystem::path& path, std::size_t buffers)
 {
     std::vector<std::filesystem::path> files;
-    if (job.format == MeshFormat::obj && !job.wet()) {
-        std::string name = path.stem().string() + ".mtl";
-        std::replace(name.begin(), name.end(), ' ', '_'); // an OBJ names its materials up to the first blank
-        files.push_back(path.parent_path() / name);
-    }
+    // Names without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of glTF decodes a URI.
+    std::string stem = path.stem().string();
+    for (char& c : stem)
+        if (static_cast<unsigned char>(c) <= ' ' || std::strchr("%#?&<>\"\\", c)) c = '_';
+    if (job.format == MeshFormat::obj && !job.wet()) files.push_back(path.parent_path() / (stem + ".mtl"));
     if (job.format == MeshFormat::gltf)
         for (std::size_t i = 0; i < buffers; ++i)
-            files.push_back(path.parent_path() / (path.stem().string() + (i == 0 ? std::string() : fmt::format("-{}", i + 1)) + ".bin"));
+            files.push_back(path.parent_path() / (stem + (i == 0 ? std::string() : fmt::format("-{}", i + 1)) + ".bin"));
     return files;
 }
 

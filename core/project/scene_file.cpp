@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// FBX, 3MF, Collada and X3D through Assimp's exporters, which want the whole scene in memory and copy it.
+// FBX, 3MF, Collada and X3D through Assimp's exporters, which want the whole scene in memory and copy it. Assimp 5.2.5 needs mending:
+// its binary FBX lacks the records that end a list of nodes, and its X3D has six decimals whatever the unit.
 #include "core/base/error.h"
+#include "core/project/atomic_file.h"
 #include "core/project/export_private.h"
 
 #include <assimp/Exporter.hpp>
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 
 namespace hygroloom {
 namespace {
 
 bool z_up(MeshFormat format) { return format == MeshFormat::three_mf; }
 
-/// Of the file's unit, per metre.
+/// Of the numbers in the file, per metre.
 float scale_of(MeshFormat format)
 {
     switch (format) {
-    case MeshFormat::three_mf: return 1000;
+    case MeshFormat::three_mf:
+    case MeshFormat::x3d: return 1000; // X3D is in metres: a scale stands over the yarns
     case MeshFormat::fbx: return 100;
     default: return 1;
     }
@@ -93,7 +98,7 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
     for (std::size_t i = 0; i < job.materials.size(); ++i) {
         const aiString name(job.materials[i].name);
         const Color& color = job.materials[i].color;
-        const aiColor3D diffuse(static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255, static_cast<float>(color.blue) / 255);
+        const aiColor4D diffuse(static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255, static_cast<float>(color.blue) / 255, 1);
         scene.mMaterials[i] = new aiMaterial;
         scene.mMaterials[i]->AddProperty(&name, AI_MATKEY_NAME);
         scene.mMaterials[i]->AddProperty(&diffuse, 1, AI_MATKEY_COLOR_DIFFUSE);
@@ -102,6 +107,7 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
     scene.mNumMeshes = count;
     scene.mMeshes = new aiMesh*[count];
     scene.mRootNode = new aiNode("textile");
+    if (job.format == MeshFormat::x3d) aiMatrix4x4::Scaling(aiVector3D(0.001f), scene.mRootNode->mTransformation);
     scene.mRootNode->mNumChildren = count;
     scene.mRootNode->mChildren = new aiNode*[count];
     for (unsigned i = 0; i < count; ++i) {
@@ -114,12 +120,60 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
     }
 }
 
+/// A binary FBX of version 7.5 with a record of zeros after each list of nodes, as readers expect it.
+class MendedFbx {
+public:
+    explicit MendedFbx(const std::string& given) : given_(given)
+    {
+        std::size_t place = 27; // after the magic word and the version
+        mended_.assign(given, 0, place);
+        while (number(place) > place && number(place) <= given.size()) place = node(place);
+        // The foot: an identity, zeros to a multiple of 16, version, 120 zeros and a magic word.
+        mended_.append(record, '\0');
+        mended_.append(given, place, 16);
+        mended_.append(4, '\0');
+        mended_.append(16 - mended_.size() % 16, '\0');
+        mended_.append(given, given.size() - 140, 140);
+    }
+    const std::string& bytes() const { return mended_; }
+
+private:
+    static constexpr std::size_t record = 25;
+
+    std::uint64_t number(std::size_t place) const
+    {
+        std::uint64_t value = 0;
+        if (place + sizeof value <= given_.size()) std::memcpy(&value, &given_[place], sizeof value);
+        return value;
+    }
+
+    /// Copies a node: its end, the number and the bytes of its properties, its name, the properties, nodes inside. Returns its end.
+    std::size_t node(std::size_t place)
+    {
+        const std::size_t begin = mended_.size();
+        const auto end = static_cast<std::size_t>(number(place));
+        const std::size_t head = record + static_cast<unsigned char>(given_[place + 24]) + static_cast<std::size_t>(number(place + 16));
+        mended_.append(given_, place, head);
+        place += head;
+        if (place < end) {
+            while (place < end) place = node(place);
+            mended_.append(record, '\0');
+        }
+        const std::uint64_t new_end = mended_.size();
+        std::memcpy(&mended_[begin], &new_end, sizeof new_end);
+        return end;
+    }
+
+    const std::string& given_;
+    std::string mended_;
+};
+
 } // namespace
 
 void write_scene(const ExportJob& job, const std::filesystem::path& path)
 {
-    aiScene scene;
     {
+        aiScene scene;
         std::vector<YarnPart> parts;
         for_each_piece(job, [&](const YarnMesh& piece) {
             const MeshGroup& group = piece.groups[0];
@@ -127,10 +181,16 @@ void write_scene(const ExportJob& job, const std::filesystem::path& path)
             fill(job, piece, parts.back());
         });
         fill_scene(job, scene, parts);
+        Assimp::Exporter exporter;
+        if (exporter.Export(&scene, exporter_of(job.format), path.string()) != aiReturn_SUCCESS)
+            throw FileError(job.shown + ": The file cannot be made: " + exporter.GetErrorString());
     }
-    Assimp::Exporter exporter;
-    if (exporter.Export(&scene, exporter_of(job.format), path.string()) != aiReturn_SUCCESS)
-        throw FileError(job.shown + ": The file cannot be made: " + exporter.GetErrorString());
+    if (job.format != MeshFormat::fbx) return;
+    const std::string given = read_file(path, std::numeric_limits<std::size_t>::max());
+    const MendedFbx mended(given);
+    OutputFile file(path, job.shown);
+    file.write_at(0, mended.bytes().data(), mended.bytes().size());
+    file.close();
 }
 
 double scene_bytes(const ExportJob& job, const ExportEstimate& size)
@@ -138,8 +198,8 @@ double scene_bytes(const ExportJob& job, const ExportEstimate& size)
     const auto v = static_cast<double>(size.vertices), t = static_cast<double>(size.triangles), yarns = static_cast<double>(size.yarns);
     const double water = job.wet() ? 1 : 0;
     switch (job.format) {
-    case MeshFormat::fbx: return 1e4 + 2000 * yarns + 60 * v + 60 * t + water * 20 * v;
-    case MeshFormat::three_mf: return 1e3 + 20 * v + 10 * t;
+    case MeshFormat::fbx: return 1e4 + 2000 * yarns + 40 * v + 96 * t + water * 96 * t;
+    case MeshFormat::three_mf: return 1e3 + 9 * v + 4.5 * t;
     case MeshFormat::collada: return 1e3 + 1500 * yarns + 80 * v + 20 * t + water * 30 * v;
     default: return 1e3 + 500 * yarns + 80 * v + 25 * t + water * 30 * v;
     }
