@@ -41,9 +41,9 @@ struct Exported {
 /// Gets the share done, 0 .. 1, and returns false to cancel.
 using ExportProgress = std::function<bool(double share)>;
 
-/// Yarns are named warp_000, weft_000. Files beside the main one (.mtl, .bin) take its name. Everything goes to temporary files, renamed at
-/// the end. fabric is the one the textile was built from. Throws Error with the estimate's refusal, FileError, or Cancelled; no file is
-/// changed then.
+/// Yarns are named warp_000, weft_000 (not in PLY, STL and 3MF) and have their own colours (not in STL and 3MF). Files beside the main one
+/// (.mtl, .bin) take its name. Everything goes to temporary files, renamed at the end. fabric is the one the textile was built from. Throws
+/// Error with the estimate's refusal, FileError, or Cancelled; no file is changed then.
 Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,
                         const ExportProgress& progress = {});
 
