@@ -214,6 +214,7 @@ void MainWindow::connectParts()
     connect(simulation_panel_, &SimulationPanel::canRunChanged, this, &MainWindow::refreshActions);
     connect(weave_->paper(), &PointPaper::crossingHovered, viewport_, &Viewport::setHighlight);
     connect(viewport_, &Viewport::repeatHovered, weave_->paper(), &PointPaper::setHighlight);
+    connect(viewport_, &Viewport::repeatSelected, weave_->paper(), &PointPaper::setSelectedYarn);
     connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
         (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);
     });
@@ -362,13 +363,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         QMainWindow::keyPressEvent(event);
         return;
     }
-    switch (event->key()) {
-    case Qt::Key_Space: timeline_->togglePlaying(); return;
-    case Qt::Key_F: viewport_->fit(); return;
-    case Qt::Key_1: viewport_->lookFrom(0, 0); return;
-    case Qt::Key_3: viewport_->lookFrom(90, 0); return;
-    case Qt::Key_7: viewport_->lookFrom(0, 90); return;
-    default: QMainWindow::keyPressEvent(event);
+    if (event->key() == Qt::Key_Space) {
+        timeline_->togglePlaying();
+    } else if (!viewport_->pressKey(event->key())) {
+        QMainWindow::keyPressEvent(event);
     }
 }
 

@@ -137,7 +137,6 @@ private:
     QAction* pause_ = nullptr;
     QAction* stop_ = nullptr;
     QAction* play_ = nullptr;
-    QAction* fit_ = nullptr;
     QAction* plan_ = nullptr;
     QAction* take_design_ = nullptr;
     QMenu* recent_ = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
+#include "ui/view_bar.h"
 #include "ui/water_map_view.h"
 
 #include <QActionGroup>
@@ -125,13 +126,7 @@ void MainWindow::buildViewMenu()
     connect(design, &QAction::triggered, this, [this] { setWorkspace(Workspace::design); });
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
     menu->addSeparator();
-    // Single keys reach the window only when no field takes them, so they are no shortcuts of the actions.
-    fit_ = addCommand(menu, "fit", tr("&Fit") + "\tF", {}, tr("Show the whole fabric."));
-    connect(fit_, &QAction::triggered, this, [this] { viewport_->fit(); });
-    connect(addCommand(menu, {}, tr("F&ront") + "\t1", {}, tr("Look along the warp.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 0); });
-    connect(addCommand(menu, {}, tr("Ri&ght") + "\t3", {}, tr("Look along the weft.")), &QAction::triggered, this, [this] { viewport_->lookFrom(90, 0); });
-    connect(addCommand(menu, {}, tr("&Top") + "\t7", {}, tr("Look down on the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, 90); });
-    connect(addCommand(menu, {}, tr("&Bottom"), {}, tr("Look up at the fabric.")), &QAction::triggered, this, [this] { viewport_->lookFrom(0, -90); });
+    viewport_->bar().fillMenu(menu);
     menu->addSeparator();
     addChoices(menu->addMenu(tr("Colour &Range")), "view/range", {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the moment")},
                [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
@@ -213,7 +208,7 @@ void MainWindow::buildToolBar()
     bar->addSeparator();
     bar->addActions({undo_, redo_});
     bar->addSeparator();
-    bar->addActions({fit_, screenshot_});
+    bar->addActions({viewport_->bar().fitAction(), screenshot_});
     bar->addSeparator();
     bar->addActions({start_, pause_, stop_});
     auto* gap = new QWidget;

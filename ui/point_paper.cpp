@@ -49,6 +49,12 @@ void PointPaper::setHighlight(int end, int pick)
     }
 }
 
+void PointPaper::setSelectedYarn(int end, int pick)
+{
+    selected_ = {end < 0 ? -1 : wrapped(end, weave_.ends()), pick < 0 ? -1 : wrapped(pick, weave_.picks())};
+    update();
+}
+
 double PointPaper::cell() const
 {
     // The repeat with some of its neighbours, at least eight squares across.
@@ -107,6 +113,18 @@ void PointPaper::paintEvent(QPaintEvent*)
     }
 
     const QColor accent = palette().color(QPalette::Highlight);
+    QColor veil = accent;
+    veil.setAlphaF(0.45F);
+    for (int end = low.x(); end <= high.x(); ++end) {
+        if (selected_.x() >= 0 && wrapped(end, weave_.ends()) == selected_.x()) {
+            painter.fillRect(QRectF(squareOf(end, 0).left(), 0, c, height()), veil);
+        }
+    }
+    for (int pick = low.y(); pick <= high.y(); ++pick) {
+        if (selected_.y() >= 0 && wrapped(pick, weave_.picks()) == selected_.y()) {
+            painter.fillRect(QRectF(0, squareOf(0, pick).top(), width(), c), veil);
+        }
+    }
     painter.setPen(QPen(accent, 2));
     painter.drawRect(QRectF(squareOf(0, weave_.picks() - 1).topLeft(), squareOf(weave_.ends() - 1, 0).bottomRight()).adjusted(0, 0, 1, 1));
     const auto mark = [&](const QPoint& at, double inset) {

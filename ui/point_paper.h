@@ -18,6 +18,9 @@ public:
     void setWeave(const Weave& weave);
     /// Marks a crossing of the repeat that is pointed at elsewhere; negative for none.
     void setHighlight(int end, int pick);
+    /// Marks all squares of an end or of a pick of the repeat; negative for none.
+    void setSelectedYarn(int end, int pick);
+    QPoint selectedYarn() const { return selected_; }
     QSize sizeHint() const override { return {200, 200}; }
     QSize minimumSizeHint() const override { return {120, 120}; }
 
@@ -45,6 +48,7 @@ private:
     Weave weave_;
     QPoint cursor_{0, 0};
     QPoint highlight_{-1, -1};
+    QPoint selected_{-1, -1};
     QPoint last_{-1, -1};
     bool painting_ = false;
     bool paintUp_ = false;

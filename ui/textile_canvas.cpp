@@ -2,21 +2,19 @@
 #include "ui/textile_canvas.h"
 
 #include "ui/appearance.h"
-#include "ui/quantity.h"
 
-#include <QElapsedTimer>
-#include <QMouseEvent>
 #include <QPainter>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom {
 
 namespace {
 
 constexpr int still_after_ms = 160;
-constexpr double slow_picture = 0.12;      // s: then the coarse mesh is drawn while moving
+constexpr double slow_picture = 0.12;      // s: then less is drawn while moving
+constexpr double moving_detail = 0.6;      // of a slow picture
 constexpr double too_slow_for_samples = 0.25; // s, without multisampling
 
 } // namespace
@@ -27,42 +25,102 @@ TextileCanvas::TextileCanvas(QWidget* parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Picture of the woven fabric"));
-    setAccessibleDescription(tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom. F fits, 1, 3 and 7 look from the front, "
+    setAccessibleDescription(tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to choose a yarn. Arrow keys turn, plus "
+                                "and minus zoom, square brackets go from yarn to yarn. F shows the whole fabric, 1, 3 and 7 look from the front, "
                                 "the right and the top."));
     still_.setSingleShot(true);
     still_.setInterval(still_after_ms);
     connect(&still_, &QTimer::timeout, this, [this] { redraw(false); });
+    fade_.setSingleShot(true);
+    fade_.setInterval(15);
+    connect(&fade_, &QTimer::timeout, this, [this] {
+        scene_changed_ = true;
+        update();
+    });
 }
 
 TextileCanvas::~TextileCanvas()
 {
     makeCurrent();
     sampled_.reset();
-    scene_.reset();
+    scene_picture_.reset();
     renderer_.release();
     doneCurrent();
 }
 
-void TextileCanvas::setMesh(std::shared_ptr<const PreviewMesh> mesh)
+void TextileCanvas::setView(std::shared_ptr<const PreparedView> view)
 {
-    mesh_ = std::move(mesh);
+    if (!view) {
+        waiting_.reset();
+        scene_.setFabric(nullptr);
+        hovered_ = {-1, -1};
+        selected_ = {};
+        redraw(false);
+        return;
+    }
+    waiting_ = std::move(view);
     if (usable_) {
-        // At once: the coarse and the fine mesh may both come before the next picture.
         makeCurrent();
-        renderer_.setMesh(mesh_);
+        takeView();
         doneCurrent();
     } else {
-        mesh_changed_ = true;
+        scene_.setFabric(waiting_->fabric);
+    }
+    redraw(moving_);
+}
+
+/// Needs the context.
+void TextileCanvas::takeView()
+{
+    const auto view = std::exchange(waiting_, nullptr);
+    scene_.setFabric(view->fabric);
+    renderer_.setFabric(view->fabric);
+    for (const CellMesh& mesh : view->meshes) {
+        renderer_.addMesh(mesh);
+    }
+    if (view->picture) {
+        renderer_.setPicture(*view->picture);
     }
     water_changed_ = true;
-    if (mesh_ && !(fitted_ && moved_by_hand_) && width() > 1) {
-        fit();
+    const int yarns = selected_.kind == YarnKind::warp ? fabric()->textile.ends() : fabric()->textile.picks();
+    if (selected_.yarn >= yarns) {
+        select({});
     }
-    redraw(false);
+    camera_ = framed(camera_, *fabric(), moved_by_hand_ ? Framing::as_it_is : framing_, QSizeF(size()));
+}
+
+void TextileCanvas::addMeshes(const PreparedView& view)
+{
+    if (!usable_ || view.fabric != fabric()) {
+        return;
+    }
+    makeCurrent();
+    for (const CellMesh& mesh : view.meshes) {
+        renderer_.addMesh(mesh);
+    }
+    if (view.picture) {
+        renderer_.setPicture(*view.picture);
+    }
+    doneCurrent();
+    scene_changed_ = true;
+    update();
+}
+
+SceneView TextileCanvas::sceneView() const
+{
+    SceneView view;
+    view.camera = camera_;
+    view.size = QSizeF(size());
+    view.detail = devicePixelRatioF() * (moving_ && still_seconds_ > slow_picture ? moving_detail : 1.0);
+    view.cut = cut();
+    return view;
 }
 
 void TextileCanvas::setWater(std::vector<float> values, double maximum)
 {
+    if (values.empty() && water_.empty()) {
+        return;
+    }
     water_ = std::move(values);
     water_maximum_ = maximum;
     water_changed_ = true;
@@ -71,6 +129,9 @@ void TextileCanvas::setWater(std::vector<float> values, double maximum)
 
 void TextileCanvas::setLiquid(LiquidSurface surface)
 {
+    if (surface.indices.empty() && liquid_.indices.empty()) {
+        return;
+    }
     liquid_ = std::move(surface);
     liquid_changed_ = true;
     redraw(moving_);
@@ -78,8 +139,10 @@ void TextileCanvas::setLiquid(LiquidSurface surface)
 
 void TextileCanvas::setCaption(const PictureCaption& caption)
 {
-    caption_ = caption;
-    update();
+    if (caption != caption_) {
+        caption_ = caption;
+        update();
+    }
 }
 
 void TextileCanvas::setWaterColors(WaterColors colors)
@@ -96,28 +159,84 @@ void TextileCanvas::setHighlight(int end, int pick)
     }
 }
 
-void TextileCanvas::fit()
+void TextileCanvas::frameNext(Framing framing)
 {
-    if (mesh_) {
-        camera_.fit(mesh_->low(), mesh_->high(), QSizeF(width(), height()));
-        fitted_ = true;
-        moved_by_hand_ = false;
+    framing_ = framing;
+    moved_by_hand_ = false;
+}
+
+void TextileCanvas::fit(Framing framing)
+{
+    framing_ = framing;
+    moved_by_hand_ = false;
+    if (fabric()) {
+        camera_ = framed(camera_, *fabric(), framing, QSizeF(size()));
         redraw(false);
-    } else {
-        fitted_ = false;
     }
 }
 
 void TextileCanvas::lookFrom(double turn, double lift)
 {
     camera_.lookFrom(turn, lift);
-    fit();
+    if (moved_by_hand_ && fabric()) {
+        // Not from within the fabric: looked at from an edge, the edge comes into sight.
+        const QVector3D low = fabric()->low(), high = fabric()->high(), towards = camera_.direction();
+        const QVector3D eye = camera_.target() + static_cast<float>(camera_.depth(camera_.target())) * towards;
+        QVector3D target = camera_.target();
+        for (int axis = 0; axis < 2; ++axis) {
+            if (std::abs(towards[axis]) > 0.99F && eye[axis] > low[axis] && eye[axis] < high[axis]) {
+                target[axis] = towards[axis] > 0 ? high[axis] : low[axis];
+            }
+        }
+        camera_.centreOn(target);
+        redraw(false);
+    } else {
+        fit(framing_);
+    }
+}
+
+void TextileCanvas::setParallel(bool parallel)
+{
+    camera_.setParallel(parallel);
+    redraw(false);
+}
+
+void TextileCanvas::setCamera(const Camera& camera)
+{
+    camera_ = camera;
+    moved_by_hand_ = true;
+    redraw(false);
 }
 
 QImage TextileCanvas::picture()
 {
+    if (usable_) {
+        makeCurrent();
+        complete();
+        doneCurrent();
+    }
     redraw(false);
     return grabFramebuffer();
+}
+
+/// Makes all meshes that the picture would like to have. Needs the context.
+void TextileCanvas::complete()
+{
+    moving_ = false;
+    const auto available = [this](const MeshKey& key) { return renderer_.has(key); };
+    scene_.update(sceneView(), 0, available);
+    for (int round = 0; round < 2 && fabric(); ++round) {
+        for (const WantedMesh& wish : scene_.wanted()) {
+            if (wish.key.level == 0) {
+                renderer_.setPicture(picture_of_repeat(*fabric()));
+            } else {
+                renderer_.addMesh(mesh_cell(*fabric(), wish.cell, wish.key.level));
+            }
+        }
+        scene_.settle();
+        scene_.update(sceneView(), 0, available);
+        scene_.settle();
+    }
 }
 
 void TextileCanvas::initializeGL()
@@ -126,17 +245,19 @@ void TextileCanvas::initializeGL()
     if (!usable_) {
         Q_EMIT failed(renderer_.problem());
     }
+    if (usable_ && waiting_) {
+        takeView();
+    }
     scene_changed_ = true;
     water_changed_ = true;
     liquid_changed_ = true;
-    mesh_changed_ = true;
 }
 
 void TextileCanvas::resizeGL(int, int)
 {
     scene_changed_ = true;
-    if (!moved_by_hand_) {
-        fit();
+    if (!moved_by_hand_ && framing_ != Framing::as_it_is) {
+        fit(framing_);
     }
 }
 
@@ -147,6 +268,7 @@ PictureColors TextileCanvas::colors() const
     colors.background = dark ? QColor("#191c1f") : QColor("#e9ecee");
     colors.warp = QColor("#f0e8d8");
     colors.weft = QColor("#e2d5bb");
+    colors.marked = palette().color(QPalette::Highlight);
     colors.water = water_colors_;
     return colors;
 }
@@ -165,19 +287,22 @@ void TextileCanvas::redraw(bool moving)
 
 void TextileCanvas::drawScene()
 {
-    if (std::exchange(mesh_changed_, false)) {
-        renderer_.setMesh(mesh_);
-    }
     if (std::exchange(water_changed_, false)) {
-        renderer_.setWater(mesh_ ? mesh_->patchValues(water_) : std::vector<float>(), water_maximum_);
+        renderer_.setWater(water_, water_maximum_);
     }
     if (std::exchange(liquid_changed_, false)) {
         renderer_.setLiquid(liquid_);
     }
+    const SceneView view = sceneView();
+    const double seconds = was_fading_ && since_drawn_.isValid() ? 1e-3 * static_cast<double>(since_drawn_.elapsed()) : 0;
+    since_drawn_.start();
+    scene_.update(view, seconds, [this](const MeshKey& key) { return renderer_.has(key); });
+    was_fading_ = scene_.fading();
+    const bool settled = !moving_ && !was_fading_;
     const QSize pixels = size() * devicePixelRatioF();
-    const bool samples = !moving_ && still_seconds_ < too_slow_for_samples;
-    if (!scene_ || scene_->size() != pixels) {
-        scene_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
+    const bool samples = settled && still_seconds_ < too_slow_for_samples;
+    if (!scene_picture_ || scene_picture_->size() != pixels) {
+        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
         sampled_.reset();
     }
     if (samples && !sampled_) {
@@ -186,20 +311,27 @@ void TextileCanvas::drawScene()
         format.setSamples(4);
         sampled_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
     }
-    QOpenGLFramebufferObject& target = samples ? *sampled_ : *scene_;
+    QOpenGLFramebufferObject& target = samples ? *sampled_ : *scene_picture_;
     target.bind();
     QElapsedTimer timer;
     timer.start();
-    renderer_.draw(camera_, pixels, QSizeF(size()), colors(), moving_ && still_seconds_ > slow_picture);
-    if (!moving_) {
+    renderer_.setMarked(selected_);
+    renderer_.draw(view, scene_.batches(), pixels, colors());
+    if (settled) {
         context()->functions()->glFinish();
         still_seconds_ = 1e-3 * static_cast<double>(timer.elapsed()) / (samples ? 2.5 : 1);
     }
     target.release();
     if (samples) {
-        QOpenGLFramebufferObject::blitFramebuffer(scene_.get(), sampled_.get());
+        QOpenGLFramebufferObject::blitFramebuffer(scene_picture_.get(), sampled_.get());
     }
     scene_changed_ = false;
+    if (!scene_.wanted().empty()) {
+        Q_EMIT meshesWanted();
+    }
+    if (was_fading_) {
+        fade_.start();
+    }
 }
 
 void TextileCanvas::paintGL()
@@ -210,64 +342,15 @@ void TextileCanvas::paintGL()
         }
         // nullptr is the context's own default; this widget has one of its own.
         auto* extra = context()->extraFunctions();
-        extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_->handle());
+        extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());
         extra->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-        const int w = scene_->width(), h = scene_->height();
+        const int w = scene_picture_->width(), h = scene_picture_->height();
         extra->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         extra->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     drawOverlay(painter);
-}
-
-void TextileCanvas::mousePressEvent(QMouseEvent* event)
-{
-    drag_ = event->button();
-    dragged_from_ = event->position();
-    panning_ = event->button() == Qt::MiddleButton || event->button() == Qt::RightButton
-        || (event->button() == Qt::LeftButton && event->modifiers() & Qt::ShiftModifier);
-}
-
-void TextileCanvas::mouseMoveEvent(QMouseEvent* event)
-{
-    if (drag_ == Qt::NoButton) {
-        hover(event->position());
-        return;
-    }
-    const QPointF pixels = event->position() - dragged_from_;
-    dragged_from_ = event->position();
-    moved_by_hand_ = true;
-    if (panning_) {
-        camera_.pan(pixels, QSizeF(size()));
-    } else {
-        camera_.orbit(pixels);
-    }
-    redraw(true);
-}
-
-void TextileCanvas::mouseReleaseEvent(QMouseEvent*)
-{
-    drag_ = Qt::NoButton;
-    if (moving_) {
-        redraw(false);
-    }
-}
-
-void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
-{
-    if (const auto point = pointUnder(event->position())) {
-        camera_.centreOn(*point);
-        moved_by_hand_ = true;
-        redraw(false);
-    }
-}
-
-void TextileCanvas::wheelEvent(QWheelEvent* event)
-{
-    moved_by_hand_ = true;
-    camera_.zoom(std::pow(1.0015, event->angleDelta().y()), event->position(), QSizeF(size()));
-    redraw(true);
 }
 
 void TextileCanvas::leaveEvent(QEvent*)
@@ -281,45 +364,6 @@ void TextileCanvas::changeEvent(QEvent* event)
         redraw(false);
     }
     QOpenGLWidget::changeEvent(event);
-}
-
-std::optional<QVector3D> TextileCanvas::pointUnder(const QPointF& at) const
-{
-    if (!mesh_ || !rect().contains(at.toPoint())) {
-        return std::nullopt;
-    }
-    const Ray ray = camera_.ray(at, QSizeF(size()));
-    const float surface = 0.5F * (ray.from.z() >= 0 ? mesh_->high().z() : mesh_->low().z());
-    if (std::abs(ray.direction.z()) < 1e-3F) {
-        return std::nullopt;
-    }
-    const float along = (surface - ray.from.z()) / ray.direction.z();
-    const QVector3D point = ray.from + along * ray.direction;
-    const QVector3D low = mesh_->low(), high = mesh_->high();
-    if (along < 0 || point.x() < low.x() || point.x() > high.x() || point.y() < low.y() || point.y() > high.y()) {
-        return std::nullopt;
-    }
-    return point;
-}
-
-void TextileCanvas::hover(const QPointF& at)
-{
-    pointer_ = at;
-    QPoint found(-1, -1);
-    if (const auto point = pointUnder(at)) {
-        const QVector3D low = mesh_->low();
-        const TextileRegion& request = mesh_->request.patch;
-        const TextileRegion& whole = mesh_->request.whole;
-        const int end = static_cast<int>((point->x() - low.x()) / (1000 * mesh_->textile.warp.pitch));
-        const int pick = static_cast<int>((point->y() - low.y()) / (1000 * mesh_->textile.weft.pitch));
-        found = {std::clamp(end, 0, mesh_->textile.ends() - 1) + request.first_end - whole.first_end,
-                 std::clamp(pick, 0, mesh_->textile.picks() - 1) + request.first_pick - whole.first_pick};
-    }
-    if (found != hovered_) {
-        hovered_ = found;
-        Q_EMIT crossingHovered(found.x(), found.y());
-    }
-    update();
 }
 
 } // namespace hygroloom

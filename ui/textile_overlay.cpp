@@ -32,7 +32,7 @@ void TextileCanvas::drawOverlay(QPainter& painter)
 {
     const QColor ink = palette().color(QPalette::WindowText);
     const QColor paper = colors().background;
-    if (!usable_ || !mesh_) {
+    if (!usable_ || !fabric()) {
         painter.fillRect(rect(), paper);
         painter.setPen(ink);
         const QString text = usable_ ? caption_.notice : renderer_.problem();
@@ -41,21 +41,7 @@ void TextileCanvas::drawOverlay(QPainter& painter)
     }
     drawHighlight(painter);
     const QFontMetricsF metrics(painter.font());
-    if (!caption_.title.isEmpty()) {
-        const QRectF plate(margin - 6, margin - 4, metrics.horizontalAdvance(caption_.title) + 12, metrics.height() + 8);
-        drawPlate(painter, plate, palette());
-        painter.setPen(ink);
-        painter.drawText(plate, Qt::AlignCenter, caption_.title);
-    }
-    if (!caption_.notice.isEmpty()) {
-        const double room = width() - 2 * margin - (caption_.legend.isEmpty() ? 0 : 120);
-        const QRectF text = metrics.boundingRect(QRectF(0, 0, std::max(120.0, room), height()), Qt::TextWordWrap, caption_.notice);
-        const QRectF plate(margin - 6, margin + metrics.height() + 10, text.width() + 20, text.height() + 10);
-        drawPlate(painter, plate, palette());
-        painter.fillRect(QRectF(plate.left(), plate.top(), 3, plate.height()), severityColor(Severity::warning, palette()));
-        painter.setPen(ink);
-        painter.drawText(plate.adjusted(10, 5, -4, -4), Qt::TextWordWrap, caption_.notice);
-    }
+    drawTitle(painter, ink);
     drawPlate(painter, QRectF(margin - 8, height() - margin - metrics.height() - 12, scaleBarLength(camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6) + 16, metrics.height() + 22),
               palette());
     drawScaleBar(painter, {margin, height() - margin}, camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6, ink);
@@ -67,7 +53,85 @@ void TextileCanvas::drawOverlay(QPainter& painter)
         painter.setPen(ink);
         drawLegend(painter, area, caption_.legend, caption_.legend_maximum * caption_.legend_scale, caption_.unit, water_colors_);
     }
+    drawMeasurement(painter, ink);
     drawHover(painter, ink);
+}
+
+void TextileCanvas::drawTitle(QPainter& painter, const QColor& ink)
+{
+    const QFontMetricsF metrics(painter.font());
+    double top = margin;
+    const auto line = [&](const QString& text, const QColor& edge) {
+        if (text.isEmpty()) {
+            return;
+        }
+        const double room = width() - 2 * margin - (caption_.legend.isEmpty() ? 0 : 120);
+        const QRectF size = metrics.boundingRect(QRectF(0, 0, std::max(120.0, room), height()), Qt::TextWordWrap, text);
+        const QRectF plate(margin - 6, top - 4, size.width() + (edge.isValid() ? 20 : 12), size.height() + 8);
+        drawPlate(painter, plate, palette());
+        if (edge.isValid()) {
+            painter.fillRect(QRectF(plate.left(), plate.top(), 3, plate.height()), edge);
+        }
+        painter.setPen(ink);
+        painter.drawText(plate.adjusted(edge.isValid() ? 10 : 6, 4, -2, -2), Qt::TextWordWrap, text);
+        top = plate.bottom() + 8;
+    };
+    line(caption_.title, {});
+    line(caption_.notice, severityColor(Severity::warning, palette()));
+    line(selectionText(), palette().color(QPalette::Highlight));
+    if (measuring_ && measured_.size() < 2) {
+        line(measured_.empty() ? tr("Click the first point on a yarn. Esc ends measuring.") : tr("Click the second point. Esc begins again."),
+             palette().color(QPalette::Highlight));
+    }
+}
+
+QString TextileCanvas::selectionText() const
+{
+    if (selected_.yarn < 0 || !fabric()) {
+        return {};
+    }
+    const Textile& textile = fabric()->textile;
+    if (selected_.kind == YarnKind::warp) {
+        return tr("End %1 of the repeat, %2 of the piece").arg((textile.first_end + selected_.yarn) % textile.weave.ends() + 1).arg(selected_.yarn + 1);
+    }
+    return tr("Pick %1 of the repeat, %2 of the piece").arg((textile.first_pick + selected_.yarn) % textile.weave.picks() + 1).arg(selected_.yarn + 1);
+}
+
+void TextileCanvas::drawMeasurement(QPainter& painter, const QColor& ink)
+{
+    const QColor accent = palette().color(QPalette::Highlight);
+    const auto marked = [&](const QVector3D& point) {
+        const QPointF at = camera_.project(point, QSizeF(size()));
+        painter.setPen(QPen(colors().background, 4));
+        painter.drawEllipse(at, 5, 5);
+        painter.setPen(QPen(accent, 2));
+        painter.drawEllipse(at, 5, 5);
+        return at;
+    };
+    std::vector<QPointF> ends;
+    for (const QVector3D& point : measured_) {
+        ends.push_back(marked(point));
+    }
+    const auto found = measurement();
+    if (!found) {
+        return;
+    }
+    painter.setPen(QPen(colors().background, 4));
+    painter.drawLine(ends[0], ends[1]);
+    painter.setPen(QPen(accent, 2));
+    painter.drawLine(ends[0], ends[1]);
+    const QVector3D way = found->to - found->from;
+    const auto length = [](double mm) { return shownNumber(mm, 3) + QChar(0x00a0) + QStringLiteral("mm"); };
+    const QStringList lines{length(found->length()),
+                            tr("warp %1, weft %2, height %3").arg(length(std::abs(way.y())), length(std::abs(way.x())), length(std::abs(way.z())))};
+    const QFontMetricsF metrics(painter.font());
+    QRectF plate(0, 0, metrics.horizontalAdvance(lines[1]) + 16, 2 * metrics.height() + 8);
+    plate.moveCenter(0.5 * (ends[0] + ends[1]) + QPointF(0, metrics.height() * 2));
+    plate.moveLeft(std::clamp(plate.left(), 4.0, std::max(4.0, width() - plate.width() - 4)));
+    plate.moveTop(std::clamp(plate.top(), 4.0, std::max(4.0, height() - plate.height() - 4)));
+    drawPlate(painter, plate, palette());
+    painter.setPen(ink);
+    painter.drawText(plate.adjusted(8, 4, -8, -4), Qt::AlignLeft | Qt::AlignTop, lines.join('\n'));
 }
 
 void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
@@ -96,27 +160,21 @@ void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
 
 void TextileCanvas::drawHover(QPainter& painter, const QColor& ink)
 {
-    if (hovered_.x() < 0 || drag_ != Qt::NoButton) {
+    if (hovered_.x() < 0 || pressed_ || measuring_) {
         return;
     }
-    const Textile& textile = mesh_->textile;
-    const TextileRegion& patch = mesh_->request.patch;
-    const TextileRegion& whole = mesh_->request.whole;
-    const int end = hovered_.x() - (patch.first_end - whole.first_end);
-    const int pick = hovered_.y() - (patch.first_pick - whole.first_pick);
-    if (end < 0 || pick < 0 || end >= textile.ends() || pick >= textile.picks()) {
+    const Textile& textile = fabric()->textile;
+    const int end = hovered_.x(), pick = hovered_.y();
+    if (end >= textile.ends() || pick >= textile.picks()) {
         return;
     }
     const bool warpUp = textile.warp_up(end, pick);
-    QStringList lines{tr("End %1, pick %2: %3").arg(hovered_.x() + 1).arg(hovered_.y() + 1).arg(warpUp ? tr("warp over weft") : tr("weft over warp"))};
-    if (!water_.empty()) {
-        const auto crossings = static_cast<std::size_t>(whole.ends) * static_cast<std::size_t>(whole.picks);
-        const auto warp = static_cast<std::size_t>(hovered_.x()) * static_cast<std::size_t>(whole.picks) + static_cast<std::size_t>(hovered_.y());
-        const auto weft = crossings + static_cast<std::size_t>(hovered_.y()) * static_cast<std::size_t>(whole.ends) + static_cast<std::size_t>(hovered_.x());
-        if (weft < water_.size()) {
-            const auto shown = [this](float value) { return shownNumber(value * caption_.legend_scale, 1) + QChar(0x00a0) + caption_.unit; };
-            lines << tr("End %1, pick %2 of the pores filled").arg(shown(water_[warp]), shown(water_[weft]));
-        }
+    QStringList lines{tr("End %1, pick %2: %3").arg(end + 1).arg(pick + 1).arg(warpUp ? tr("warp over weft") : tr("weft over warp"))};
+    const auto warp = static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick));
+    const auto weft = static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick));
+    if (weft < water_.size()) {
+        const auto shown = [this](float value) { return shownNumber(value * caption_.legend_scale, 1) + QChar(0x00a0) + caption_.unit; };
+        lines << tr("End %1, pick %2 of the pores filled").arg(shown(water_[warp]), shown(water_[weft]));
     }
     const QFontMetricsF metrics(painter.font());
     double width = 0;
@@ -135,28 +193,28 @@ void TextileCanvas::drawHover(QPainter& painter, const QColor& ink)
 
 void TextileCanvas::drawHighlight(QPainter& painter)
 {
-    const QPoint repeat(mesh_->textile.weave.ends(), mesh_->textile.weave.picks());
-    QPoint wanted = highlight_;
-    if (wanted.x() < 0) {
+    constexpr double least_pixels = 6; // of a pitch: narrower, marks would only be a veil
+    const Textile& textile = fabric()->textile;
+    const QVector3D pitch = fabric()->pitch();
+    if (highlight_.x() < 0 || std::min(pitch.x(), pitch.y()) < least_pixels * camera_.millimetrePerPixel(QSizeF(size()))) {
         return;
     }
-    const Textile& textile = mesh_->textile;
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-    const double side = camera_.eye().z() >= 0 ? 1 : -1;
-    for (int end = 0; end < textile.ends(); ++end) {
-        for (int pick = 0; pick < textile.picks(); ++pick) {
-            if ((textile.first_end + end) % repeat.x() != wanted.x() || (textile.first_pick + pick) % repeat.y() != wanted.y()) {
-                continue;
+    const float top = (camera_.direction().z() >= 0 ? 0.5F : -0.5F) * pitch.z();
+    for (const Cell cell : scene_.visible()) {
+        const TextileRegion part = fabric()->crossings(cell);
+        for (int end = part.first_end; end < part.first_end + part.ends; ++end) {
+            for (int pick = part.first_pick; pick < part.first_pick + part.picks; ++pick) {
+                if ((textile.first_end + end) % textile.weave.ends() != highlight_.x() || (textile.first_pick + pick) % textile.weave.picks() != highlight_.y()) {
+                    continue;
+                }
+                const QVector3D middle(static_cast<float>(mm_from_metre(textile.x_of_end(end))), static_cast<float>(mm_from_metre(textile.y_of_pick(pick))), top);
+                const auto corner = [&](float across, float along) {
+                    return camera_.project(middle + 0.42F * QVector3D(across * pitch.x(), along * pitch.y(), 0), QSizeF(size()));
+                };
+                const QPointF frame[] = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+                painter.drawPolygon(frame, 4);
             }
-            const auto corner = [&](double across, double along) {
-                return camera_.project(mesh_->offset
-                                           + QVector3D(static_cast<float>(mm_from_metre(textile.x_of_end(end) + 0.42 * across * textile.warp.pitch)),
-                                                       static_cast<float>(mm_from_metre(textile.y_of_pick(pick) + 0.42 * along * textile.weft.pitch)),
-                                                       static_cast<float>(mm_from_metre(side * textile.half_thickness()))),
-                                       QSizeF(size()));
-            };
-            const QPointF frame[] = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
-            painter.drawPolygon(frame, 4);
         }
     }
 }

@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/textile_renderer.h"
 
+#include "core/base/units.h"
+
 #include <QCoreApplication>
+#include <QFile>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 
+#include <cmath>
 #include <cstddef>
 
 namespace hygroloom {
 
 namespace {
 
-constexpr int water_row = 1024; // texels, as in yarn.vert
+constexpr std::size_t most_mesh_bytes = 384u << 20;
+constexpr long kept_pictures = 8; // a mesh not shown for so long may go
+enum Unit { water_unit, ramp_unit, end_unit, pick_unit, repeat_unit };
 
 QVector3D rgb(const QColor& color)
 {
     return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
+}
+
+QByteArray textOf(const QString& name)
+{
+    QFile file(":/shaders/" + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+const void* at(std::size_t offset)
+{
+    return reinterpret_cast<const void*>(offset);
 }
 
 } // namespace
@@ -27,15 +44,44 @@ bool TextileRenderer::initialize()
         problem_ = QCoreApplication::translate("hygroloom", "The picture needs OpenGL 3.3, which this display does not offer.");
         return false;
     }
-    if (!load(yarns_, "yarn") || !load(drops_, "drop")) {
+    for (const bool fading : {false, true}) {
+        if (!load(yarns_[fading ? 1 : 0], "yarn", fading) || !load(flats_[fading ? 1 : 0], "flat", fading)) {
+            return false;
+        }
+    }
+    if (!load(drops_, "drop", false)) {
         return false;
     }
-    gl_->glGenTextures(1, &water_);
-    gl_->glBindTexture(GL_TEXTURE_2D, water_);
-    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    const float nothing = 0;
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 1, 1, 0, GL_RED, GL_FLOAT, &nothing);
+    unsigned textures[4];
+    gl_->glGenTextures(4, textures);
+    repeat_ = textures[0];
+    water_ = textures[1];
+    end_colors_ = textures[2];
+    pick_colors_ = textures[3];
+    for (const unsigned texture : {water_, end_colors_, pick_colors_}) {
+        gl_->glBindTexture(GL_TEXTURE_2D, texture);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        const float nothing[] = {0, 0};
+        gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, 1, 1, 0, GL_RG, GL_FLOAT, nothing);
+    }
+    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
+    gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+
+    instances_.create();
+    flat_array_.create();
+    flat_vertices_.create();
+    flat_array_.bind();
+    flat_vertices_.bind();
+    const float corners[] = {0, 0, 1, 0, 0, 1, 1, 1};
+    flat_vertices_.allocate(corners, sizeof corners);
+    gl_->glEnableVertexAttribArray(0);
+    gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    flat_array_.release();
 
     drop_array_.create();
     drop_vertices_.create();
@@ -47,92 +93,175 @@ bool TextileRenderer::initialize()
     gl_->glEnableVertexAttribArray(0);
     gl_->glEnableVertexAttribArray(1);
     gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offsetof(LiquidSurface::Vertex, normal)));
+    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(LiquidSurface::Vertex, normal)));
     drop_array_.release();
     return true;
 }
 
 void TextileRenderer::release()
 {
-    for (Slot& slot : slots_) {
-        slot.mesh.reset();
-        slot.array.destroy();
-        slot.vertices.destroy();
-        slot.indices.destroy();
+    meshes_.clear();
+    mesh_bytes_ = 0;
+    fabric_.reset();
+    for (QOpenGLVertexArrayObject* array : {&flat_array_, &drop_array_}) {
+        array->destroy();
     }
-    drop_array_.destroy();
-    drop_vertices_.destroy();
-    drop_indices_.destroy();
+    for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_, &drop_vertices_, &drop_indices_}) {
+        buffer->destroy();
+    }
     ramp_.reset();
     if (gl_ && water_) {
-        gl_->glDeleteTextures(1, &water_);
+        const unsigned textures[] = {repeat_, water_, end_colors_, pick_colors_};
+        gl_->glDeleteTextures(4, textures);
         water_ = 0;
     }
-    yarns_.removeAllShaders();
-    drops_.removeAllShaders();
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_}) {
+        program->removeAllShaders();
+    }
 }
 
-bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name)
+bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name, bool fading)
 {
-    if (program.addShaderFromSourceFile(QOpenGLShader::Vertex, ":/shaders/" + name + ".vert")
-        && program.addShaderFromSourceFile(QOpenGLShader::Fragment, ":/shaders/" + name + ".frag") && program.link()) {
+    const QByteArray version = "#version 330 core\n";
+    const bool lit = name != "drop";
+    const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
+    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + textOf(name + ".vert"))
+        && program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
         return true;
     }
     problem_ = QCoreApplication::translate("hygroloom", "The graphics driver refuses a shader: %1").arg(program.log());
     return false;
 }
 
-void TextileRenderer::setMesh(std::shared_ptr<const PreviewMesh> mesh)
+void TextileRenderer::setFabric(std::shared_ptr<const PreviewFabric> fabric)
 {
-    if (!mesh) {
-        slots_[0].mesh.reset();
-        slots_[1].mesh.reset();
-        return;
-    }
-    Slot& slot = slots_[mesh->fine ? 1 : 0];
-    if (!mesh->fine || !slots_[0].mesh || slots_[0].mesh->request.design != mesh->request.design) {
-        slots_[mesh->fine ? 0 : 1].mesh.reset();
-    }
-    slot.mesh = std::move(mesh);
-    upload(slot);
+    fabric_ = std::move(fabric);
+    meshes_.clear();
+    mesh_bytes_ = 0;
+    picture_ = {};
+    shown_warp_ = QColor();
 }
 
-void TextileRenderer::upload(Slot& slot)
+void TextileRenderer::addMesh(const CellMesh& mesh)
 {
-    if (!slot.array.isCreated()) {
-        slot.array.create();
-        slot.vertices.create();
-        slot.indices.create();
+    auto& slot = meshes_[mesh.key];
+    if (slot) {
+        return;
     }
-    slot.array.bind();
-    slot.vertices.bind();
-    slot.vertices.allocate(slot.mesh->vertices.data(), static_cast<int>(slot.mesh->vertices.size() * sizeof(PreviewVertex)));
-    slot.indices.bind();
-    slot.indices.allocate(slot.mesh->indices.data(), static_cast<int>(slot.mesh->indices.size() * sizeof(std::uint32_t)));
-    const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
-    constexpr int stride = sizeof(PreviewVertex);
+    slot = std::make_unique<TubeMesh>();
+    slot->array.create();
+    slot->vertices.create();
+    slot->indices.create();
+    slot->array.bind();
+    slot->vertices.bind();
+    slot->vertices.allocate(mesh.vertices.data(), static_cast<int>(mesh.vertices.size() * sizeof(CellVertex)));
+    slot->indices.bind();
+    slot->indices.allocate(mesh.indices.data(), static_cast<int>(mesh.indices.size() * sizeof(std::uint32_t)));
+    constexpr int stride = sizeof(CellVertex);
     for (unsigned attribute = 0; attribute < 4; ++attribute) {
         gl_->glEnableVertexAttribArray(attribute);
     }
-    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(PreviewVertex, position)));
-    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(PreviewVertex, normal)));
-    gl_->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(PreviewVertex, along)));
-    gl_->glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, stride, at(offsetof(PreviewVertex, segment)));
-    slot.array.release();
+    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellVertex, position)));
+    gl_->glVertexAttribPointer(1, 4, GL_SHORT, GL_TRUE, stride, at(offsetof(CellVertex, shape)));
+    gl_->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellVertex, along)));
+    gl_->glVertexAttribIPointer(3, 4, GL_UNSIGNED_BYTE, stride, at(offsetof(CellVertex, crossing)));
+    slot->array.release();
+    slot->index_count = static_cast<int>(mesh.indices.size());
+    slot->bytes = mesh.vertices.size() * sizeof(CellVertex) + mesh.indices.size() * sizeof(std::uint32_t);
+    slot->used = picture_number_;
+    mesh_bytes_ += slot->bytes;
+    dropUnused();
+}
+
+void TextileRenderer::dropUnused()
+{
+    for (auto mesh = meshes_.begin(); mesh_bytes_ > most_mesh_bytes && mesh != meshes_.end();) {
+        if (mesh->second->used + kept_pictures < picture_number_) {
+            mesh_bytes_ -= mesh->second->bytes;
+            mesh = meshes_.erase(mesh);
+        } else {
+            ++mesh;
+        }
+    }
+}
+
+void TextileRenderer::setPicture(const RepeatPicture& picture)
+{
+    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
+    gl_->glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, picture.width, picture.height, RepeatPicture::layers, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      picture.texels.data());
+    gl_->glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    picture_ = {picture.ends, picture.picks, picture.width, picture.height, {}, picture.level, picture.covered};
+}
+
+bool TextileRenderer::has(const MeshKey& key) const
+{
+    return key.level == 0 ? picture_.width > 0 : meshes_.count(key) > 0;
+}
+
+std::size_t TextileRenderer::triangles(const std::vector<CellBatch>& batches) const
+{
+    std::size_t sum = 0;
+    for (const CellBatch& batch : batches) {
+        const auto mesh = meshes_.find(batch.key);
+        const std::size_t each = batch.key.level == 0 ? 2 : mesh == meshes_.end() ? 0 : static_cast<std::size_t>(mesh->second->index_count) / 3;
+        sum += each * (batch.whole.size() + batch.fading.size() + batch.over.size());
+    }
+    return sum;
 }
 
 void TextileRenderer::setWater(const std::vector<float>& values, double maximum)
 {
-    water_maximum_ = values.empty() ? 0 : maximum;
-    if (values.empty()) {
+    const auto crossings = fabric_ ? static_cast<std::size_t>(fabric_->textile.crossings()) : 0;
+    water_maximum_ = values.size() < 2 * crossings || crossings == 0 ? 0 : maximum;
+    if (water_maximum_ <= 0) {
         return;
     }
-    const int rows = static_cast<int>((values.size() + water_row - 1) / water_row);
-    std::vector<float> padded = values;
-    padded.resize(static_cast<std::size_t>(rows) * water_row);
+    const Textile& textile = fabric_->textile;
+    std::vector<float> texels;
+    texels.reserve(2 * crossings);
+    for (int pick = 0; pick < textile.picks(); ++pick) {
+        for (int end = 0; end < textile.ends(); ++end) {
+            texels.push_back(values[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))]);
+            texels.push_back(values[static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick))]);
+        }
+    }
     gl_->glBindTexture(GL_TEXTURE_2D, water_);
     gl_->glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, water_row, rows, 0, GL_RED, GL_FLOAT, padded.data());
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
+    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, textile.ends(), textile.picks(), 0, GL_RG, GL_FLOAT, texels.data());
+    gl_->glGenerateMipmap(GL_TEXTURE_2D);
+    gl_->glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void TextileRenderer::setColors(const PictureColors& colors)
+{
+    if (colors.warp == shown_warp_ && colors.weft == shown_weft_) {
+        return;
+    }
+    shown_warp_ = colors.warp;
+    shown_weft_ = colors.weft;
+    const QVector3D pitch = fabric_->pitch();
+    const auto load = [this](unsigned texture, const std::vector<const Yarn*>& yarns, const QColor& undyed, float along) {
+        std::vector<float> texels;
+        for (const Yarn* yarn : yarns) {
+            const QColor shown = yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed;
+            const double turns = yarn->twist_per_m * metre_from_mm(along) * (yarn->twist_direction == TwistDirection::z ? 1 : -1);
+            for (const double value : {static_cast<double>(shown.redF()), static_cast<double>(shown.greenF()), static_cast<double>(shown.blueF()), turns}) {
+                texels.push_back(static_cast<float>(value));
+            }
+        }
+        gl_->glBindTexture(GL_TEXTURE_2D, texture);
+        gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
+        gl_->glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<int>(yarns.size()), 1, 0, GL_RGBA, GL_FLOAT, texels.data());
+        gl_->glGenerateMipmap(GL_TEXTURE_2D);
+    };
+    load(end_colors_, fabric_->end_yarns, colors.warp, pitch.y());
+    load(pick_colors_, fabric_->pick_yarns, colors.weft, pitch.x());
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -149,8 +278,9 @@ void TextileRenderer::setLiquid(const LiquidSurface& surface)
     }
 }
 
-void TextileRenderer::draw(const Camera& camera, const QSize& pixels, const QSizeF& size, const PictureColors& colors, bool moving)
+void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors)
 {
+    ++picture_number_;
     gl_->glViewport(0, 0, pixels.width(), pixels.height());
     const QVector3D clear = rgb(colors.background);
     gl_->glClearColor(clear.x(), clear.y(), clear.z(), 1);
@@ -160,17 +290,71 @@ void TextileRenderer::draw(const Camera& camera, const QSize& pixels, const QSiz
     gl_->glEnable(GL_DEPTH_TEST);
     gl_->glDepthFunc(GL_LEQUAL);
     gl_->glDisable(GL_BLEND);
-    Slot& slot = slots_[1].mesh && !(moving && slots_[0].mesh) ? slots_[1] : slots_[0];
-    if (slot.mesh) {
-        drawYarns(slot, camera, size, colors);
+    if (fabric_) {
+        setColors(colors);
+        for (const Pass pass : {Pass::whole, Pass::fading, Pass::over}) {
+            drawCells(view, batches, colors, pass);
+        }
     }
     if (drop_index_count_ > 0) {
-        drawLiquid(camera, size, colors);
+        drawLiquid(view, colors);
     }
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
-void TextileRenderer::drawYarns(Slot& slot, const Camera& camera, const QSizeF& size, const PictureColors& colors)
+void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
+{
+    const Textile& textile = fabric_->textile;
+    const QVector3D pitch = fabric_->pitch();
+    const float side = view.camera.eye().z() >= 0 ? 1.0F : -1.0F;
+    program.bind();
+    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    program.setUniformValue("eye", view.camera.eye());
+    program.setUniformValue("side", side);
+    program.setUniformValue("water", water_unit);
+    program.setUniformValue("ramp", ramp_unit);
+    program.setUniformValue("end_colors", end_unit);
+    program.setUniformValue("pick_colors", pick_unit);
+    program.setUniformValue("repeat_picture", repeat_unit);
+    program.setUniformValue("water_scale", water_maximum_ > 0 ? static_cast<float>(1 / water_maximum_) : 0.0F);
+    program.setUniformValue("bare", 0.02F);
+    program.setUniformValue("background", rgb(colors.background));
+    program.setUniformValue("marked_color", rgb(colors.marked));
+    gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
+    program.setUniformValue("half_thickness", 0.5F * pitch.z());
+    program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
+    program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));
+    program.setUniformValue("crossings", QVector2D(static_cast<float>(textile.ends()), static_cast<float>(textile.picks())));
+    const float gap = std::sqrt(std::max(1e-4F, 1 - picture_.covered) * pitch.x() * pitch.y());
+    program.setUniformValue("gap_depth", 0.5F * pitch.z() / gap);
+    // In a parallel view the depth that the card divides by is 1 everywhere.
+    const double depth = view.camera.parallel() ? view.camera.depth({}) : 1;
+    const double one = pitch_scale(*fabric_, view) * view.camera.pixelsPerMillimetre(1e9, view.size) * 1e9 / depth;
+    program.setUniformValue("belt", QVector3D(static_cast<float>(one), static_cast<float>(belt_pixels[0]), static_cast<float>(belt_pixels[1])));
+    program.setUniformValue("fibre_belt",
+                            QVector3D(static_cast<float>(one), static_cast<float>(fibre_belt_pixels[0]), static_cast<float>(fibre_belt_pixels[1])));
+    QVector4D cut(0, 0, 0, 1);
+    if (view.cut) {
+        const Vec3d& n = view.cut->normal;
+        cut = QVector4D(static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), static_cast<float>(mm_from_metre(view.cut->offset)));
+    }
+    program.setUniformValue("cut", cut);
+}
+
+void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
+{
+    instances_.bind();
+    instances_.allocate(instances.data(), static_cast<int>(instances.size() * sizeof(CellInstance)));
+    constexpr int stride = sizeof(CellInstance);
+    for (const unsigned attribute : {4U, 5U}) {
+        gl_->glEnableVertexAttribArray(attribute);
+        gl_->glVertexAttribDivisor(attribute, 1);
+    }
+    gl_->glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, corner)));
+    gl_->glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, size)));
+}
+
+void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass)
 {
     if (!ramp_ || ramp_colors_ != colors.water) {
         ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(colors.water), QOpenGLTexture::DontGenerateMipMaps);
@@ -178,40 +362,71 @@ void TextileRenderer::drawYarns(Slot& slot, const Camera& camera, const QSizeF& 
         ramp_->setWrapMode(QOpenGLTexture::ClampToEdge);
         ramp_colors_ = colors.water;
     }
-    const PreviewMesh& mesh = *slot.mesh;
-    const Fabric& fabric = mesh.request.design->fabrics[static_cast<std::size_t>(mesh.request.fabric)];
-    const auto turns = [](const Yarn& yarn, double pitch) {
-        return static_cast<float>(yarn.twist_per_m * pitch * (yarn.twist_direction == TwistDirection::z ? 1 : -1));
-    };
-    yarns_.bind();
-    yarns_.setUniformValue("view_projection", camera.projection(size) * camera.view());
-    yarns_.setUniformValue("eye", camera.eye());
-    yarns_.setUniformValue("crossings", mesh.textile.crossings());
-    yarns_.setUniformValue("water", 0);
-    yarns_.setUniformValue("ramp", 1);
-    yarns_.setUniformValue("water_scale", water_maximum_ > 0 ? static_cast<float>(1 / water_maximum_) : 0.0F);
-    yarns_.setUniformValue("bare", 0.02F);
-    yarns_.setUniformValue("warp_color", rgb(colors.warp));
-    yarns_.setUniformValue("weft_color", rgb(colors.weft));
-    yarns_.setUniformValue("twist", QVector2D(turns(fabric.warp, mesh.textile.weft.pitch), turns(fabric.weft, mesh.textile.warp.pitch)));
-    yarns_.setUniformValue("half_thickness", static_cast<float>(1000 * mesh.textile.half_thickness()));
-    gl_->glActiveTexture(GL_TEXTURE1);
-    ramp_->bind();
+    const std::pair<int, unsigned> textures[] = {{water_unit, water_}, {ramp_unit, ramp_->textureId()}, {end_unit, end_colors_}, {pick_unit, pick_colors_}};
+    for (const auto& [unit, texture] : textures) {
+        gl_->glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+        gl_->glBindTexture(GL_TEXTURE_2D, texture);
+    }
+    gl_->glActiveTexture(GL_TEXTURE0 + repeat_unit);
+    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
     gl_->glActiveTexture(GL_TEXTURE0);
-    gl_->glBindTexture(GL_TEXTURE_2D, water_);
-    slot.array.bind();
-    gl_->glEnable(GL_CULL_FACE);
-    gl_->glDrawElements(GL_TRIANGLES, static_cast<int>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
-    gl_->glDisable(GL_CULL_FACE);
-    slot.array.release();
-    yarns_.release();
+    gl_->glEnable(GL_CLIP_DISTANCE0);
+    if (pass == Pass::over) {
+        // Over whatever tubes there are, high or low.
+        gl_->glDepthFunc(GL_ALWAYS);
+        gl_->glDepthMask(GL_FALSE);
+        gl_->glEnable(GL_BLEND);
+        gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    }
+    for (const bool flat : {true, false}) {
+        QOpenGLShaderProgram& program = (flat ? flats_ : yarns_)[pass == Pass::fading ? 1 : 0];
+        bool prepared = false;
+        for (const CellBatch& batch : batches) {
+            const std::vector<CellInstance>& instances = pass == Pass::whole ? batch.whole : pass == Pass::fading ? batch.fading : batch.over;
+            if ((batch.key.level == 0) != flat || instances.empty() || !has(batch.key)) {
+                continue;
+            }
+            if (!std::exchange(prepared, true)) {
+                prepare(program, view, colors);
+                if (flat && view.cut && view.cut->normal.z != 0) {
+                    program.setUniformValue("cut", QVector4D(0, 0, 0, 1));
+                }
+                program.setUniformValue("over_tubes", pass == Pass::over ? 1.0F : 0.0F);
+            }
+            if (flat) {
+                flat_array_.bind();
+                placeInstances(instances);
+                gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<int>(instances.size()));
+                flat_array_.release();
+                continue;
+            }
+            TubeMesh& mesh = *meshes_.at(batch.key);
+            mesh.used = picture_number_;
+            mesh.array.bind();
+            placeInstances(instances);
+            // Insides are seen where yarns are cut.
+            if (view.cut) {
+                gl_->glDisable(GL_CULL_FACE);
+            } else {
+                gl_->glEnable(GL_CULL_FACE);
+            }
+            gl_->glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, static_cast<int>(instances.size()));
+            mesh.array.release();
+        }
+        gl_->glDisable(GL_CULL_FACE);
+    }
+    gl_->glDisable(GL_CLIP_DISTANCE0);
+    gl_->glDisable(GL_BLEND);
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDepthFunc(GL_LEQUAL);
+    gl_->glUseProgram(0);
 }
 
-void TextileRenderer::drawLiquid(const Camera& camera, const QSizeF& size, const PictureColors& colors)
+void TextileRenderer::drawLiquid(const SceneView& view, const PictureColors& colors)
 {
     drops_.bind();
-    drops_.setUniformValue("view_projection", camera.projection(size) * camera.view());
-    drops_.setUniformValue("eye", camera.eye());
+    drops_.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    drops_.setUniformValue("eye", view.camera.eye());
     drops_.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
     drop_array_.bind();
     gl_->glEnable(GL_CULL_FACE);

@@ -2,10 +2,9 @@
 // Draws yarns, their water, and free liquid with OpenGL 3.3. Knows no widget: any current context will do.
 #pragma once
 
-#include "ui/camera.h"
 #include "ui/color_map.h"
+#include "ui/fabric_scene.h"
 #include "ui/liquid_surface.h"
-#include "ui/preview_mesh.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFunctions_3_3_Core>
@@ -13,15 +12,21 @@
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
 
-#include <array>
-
 namespace hygroloom {
+
+/// A yarn of the whole.
+struct YarnNumber {
+    YarnKind kind = YarnKind::warp;
+    int yarn = -1; ///< none
+    bool operator==(const YarnNumber&) const = default;
+};
 
 /// How a picture is coloured.
 struct PictureColors {
     QColor background;
-    QColor warp;
+    QColor warp; ///< of ends without a colour of their own
     QColor weft;
+    QColor marked;
     WaterColors water = WaterColors::blue;
 };
 
@@ -33,33 +38,57 @@ public:
     const QString& problem() const { return problem_; }
     void release();
 
-    /// A coarse mesh is kept beside the fine one, for drawing while things move. nullptr clears both.
-    void setMesh(std::shared_ptr<const PreviewMesh> mesh);
-    /// Share of full colour per segment of the patch; empty for a dry fabric.
+    /// Forgets all meshes. nullptr: nothing to draw.
+    void setFabric(std::shared_ptr<const PreviewFabric> fabric);
+    void addMesh(const CellMesh& mesh);
+    void setPicture(const RepeatPicture& picture);
+    bool has(const MeshKey& key) const;
+    /// Triangles that these take, drawn once.
+    std::size_t triangles(const std::vector<CellBatch>& batches) const;
+    /// Values of the whole's segments; empty for a dry fabric.
     void setWater(const std::vector<float>& values, double maximum);
     void setLiquid(const LiquidSurface& surface);
-    void draw(const Camera& camera, const QSize& pixels, const QSizeF& size, const PictureColors& colors, bool moving);
-    bool hasFine() const { return slots_[1].mesh != nullptr; }
+    void setMarked(const YarnNumber& yarn) { marked_ = yarn; }
+    void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
 private:
-    struct Slot {
-        std::shared_ptr<const PreviewMesh> mesh;
+    enum class Pass { whole, fading, over };
+    struct TubeMesh {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer};
         QOpenGLBuffer indices{QOpenGLBuffer::IndexBuffer};
+        int index_count = 0;
+        std::size_t bytes = 0;
+        long used = 0; ///< number of the picture that last showed it
     };
-    bool load(QOpenGLShaderProgram& program, const QString& name);
-    void upload(Slot& slot);
-    void drawYarns(Slot& slot, const Camera& camera, const QSizeF& size, const PictureColors& colors);
-    void drawLiquid(const Camera& camera, const QSizeF& size, const PictureColors& colors);
+    bool load(QOpenGLShaderProgram& program, const QString& name, bool fading);
+    void setColors(const PictureColors& colors);
+    void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
+    void placeInstances(const std::vector<CellInstance>& instances);
+    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass);
+    void drawLiquid(const SceneView& view, const PictureColors& colors);
+    void dropUnused();
 
     QOpenGLFunctions_3_3_Core* gl_ = nullptr;
     QString problem_;
-    std::array<Slot, 2> slots_; ///< coarse, fine
-    QOpenGLShaderProgram yarns_;
+    std::shared_ptr<const PreviewFabric> fabric_;
+    std::map<MeshKey, std::unique_ptr<TubeMesh>> meshes_;
+    std::size_t mesh_bytes_ = 0;
+    long picture_number_ = 0;
+    QOpenGLShaderProgram yarns_[2]; ///< whole, fading
+    QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram drops_;
+    QOpenGLVertexArrayObject flat_array_;
+    QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer instances_{QOpenGLBuffer::VertexBuffer};
+    RepeatPicture picture_; ///< without its texels
+    unsigned repeat_ = 0;
     unsigned water_ = 0;
+    unsigned end_colors_ = 0; ///< of each end; alpha holds its turns per crossing
+    unsigned pick_colors_ = 0;
+    QColor shown_warp_, shown_weft_;
     double water_maximum_ = 0;
+    YarnNumber marked_;
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
     QOpenGLVertexArrayObject drop_array_;

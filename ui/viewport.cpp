@@ -4,23 +4,16 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/quantity.h"
+#include "ui/view_bar.h"
 
 #include <QGuiApplication>
 #include <QLabel>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace hygroloom {
-
-namespace {
-
-constexpr int patch_crossings = 20;
-constexpr std::size_t fabric_triangles = 240000;
-constexpr std::size_t sample_triangles = 300000;
-
-} // namespace
 
 Viewport::Viewport(QWidget* parent)
     : QWidget(parent)
@@ -34,16 +27,30 @@ Viewport::Viewport(QWidget* parent)
         layout->addWidget(placeholder_);
     } else {
         canvas_ = new TextileCanvas;
-        layout->addWidget(canvas_);
+        connect(canvas_, &TextileCanvas::meshesWanted, this, &Viewport::fillIn);
+        connect(canvas_, &TextileCanvas::yarnSelected, this, [this](const YarnNumber& yarn) {
+            if (yarn.yarn < 0) {
+                Q_EMIT repeatSelected(-1, -1);
+            } else if (const Textile& textile = fabric_->textile; yarn.kind == YarnKind::warp) {
+                Q_EMIT repeatSelected((textile.first_end + yarn.yarn) % textile.weave.ends(), -1);
+            } else {
+                Q_EMIT repeatSelected(-1, (textile.first_pick + yarn.yarn) % textile.weave.picks());
+            }
+        });
         setFocusProxy(canvas_);
         connect(canvas_, &TextileCanvas::crossingHovered, this, [this](int end, int pick) {
-            if (!mesh_ || end < 0) {
+            if (!fabric_ || end < 0) {
                 Q_EMIT repeatHovered(-1, -1);
                 return;
             }
-            const Weave& weave = mesh_->textile.weave;
-            Q_EMIT repeatHovered((mesh_->request.whole.first_end + end) % weave.ends(), (mesh_->request.whole.first_pick + pick) % weave.picks());
+            const Textile& textile = fabric_->textile;
+            Q_EMIT repeatHovered((textile.first_end + end) % textile.weave.ends(), (textile.first_pick + pick) % textile.weave.picks());
         });
+    }
+    bar_ = new ViewBar(*this);
+    layout->insertWidget(0, bar_);
+    if (canvas_) {
+        layout->addWidget(canvas_, 1);
     }
     setMinimumSize(240, 180);
 }
@@ -54,9 +61,9 @@ void Viewport::showFabric(const std::shared_ptr<const Design>& design, int fabri
     PreviewRequest wanted;
     wanted.design = design;
     wanted.fabric = fabric;
-    wanted.whole = patch_of_repeats(shown.weave, patch_crossings);
-    wanted.patch = wanted.whole;
-    wanted.triangle_budget = fabric_triangles;
+    wanted.whole = swatch_region(shown, swatch_sides_mm[swatch_]);
+    swatch_design_ = design;
+    swatch_fabric_ = fabric;
     request(Subject::fabric, wanted, QString::fromStdString(shown.name));
 }
 
@@ -67,8 +74,6 @@ void Viewport::showSample(const std::shared_ptr<const Design>& design, int fabri
     wanted.design = design;
     wanted.fabric = fabric;
     wanted.whole = region_of_sample(shown, experiment.sample_mm[0], experiment.sample_mm[1]);
-    wanted.patch = patch_within(wanted.whole, sample_triangles, wanted.whole.ends / 2, wanted.whole.picks / 2);
-    wanted.triangle_budget = sample_triangles;
     request(Subject::sample, wanted, tr("%1, dry").arg(QString::fromStdString(shown.name)));
 }
 
@@ -84,14 +89,6 @@ void Viewport::showRun(const std::shared_ptr<const RunRecord>& run)
     wanted.design = std::make_shared<const Design>(run->design);
     wanted.fabric = static_cast<int>(fabric - fabrics.begin());
     wanted.whole = {run->textile.first_end, run->textile.first_pick, run->textile.ends(), run->textile.picks()};
-    int end = wanted.whole.ends / 2, pick = wanted.whole.picks / 2;
-    if (const Experiment* experiment = find_experiment(run->design, run->experiment); experiment && !experiment->droplets.empty()) {
-        const Droplet& drop = experiment->droplets.front();
-        end += static_cast<int>(metre_from_mm(drop.at_mm[0]) / run->textile.warp.pitch);
-        pick += static_cast<int>(metre_from_mm(drop.at_mm[1]) / run->textile.weft.pitch);
-    }
-    wanted.patch = patch_within(wanted.whole, sample_triangles, end, pick);
-    wanted.triangle_budget = sample_triangles;
     if (run_ != run) {
         frame_.reset();
     }
@@ -109,10 +106,25 @@ void Viewport::request(Subject subject, PreviewRequest wanted, const QString& ti
         frame_.reset();
     }
     refreshCaption();
-    mesher_.run([this, wanted = std::move(wanted), subject](const NewestJob::Turn& turn) {
+    // Another subject is framed anew; the sample of a run is framed already.
+    const bool same = fitted_subject_ == subject || (fitted_subject_ == Subject::sample && subject == Subject::run);
+    SceneView view;
+    Framing framing = subject == Subject::fabric ? Framing::few_repeats : Framing::whole;
+    if (canvas_) {
+        if (same) {
+            framing = canvas_->movedByHand() ? Framing::as_it_is : canvas_->framing();
+        }
+        view = canvas_->sceneView();
+    }
+    mesher_.run([this, wanted = std::move(wanted), subject, view, framing, same](const NewestJob::Turn& turn) {
         try {
-            build_preview(wanted, [&] { return turn.outdated(); },
-                          [&](const std::shared_ptr<const PreviewMesh>& mesh) { turn.deliver([this, mesh, subject] { take(mesh, subject); }); });
+            const auto prepared = prepare_view(wanted, view, framing, [&] { return turn.outdated(); });
+            turn.deliver([this, prepared, subject, framing, same] {
+                if (subject == subject_ && canvas_ && !same) {
+                    canvas_->frameNext(framing);
+                }
+                take(prepared, subject);
+            });
         } catch (const Error& error) {
             const QString sentence = QString::fromStdString(error.what());
             turn.deliver([this, sentence] { showNothing(sentence); });
@@ -120,21 +132,26 @@ void Viewport::request(Subject subject, PreviewRequest wanted, const QString& ti
     });
 }
 
-void Viewport::take(const std::shared_ptr<const PreviewMesh>& mesh, Subject subject)
+void Viewport::take(const std::shared_ptr<const PreparedView>& view, Subject subject)
 {
     if (subject != subject_) {
         return; // of a view that has been left
     }
-    mesh_ = mesh;
+    fabric_ = view->fabric;
+    fitted_subject_ = subject;
     if (canvas_) {
-        canvas_->setMesh(mesh);
-        if (fitted_subject_ != subject && !(fitted_subject_ == Subject::sample && subject == Subject::run)) {
-            canvas_->fit();
-        }
-        fitted_subject_ = subject;
+        canvas_->setView(view);
         showWater();
     }
     Q_EMIT previewUpdated();
+}
+
+void Viewport::fillIn()
+{
+    filler_.run([this, fabric = fabric_, wanted = canvas_->scene().wanted()](const NewestJob::Turn& turn) {
+        make_wanted(fabric, wanted, [&] { return turn.outdated(); },
+                    [&](const std::shared_ptr<const PreparedView>& ready) { turn.deliver([this, ready] { canvas_->addMeshes(*ready); }); });
+    });
 }
 
 void Viewport::showFrame(const std::shared_ptr<const Frame>& frame, double runMaximum)
@@ -179,12 +196,13 @@ void Viewport::showNothing(const QString& sentence)
     mesher_.drop();
     subject_ = Subject::nothing;
     fitted_subject_ = Subject::nothing;
-    mesh_.reset();
+    filler_.drop();
+    fabric_.reset();
     frame_.reset();
     caption_ = {};
     caption_.notice = sentence;
     if (canvas_) {
-        canvas_->setMesh(nullptr);
+        canvas_->setView(nullptr);
     }
     refreshCaption();
 }
@@ -225,10 +243,11 @@ void Viewport::refreshCaption()
     }
 }
 
-void Viewport::fit()
+void Viewport::setSwatch(int choice)
 {
-    if (canvas_) {
-        canvas_->fit();
+    swatch_ = std::clamp(choice, 0, static_cast<int>(std::size(swatch_sides_mm)) - 1);
+    if (subject_ == Subject::fabric && swatch_design_) {
+        showFabric(swatch_design_, swatch_fabric_);
     }
 }
 
@@ -237,6 +256,11 @@ void Viewport::lookFrom(double turn, double lift)
     if (canvas_) {
         canvas_->lookFrom(turn, lift);
     }
+}
+
+bool Viewport::pressKey(int key)
+{
+    return bar_->pressKey(key);
 }
 
 QImage Viewport::picture()

@@ -39,7 +39,7 @@ double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, dou
     for (std::size_t other = 0; other < crossed.size(); ++other) {
         const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
         const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
-        const Interlacing path = interlace(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
+        const Interlacing path = fitted.path(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
         sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
     }
     return sum;
@@ -55,7 +55,7 @@ double mean_width_of(const FittedYarns& fitted, bool warp, double crossed_pitch,
         for (std::size_t other = 0; other < crossed.size(); ++other) {
             const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
             const Section &own = yarns[type].section, &over = crossed[other].section;
-            const Interlacing path = interlace(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
+            const Interlacing path = fitted.path(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
             const double bent = mean_width(path, own, over, warp ? heights.weft : heights.warp);
             sum += order.share[type] * other_order.share[other] * (changes * bent + (1 - changes) * own.width);
         }
@@ -80,8 +80,8 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(interlace(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(interlace(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
+            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
+            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
             double here = 0;
             for (bool warp_turns : {false, true})
                 for (bool weft_turns : {false, true}) {
@@ -151,9 +151,7 @@ void note_section(std::vector<std::string>& notes, const char* name, const Fitte
         notes.push_back(fmt::format("The {} yarns become {:.3g} mm wide, keeping their area.", name, section.width));
 }
 
-} // namespace
-
-FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
+FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
 {
     const FittedYarns fitted = fit_yarns(design, fabric);
     const FittedYarn &warp = fitted.warp[0], &weft = fitted.weft[0];
@@ -161,6 +159,9 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     FabricQuantities q;
     q.warp = describe(warp, fabric, fabric.ends_per_cm);
     q.weft = describe(weft, fabric, fabric.picks_per_cm);
+    q.warp.rise_mm = 2 * fitted.at(0, 0).warp;
+    q.weft.rise_mm = 2 * fitted.at(0, 0).weft;
+
     // A yarn runs longer than the fabric only where it changes sides.
     const double warp_changes = share_of_changes(fabric.weave, true);
     const double weft_changes = share_of_changes(fabric.weave, false);
@@ -183,6 +184,7 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     const double fly = flyaway_volume(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm) +
                        flyaway_volume(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
     q.smoothness = std::max(0.0, 1 - fly / q.thickness_mm);
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
@@ -198,6 +200,40 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
     if (q.jammed)
         q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;
+}
+
+} // namespace
+
+FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
+{
+    Fabric unmeasured = fabric;
+    unmeasured.measured = {};
+    return quantities_of(design, unmeasured);
+}
+
+FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
+{
+    FabricQuantities q = quantities_of(design, fabric);
+    const double scale = fibre_scale(q, fabric.measured);
+    for (YarnQuantities* yarn : {&q.warp, &q.weft}) {
+        yarn->pore_radius_um *= (1 - scale * yarn->packing_factor_in_fabric) / (scale * (1 - yarn->packing_factor_in_fabric));
+        yarn->linear_density_tex *= scale;
+        yarn->packing_factor *= scale;
+        yarn->packing_factor_in_fabric *= scale;
+        yarn->pore_radius_um = fabric.measured.capillary_radius_um.value_or(yarn->pore_radius_um);
+    }
+    q.areal_density_g_m2 *= scale;
+    q.fibre_volume_fraction *= scale;
+    q.porosity = fabric.measured.porosity.value_or(1 - scale * (1 - q.porosity));
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
+    return q;
+}
+
+double fibre_scale(const FabricQuantities& q, const Measured& measured)
+{
+    if (measured.areal_density_g_m2) return *measured.areal_density_g_m2 / q.areal_density_g_m2;
+    if (measured.porosity) return (1 - *measured.porosity) / (1 - q.porosity);
+    return 1;
 }
 
 } // namespace hygroloom

@@ -161,6 +161,20 @@ void validate_measured(const Measured& measured, const std::string& where, Issue
     list.range_if_given(where + ".crimp_percent", "crimp", measured.crimp_percent, 0, 100, "%");
 }
 
+/// Whether the yarns can hold as much fibre as the laboratory's values ask for.
+void validate_fibre_scale(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+{
+    const FabricQuantities derived = derive_quantities(design, fabric);
+    const double scale = fibre_scale(derived, fabric.measured);
+    const double packing = scale * std::max(derived.warp.packing_factor_in_fabric, derived.weft.packing_factor_in_fabric);
+    const char* key = fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity";
+    if (scale != 1 && (packing > densest_packing || packing < 0.01))
+        list.error("measured_disagrees", where + key,
+                   fmt::format("The laboratory's value means yarns packed to {:.3g}; the sections that follow from sett, thickness and diameters "
+                               "can hold from 0.01 to {}. Derived are {:.4g} g/m2 and a porosity of {:.3g}.",
+                               packing, densest_packing, derived.areal_density_g_m2, derived.porosity));
+}
+
 void note_wicking(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
     const auto note = [&](const std::string& at, double angle) {
@@ -213,6 +227,8 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
         }
     if (list.errors() > before) return;
     validate_fit(design, fabric, where, list);
+    if (list.errors() > before) return;
+    validate_fibre_scale(design, fabric, where, list);
     if (list.errors() > before) return;
     note_wicking(design, fabric, where, list);
     for (const std::string& sentence : derive_quantities(design, fabric).notes) list.add(Severity::note, "sections", where, sentence);

@@ -222,8 +222,10 @@ Permeability permeability_of(const FabricQuantities& q, double warp_fibre_radius
 
 MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
 {
+    Fabric unmeasured = fabric; // to compare with the formulas
+    unmeasured.measured = {};
     const Textile textile =
-        build_textile(design, fabric, {0, 0, threads_for(fabric.weave.ends()), threads_for(fabric.weave.picks())});
+        build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends()), threads_for(fabric.weave.picks())});
     const FabricQuantities& formula = textile.quantities;
     const double area = textile.crossings() * textile.warp.pitch * textile.weft.pitch;
     const FibreSums sums = sum_fibres(textile);

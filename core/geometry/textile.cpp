@@ -27,9 +27,9 @@ struct Crossed {
 };
 
 /// From over a to under b (or over b, when it stays up). Between two different yarns the two paths that each would make are blended.
-YarnPath make_path(const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
+YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
 {
-    const Interlacing from = interlace(pitch, own, a.section, a.own_rise), to = interlace(pitch, own, b.section, b.own_rise);
+    const Interlacing from = fitted.path(pitch, own, a.section, a.own_rise), to = fitted.path(pitch, own, b.section, b.own_rise);
     const bool alike = a.own_rise == b.own_rise && a.section == b.section;
     const double sign = changes ? -1 : 1;
     YarnPath path;
@@ -80,12 +80,12 @@ double untwisted_length(const YarnPath& path, double pitch)
     return sum;
 }
 
-YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fitted)
+YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fitted, double fibre_scale)
 {
     YarnType type;
     type.section = metres(fitted.section);
     type.area = section_area(type.section);
-    type.packing = fitted.packing_factor;
+    type.packing = fitted.packing_factor * fibre_scale;
     type.fibre = fitted.fibre;
     const double pore_radius_um = type.fibre.fibre_radius_um * (1 - type.packing) / type.packing;
     type.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(pore_radius_um));
@@ -98,7 +98,7 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
     return type;
 }
 
-YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool warp, int count)
+YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool warp, int count, double fibre_scale)
 {
     YarnSystem system;
     const YarnOrder& order = warp ? fitted.warp_order : fitted.weft_order;
@@ -111,7 +111,7 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
     const double span = metre_from_mm(10 / (warp ? fabric.picks_per_cm : fabric.ends_per_cm));
     const double changes = share_of_changes(fabric.weave, warp);
     for (std::size_t own = 0; own < yarns.size(); ++own) {
-        YarnType type = make_type(fabric, yarn_in(fabric, warp, order.yarns[own]), yarns[own]);
+        YarnType type = make_type(fabric, yarn_in(fabric, warp, order.yarns[own]), yarns[own], fibre_scale);
         std::vector<Crossed> all;
         for (std::size_t other = 0; other < crossed.size(); ++other) {
             const CrossingHeights& heights = warp ? fitted.at(own, other) : fitted.at(other, own);
@@ -121,7 +121,7 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
         }
         for (const Crossed& before : all)
             for (const Crossed& after : all)
-                for (bool turns : {false, true}) system.paths.push_back(make_path(type.section, before, after, span, turns));
+                for (bool turns : {false, true}) system.paths.push_back(make_path(fitted, type.section, before, after, span, turns));
         for (std::size_t other = 0; other < all.size(); ++other) {
             const YarnPath& path = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1];
             type.length_per_pitch.push_back(1 + (path.length / span - 1) * changes);
@@ -227,10 +227,11 @@ Textile build_textile(const Design& design, const Fabric& fabric, const TextileR
 {
     const FittedYarns fitted = fit_yarns(design, fabric);
     Textile textile;
-    textile.quantities = derive_quantities(design, fabric);
+    textile.quantities = quantities_in_use(design, fabric);
+    const double scale = fibre_scale(derive_quantities(design, fabric), fabric.measured);
     textile.thickness = metre_from_mm(fitted.thickness());
-    textile.warp = make_system(fabric, fitted, true, region.ends);
-    textile.weft = make_system(fabric, fitted, false, region.picks);
+    textile.warp = make_system(fabric, fitted, true, region.ends, scale);
+    textile.weft = make_system(fabric, fitted, false, region.picks, scale);
     textile.weave = fabric.weave;
     textile.flyaway = fabric.flyaway;
     textile.first_end = region.first_end;

@@ -1,4 +1,3 @@
-#version 330 core
 in vec3 at;
 in vec3 facing;
 uniform vec3 eye;

@@ -1,52 +1,66 @@
-#version 330 core
 in vec3 at;
 in vec3 facing;
+in float open;
 in vec2 on_yarn;
 in float wet;
 flat in int is_weft;
+flat in vec4 dry;           // alpha: turns per crossing, signed
+flat in float chosen;
+flat in float fade;
+flat in float smooth_skin;
 
-uniform vec3 eye;
-uniform vec3 warp_color;
-uniform vec3 weft_color;
-uniform vec2 twist;           // turns per crossing of warp and weft, signed
-uniform float half_thickness;
 uniform sampler2D ramp;       // colours of water
 uniform float bare;           // share of full water below which the fabric's own colour shows
+uniform vec4 cut;
 
 out vec4 color;
 
+// The inside of a yarn is only seen where it is cut: shown as a flat cut, with the ends of its fibres.
+vec3 cut_face(vec3 base, vec3 from, vec3 towards)
+{
+    float along = (cut.w - dot(cut.xyz, from)) / dot(cut.xyz, towards);
+    vec3 q = from + along * towards;
+    vec2 plane = abs(cut.x) > 0.5 ? q.yz : abs(cut.y) > 0.5 ? q.xz : q.xy;
+    vec2 grid = plane * 26.0 / half_thickness * 0.3;
+    grid.x += 0.5 * mod(floor(grid.y), 2.0);
+    float blur = clamp(1.0 - 1.4 * max(fwidth(grid.x), fwidth(grid.y)), 0.0, 1.0);
+    float dot_shade = smoothstep(0.28, 0.46, length(fract(grid) - 0.5));
+    return base * (0.80 - 0.30 * blur * dot_shade);
+}
+
 void main()
 {
-    vec3 n = normalize(facing);
+#ifdef FADING
+    if (left_out(fade))
+        discard;
+#endif
     vec3 to_eye = normalize(eye - at);
-    if (dot(n, to_eye) < 0.0)
-        n = -n;
+    vec3 base = wetted(ramp, mix(dry.rgb, marked_color, 0.7 * chosen), wet, bare);
+    if (!gl_FrontFacing) {
+        color = vec4(cut_face(base, at, -to_eye), 1.0);
+        return;
+    }
+    vec3 n = normalize(facing);
 
     // Fibres wind round the yarn; they fade where they are finer than a pixel.
-    float turns = is_weft == 1 ? twist.y : twist.x;
-    float phase = 11.0 * (on_yarn.y - turns * on_yarn.x);
+    float phase = 11.0 * (on_yarn.y - dry.a * on_yarn.x);
     float blur = clamp(1.0 - 1.6 * fwidth(phase), 0.0, 1.0);
     float wave = 6.2831853 * phase;
+    // Seen from near, single fibres among them.
+    float fine_phase = 4.0 * phase + 0.35 * sin(wave + 5.0 * on_yarn.x);
+    float fine = clamp(1.0 - 1.6 * fwidth(fine_phase), 0.0, 1.0);
+    float fine_wave = 6.2831853 * fine_phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    blur *= 1.0 - smoothstep(0.8, 0.95, abs(dot(n, along))); // none on cut ends
+    float on_skin = (1.0 - smooth_skin) * (1.0 - smoothstep(0.8, 0.95, abs(dot(n, along)))); // none on cut ends
+    blur *= on_skin * (1.0 - 0.5 * fine);
+    fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
-    vec3 bent = normalize(n + 0.22 * blur * cos(wave) * around);
-    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave));
+    vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
+    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.10 * fine * (0.5 - 0.5 * sin(fine_wave));
 
-    vec3 dry = is_weft == 1 ? weft_color : warp_color;
-    float amount = clamp(wet, 0.0, 1.0);
-    vec3 stained = texture(ramp, vec2(amount * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
     float cover = smoothstep(0.25 * bare, 1.5 * bare, wet);
-    vec3 base = mix(dry, stained, cover) * groove;
-
-    // A lamp over the viewer's left shoulder, sky on whichever face is looked at.
-    float side = eye.z >= 0.0 ? 1.0 : -1.0;
-    vec3 lamp = normalize(vec3(-0.35, 0.3, 0.9 * side) + 0.5 * to_eye);
-    float direct = max(dot(bent, lamp), 0.0);
-    float sky = 0.5 + 0.5 * bent.z * side;
-    float height = at.z * side / half_thickness;
-    float open = mix(0.42, 1.0, smoothstep(-1.0, 0.75, height));
-    float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.05, 0.28, cover);
-    vec3 light = base * (0.34 * sky + 0.72 * direct + 0.06) * open;
-    color = vec4(light + vec3(shine * open), 1.0);
+    vec3 lamp = lamp_direction(to_eye);
+    float reach = open * light_at_height(at.z);
+    float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.04, 0.28, cover);
+    color = vec4(light_on(base * groove, bent * reach, reach, lamp) + vec3(shine * reach), 1.0);
 }

@@ -63,7 +63,7 @@ private Q_SLOTS:
         window_->openShippedExample();
         QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
         QVERIFY(window_->document().fabric());
-        QVERIFY(window_->viewport().mesh());
+        QVERIFY(window_->viewport().shown());
         QVERIFY(window_->simulationPanel().canRun());
         QVERIFY(window_->windowTitle().contains("cotton"));
     }
@@ -80,7 +80,7 @@ private Q_SLOTS:
 
         QCOMPARE(window_->document().fabric()->weave.ends(), 5);
         QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
-        QCOMPARE(window_->viewport().mesh()->textile.weave.ends(), 5);
+        QCOMPARE(window_->viewport().shown()->textile.weave.ends(), 5);
         QVERIFY(settled() != before);
         QVERIFY(window_->isWindowModified());
     }

@@ -1,0 +1,44 @@
+// Shared by all that is made of yarn. A lamp over the viewer's left shoulder, sky on whichever face is looked at.
+uniform vec3 eye;
+uniform float side;           // 1: the top face is looked at, -1: the bottom
+uniform vec3 marked_color;    // of the chosen yarn
+uniform float half_thickness;
+
+vec3 lamp_direction(vec3 to_eye)
+{
+    return normalize(vec3(-0.35, 0.3, 0.9 * side) + 0.5 * to_eye);
+}
+
+// weight is how much light reaches the skin at all, n its direction times that: sums over many skins stay right.
+vec3 light_on(vec3 base, vec3 n, float weight, vec3 lamp)
+{
+    float sky = 0.5 * (weight + n.z * side);
+    return base * (0.38 * sky + 0.64 * max(dot(n, lamp), 0.0) + 0.12 * weight);
+}
+
+// The deeper in the fabric, the less light.
+float light_at_height(float height)
+{
+    return 0.70 + 0.30 * smoothstep(-1.0, 0.75, height * side / half_thickness);
+}
+
+// Colour of a yarn with so much water, a share of the full colours.
+vec3 wetted(sampler2D ramp, vec3 dry, float wet, float bare)
+{
+    vec3 stained = texture(ramp, vec2(clamp(wet, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
+    return mix(dry, stained, smoothstep(0.25 * bare, 1.5 * bare, wet));
+}
+
+// An even spread of thresholds over the pixels, for fading from one shape to another.
+uniform vec3 fibre_belt;      // pixels of a pitch at depth 1, begin and end of the belt where fibres take over
+bool left_out(float fade)
+{
+    float share = abs(fade);
+    if (share > 1.5)
+        share = clamp((fibre_belt.x * gl_FragCoord.w - fibre_belt.y) / (fibre_belt.z - fibre_belt.y), 0.0, 1.0);
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    int x = p.x ^ p.y;
+    int rank = ((x & 1) << 5) | ((p.y & 1) << 4) | ((x & 2) << 2) | ((p.y & 2) << 1) | ((x & 4) >> 1) | ((p.y & 4) >> 2);
+    float threshold = (float(rank) + 0.5) / 64.0;
+    return fade >= 0.0 ? threshold >= share : threshold < share;
+}
