@@ -86,11 +86,13 @@ Piece wet_piece(const ExportVerbOptions& options)
         const Design design = load_project(own);
         require_valid(design, own);
         Piece piece{chosen_fabric(design, own), run.textile, {}};
-        const auto recorded = std::find_if(run.design.fabrics.begin(), run.design.fabrics.end(), [&](const Fabric& f) { return f.name == run.fabric; });
+        const auto recorded =
+            std::find_if(run.design.fabrics.begin(), run.design.fabrics.end(), [&](const Fabric& f) { return f.name == run.fabric; });
         if (recorded == run.design.fabrics.end() || !(*recorded == piece.fabric))
-            throw Stop(exit_invalid, fmt::format("{}: The recording is of the fabric \"{}\" as it was then, and the project's \"{}\" differs. Run "
-                                                 "the simulation again, or give the project it was made with.",
-                                                 options.water, run.fabric, piece.fabric.name));
+            throw Stop(exit_invalid,
+                       fmt::format("{}: The recording is of the fabric \"{}\" as it was then, and the project's \"{}\" differs. Run "
+                                   "the simulation again, or give the project it was made with.",
+                                   options.water, run.fabric, piece.fabric.name));
         const std::vector<Ledger>& ledgers = recording.ledgers();
         int nearest = recording.frames() - 1;
         if (options.time >= 0)
@@ -112,8 +114,7 @@ Piece dry_piece(const ExportVerbOptions& options)
     if (!options.size.empty() && !options.repeats.empty()) throw Stop(exit_usage, "--size-mm and --repeats: Give one of the two.");
     std::array<double, 2> size{5, 5};
     std::array<int, 2> repeats{0, 0};
-    if (!options.size.empty())
-        size = pair_from(options.size, 2000.0, "--size-mm: Give width x height in mm, up to 2000, as 10x5");
+    if (!options.size.empty()) size = pair_from(options.size, 2000.0, "--size-mm: Give width x height in mm, up to 2000, as 10x5");
     if (!options.repeats.empty())
         repeats = pair_from(options.repeats, 100000, "--repeats: Give repeats along the weft x along the warp, up to 100000, as 2x2");
     const Design design = load_project(options);
@@ -162,8 +163,8 @@ int export_piece(const ExportVerbOptions& options)
         fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
                    size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
                    size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
-    nlohmann::ordered_json json{{"file", options.output},          {"detail", options.detail},  {"ends", piece.textile.ends()},
-                                {"picks", piece.textile.picks()},  {"vertices", size.vertices}, {"faces", size.triangles},
+    nlohmann::ordered_json json{{"file", options.output},         {"detail", options.detail},  {"ends", piece.textile.ends()},
+                                {"picks", piece.textile.picks()}, {"vertices", size.vertices}, {"faces", size.triangles},
                                 {"curves", size.curves}};
     if (options.estimate) {
         json["bytes"] = std::round(size.bytes);

@@ -40,7 +40,11 @@ std::string radius_remark(const ExportJob& job)
 class Text {
 public:
     explicit Text(OutputRun& run) : run_(run) {}
-    void add(std::string_view text) { text_.append(text); spill(1 << 20); }
+    void add(std::string_view text)
+    {
+        text_.append(text);
+        spill(1 << 20);
+    }
     void whole(std::uint64_t value) { append_whole(text_, value); }
     void decimal(double value, int decimals) { append_decimal(text_, value, decimals); }
     /// "(x, y, z)"
@@ -66,17 +70,15 @@ private:
     std::string text_;
 };
 
-void color(Text& text, const Color& color)
-{
-    text.triple(linear_light(color.red), linear_light(color.green), linear_light(color.blue), 5);
-}
+void color(Text& text, const Color& color) { text.triple(linear_light(color.red), linear_light(color.green), linear_light(color.blue), 5); }
 
 void usda_yarn(const ExportJob& job, const YarnCurves& yarn, Text& text)
 {
-    text.add(fmt::format("    def BasisCurves \"{}\"\n    {{\n"
-                         "        uniform token type = \"cubic\"\n        uniform token basis = \"catmullRom\"\n        uniform token wrap = \"pinned\"\n"
-                         "        int[] curveVertexCounts = [",
-                         yarn_name(yarn.kind, yarn.yarn)));
+    text.add(fmt::format(
+        "    def BasisCurves \"{}\"\n    {{\n"
+        "        uniform token type = \"cubic\"\n        uniform token basis = \"catmullRom\"\n        uniform token wrap = \"pinned\"\n"
+        "        int[] curveVertexCounts = [",
+        yarn_name(yarn.kind, yarn.yarn)));
     for (std::size_t i = 0; i < yarn.points.size(); ++i) {
         if (i > 0) text.add(", ");
         text.whole(yarn.points[i]);
@@ -109,7 +111,8 @@ void usda_yarn(const ExportJob& job, const YarnCurves& yarn, Text& text)
         }
     else
         color(text, job.color(yarn.kind, yarn.yarn, 0));
-    text.add(fmt::format("] (\n            interpolation = \"{}\"\n        )\n        point3f[] points = [", job.wet() ? "vertex" : "constant"));
+    text.add(
+        fmt::format("] (\n            interpolation = \"{}\"\n        )\n        point3f[] points = [", job.wet() ? "vertex" : "constant"));
     for (std::size_t i = 0; i < yarn.positions.size(); i += 3) {
         if (i > 0) text.add(", ");
         text.triple(1e3 * static_cast<double>(yarn.positions[i]), 1e3 * static_cast<double>(yarn.positions[i + 1]),
@@ -173,7 +176,10 @@ void for_each_curves(const ExportJob& job, const std::function<void(const YarnCu
     });
 }
 
-double bcc_bytes(const ExportEstimate& size) { return 64.0 + 4.0 * static_cast<double>(size.curves) + 12.0 * static_cast<double>(size.vertices); }
+double bcc_bytes(const ExportEstimate& size)
+{
+    return 64.0 + 4.0 * static_cast<double>(size.curves) + 12.0 * static_cast<double>(size.vertices);
+}
 
 void write_bcc(const ExportJob& job, const std::filesystem::path& path)
 {
@@ -216,8 +222,9 @@ void write_usda(const ExportJob& job, const std::filesystem::path& path)
     OutputFile file(path, job.shown);
     OutputRun run(file, 0);
     Text text(run);
-    text.add("#usda 1.0\n(\n    defaultPrim = \"Textile\"\n    doc = \"Hygroloom. Lengths in mm; x along the weft, y along the warp, z out of "
-             "the top face.\"\n    metersPerUnit = 0.001\n    upAxis = \"Z\"\n)\n\ndef Xform \"Textile\"\n{\n");
+    text.add(
+        "#usda 1.0\n(\n    defaultPrim = \"Textile\"\n    doc = \"Hygroloom. Lengths in mm; x along the weft, y along the warp, z out of "
+        "the top face.\"\n    metersPerUnit = 0.001\n    upAxis = \"Z\"\n)\n\ndef Xform \"Textile\"\n{\n");
     for_each_curves(job, [&](const YarnCurves& yarn) { usda_yarn(job, yarn, text); });
     text.add("}\n");
     text.spill(1);

@@ -54,10 +54,10 @@ void for_each_piece(const ExportJob& job, const std::function<void(const YarnMes
 struct YarnCurves {
     YarnKind kind = YarnKind::warp;
     int yarn = 0;
-    std::vector<std::size_t> points;  ///< of each curve
-    std::vector<double> radii;        ///< of each curve, m
-    std::vector<float> positions;     ///< x y z per point, m
-    std::vector<int> segments;        ///< per point
+    std::vector<std::size_t> points; ///< of each curve
+    std::vector<double> radii;       ///< of each curve, m
+    std::vector<float> positions;    ///< x y z per point, m
+    std::vector<int> segments;       ///< per point
 };
 void for_each_curves(const ExportJob& job, const std::function<void(const YarnCurves& curves)>& take);
 struct CurveCount {
@@ -76,7 +76,8 @@ template <typename Act> void for_each_yarn(const Textile& textile, Act act)
 double linear_light(std::uint8_t value);
 
 // Each writes the job's format; bytes_of says how many bytes that takes.
-void write_obj(const ExportJob& job, const std::filesystem::path& path, const std::filesystem::path& materials, const std::string& materials_name);
+void write_obj(const ExportJob& job, const std::filesystem::path& path, const std::filesystem::path& materials,
+               const std::string& materials_name);
 void write_ply(const ExportJob& job, const std::filesystem::path& path);
 void write_stl(const ExportJob& job, const std::filesystem::path& path);
 double obj_bytes(const ExportJob& job, const ExportEstimate& size);

@@ -44,7 +44,8 @@ std::string joined(const std::vector<std::string>& parts)
 class Bins {
 public:
     Bins(const ExportJob& job, const GltfLayout& layout, std::vector<OutputFile*> files, std::uint64_t begin)
-        : job_(job), files_(std::move(files)), begin_(begin), yarns_(layout.yarns), vertices_(*files_[0], begin), indices_(*files_[0], begin)
+        : job_(job), files_(std::move(files)), begin_(begin), yarns_(layout.yarns), vertices_(*files_[0], begin),
+          indices_(*files_[0], begin)
     {
     }
 
@@ -136,7 +137,8 @@ GltfLayout gltf_layout(const ExportJob& job)
     for_each_yarn(job.textile, [&](YarnKind kind, int number) {
         GltfLayout::Yarn yarn{kind, number, 0, 0, 0, job.size_of(kind, number), {}, {}};
         const std::uint64_t vertices = vertex_bytes(job, yarn), all = vertices + 12 * yarn.size.triangles;
-        if (job.format == MeshFormat::gltf && layout.buffers.back() > 0 && layout.buffers.back() + all > largest_buffer) layout.buffers.push_back(0);
+        if (job.format == MeshFormat::gltf && layout.buffers.back() > 0 && layout.buffers.back() + all > largest_buffer)
+            layout.buffers.push_back(0);
         if (job.format == MeshFormat::gltf && all > largest_buffer) layout.yarn_too_large = true;
         yarn.buffer = layout.buffers.size() - 1;
         yarn.vertices_at = layout.buffers.back();
@@ -151,12 +153,14 @@ std::string gltf_json(const ExportJob& job, const GltfLayout& layout, const std:
 {
     std::vector<std::string> roots, nodes, meshes, materials, accessors, views, buffers;
     for (const YarnMaterial& material : job.materials)
-        materials.push_back(fmt::format(R"({{"name":"{}","pbrMetallicRoughness":{{"baseColorFactor":[{:.6f},{:.6f},{:.6f},1],"metallicFactor":0,"roughnessFactor":0.9}}{}}})",
-                                        material.name, linear_light(material.color.red), linear_light(material.color.green),
-                                        linear_light(material.color.blue), job.options.mesh.capped ? "" : R"(,"doubleSided":true)"));
+        materials.push_back(fmt::format(
+            R"({{"name":"{}","pbrMetallicRoughness":{{"baseColorFactor":[{:.6f},{:.6f},{:.6f},1],"metallicFactor":0,"roughnessFactor":0.9}}{}}})",
+            material.name, linear_light(material.color.red), linear_light(material.color.green), linear_light(material.color.blue),
+            job.options.mesh.capped ? "" : R"(,"doubleSided":true)"));
     for (std::size_t i = 0; i < layout.buffers.size(); ++i)
-        buffers.push_back(buffer_names.empty() ? fmt::format(R"({{"byteLength":{}}})", layout.buffers[i])
-                                               : fmt::format(R"({{"byteLength":{},"uri":"{}"}})", layout.buffers[i], uri_of(buffer_names[i])));
+        buffers.push_back(buffer_names.empty()
+                              ? fmt::format(R"({{"byteLength":{}}})", layout.buffers[i])
+                              : fmt::format(R"({{"byteLength":{},"uri":"{}"}})", layout.buffers[i], uri_of(buffer_names[i])));
     const std::size_t stride = stride_of(job);
     for (const GltfLayout::Yarn& yarn : layout.yarns) {
         const std::string name = yarn_name(yarn.kind, yarn.yarn);
@@ -168,8 +172,8 @@ std::string gltf_json(const ExportJob& job, const GltfLayout& layout, const std:
         std::string attributes;
         const auto attribute = [&](const char* key, const char* type, int component, std::size_t offset, const std::string& rest) {
             attributes += fmt::format(R"({}"{}":{})", attributes.empty() ? "" : ",", key, accessors.size());
-            accessors.push_back(fmt::format(R"({{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"{}"{}}})", view, offset,
-                                            component, yarn.size.vertices, type, rest));
+            accessors.push_back(fmt::format(R"({{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"{}"{}}})", view,
+                                            offset, component, yarn.size.vertices, type, rest));
         };
         attribute("POSITION", "VEC3", 5126, 0, fmt::format(R"(,"min":{},"max":{})", extremes(yarn.low), extremes(yarn.high)));
         if (!job.lines()) {
@@ -179,13 +183,14 @@ std::string gltf_json(const ExportJob& job, const GltfLayout& layout, const std:
         if (job.wet()) attribute("COLOR_0", "VEC4", 5123, stride - 8, R"(,"normalized":true)");
         const int material = job.material(yarn.kind, yarn.yarn);
         if (job.lines()) {
-            meshes.push_back(fmt::format(R"({{"name":"{}","primitives":[{{"attributes":{{{}}},"material":{},"mode":3}}]}})", name, attributes, material));
+            meshes.push_back(fmt::format(R"({{"name":"{}","primitives":[{{"attributes":{{{}}},"material":{},"mode":3}}]}})", name,
+                                         attributes, material));
             continue;
         }
-        meshes.push_back(fmt::format(R"({{"name":"{}","primitives":[{{"attributes":{{{}}},"indices":{},"material":{}}}]}})", name, attributes,
-                                     accessors.size(), material));
-        accessors.push_back(fmt::format(R"({{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})", views.size(),
-                                        3 * yarn.size.triangles));
+        meshes.push_back(fmt::format(R"({{"name":"{}","primitives":[{{"attributes":{{{}}},"indices":{},"material":{}}}]}})", name,
+                                     attributes, accessors.size(), material));
+        accessors.push_back(
+            fmt::format(R"({{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})", views.size(), 3 * yarn.size.triangles));
         views.push_back(fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{},"target":34963}})", yarn.buffer, yarn.indices_at,
                                     12 * yarn.size.triangles));
     }

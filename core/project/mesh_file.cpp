@@ -21,17 +21,17 @@ struct FormatTraits {
     MeshFormat format;
     const char* ending;
     const char* name;
-    bool curves;   ///< only
-    bool lines;    ///< centrelines
-    bool colors;   ///< of vertices
+    bool curves; ///< only
+    bool lines;  ///< centrelines
+    bool colors; ///< of vertices
     bool streamed;
 };
 constexpr FormatTraits all_formats[] = {
-    {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},      {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
-    {MeshFormat::stl, ".stl", "STL", false, false, false, true},    {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
-    {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},   {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
+    {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},         {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
+    {MeshFormat::stl, ".stl", "STL", false, false, false, true},       {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
+    {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},      {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
     {MeshFormat::three_mf, ".3mf", "3MF", false, false, false, false}, {MeshFormat::collada, ".dae", "Collada", false, false, true, false},
-    {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},    {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
+    {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},       {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
     {MeshFormat::usda, ".usda", "USD", true, true, true, true},
 };
 const FormatTraits& traits(MeshFormat format)
@@ -55,7 +55,8 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
     if (format.curves && detail == MeshDetail::yarn)
         return fmt::format("{} files hold curves, no skins of yarns; choose the detail centreline or fibre.", format.name);
     if (!format.lines && detail == MeshDetail::centreline)
-        return fmt::format("{} files are written with triangles only; write centrelines as .obj, .ply, .glb, .gltf, .bcc or .usda.", format.name);
+        return fmt::format("{} files are written with triangles only; write centrelines as .obj, .ply, .glb, .gltf, .bcc or .usda.",
+                           format.name);
     if (!format.colors && job.wet())
         return fmt::format("{} files are written without colours of vertices; write a water map as .ply, .obj, .glb, .gltf, .fbx, .dae, "
                            ".x3d or .usda.",
@@ -66,9 +67,10 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
                            "smaller piece.",
                            1e-9 * static_cast<double>(size.vertices), format.name);
     if (job.format == MeshFormat::stl && size.triangles > std::numeric_limits<std::uint32_t>::max())
-        return fmt::format("The mesh would have {:.1f} thousand million triangles, and an STL file counts up to 4.2; write .gltf, or take a "
-                           "smaller piece.",
-                           1e-9 * static_cast<double>(size.triangles));
+        return fmt::format(
+            "The mesh would have {:.1f} thousand million triangles, and an STL file counts up to 4.2; write .gltf, or take a "
+            "smaller piece.",
+            1e-9 * static_cast<double>(size.triangles));
     if (job.format == MeshFormat::glb && size.bytes > std::numeric_limits<std::uint32_t>::max())
         return fmt::format("A GLB file ends at 4 GiB, and this one would have {:.1f} GiB; write .gltf or .ply, or take a smaller piece.",
                            size.bytes / 1073741824.0);
@@ -129,7 +131,9 @@ Color water_color(double saturation)
     constexpr Color stops[] = {undyed, {181, 212, 238}, {104, 165, 217}, {40, 106, 182}, {8, 42, 108}};
     const double at = (saturation >= 0 ? std::min(saturation, 1.0) : 0.0) * 4; // not a number is dry
     const auto low = std::min(static_cast<std::size_t>(at), std::size_t(3));
-    const auto mix = [&](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::lround(a + (b - a) * (at - static_cast<double>(low)))); };
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + (b - a) * (at - static_cast<double>(low))));
+    };
     const Color &a = stops[low], &b = stops[low + 1];
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
@@ -239,9 +243,7 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
     }
     case MeshFormat::bcc: size.bytes = bcc_bytes(size); break;
     case MeshFormat::usda: size.bytes = usda_bytes(job, size); break;
-    default:
-        size.bytes = scene_bytes(job, size);
-        size.memory = scene_memory(job, size);
+    default: size.bytes = scene_bytes(job, size); size.memory = scene_memory(job, size);
     }
     size.refusal = refusal(job, size, layout);
     return size;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A textile as meshes and curves for other programs. Most formats are written piece by piece, so that memory does not grow with the textile.
-// Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in centimetres, with y out of it.
+// A textile as meshes and curves for other programs. Most formats are written piece by piece, so that memory does not grow with the
+// textile. Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in centimetres, with y out of it.
 #pragma once
 
 #include "core/geometry/mesh_stream.h"

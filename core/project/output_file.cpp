@@ -32,7 +32,8 @@ void OutputFile::write_at(std::uint64_t place, const char* bytes, std::size_t co
     while (count > 0) {
         const ssize_t written = ::pwrite(file_, bytes, count, static_cast<off_t>(place));
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) throw FileError(fmt::format("{}: The file cannot be written: {}.", shown_, std::strerror(written < 0 ? errno : ENOSPC)));
+        if (written <= 0)
+            throw FileError(fmt::format("{}: The file cannot be written: {}.", shown_, std::strerror(written < 0 ? errno : ENOSPC)));
         bytes += written;
         place += static_cast<std::uint64_t>(written);
         count -= static_cast<std::size_t>(written);

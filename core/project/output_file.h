@@ -36,7 +36,11 @@ class OutputRun {
 public:
     OutputRun(OutputFile& file, std::uint64_t place) : file_(&file), begin_(place) {}
 
-    void add(std::string_view bytes) { buffer_.append(bytes); spill(); }
+    void add(std::string_view bytes)
+    {
+        buffer_.append(bytes);
+        spill();
+    }
     /// A number or a plain struct without padding.
     template <typename Value> void put(const Value& value)
     {

@@ -14,7 +14,8 @@ constexpr const char* axes = "x along the weft, y along the warp, z out of the t
 
 std::string ply_header(const ExportJob& job, const ExportEstimate& size)
 {
-    std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment Hygroloom. Lengths in mm; {}.\nelement vertex {}\n", axes, size.vertices);
+    std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment Hygroloom. Lengths in mm; {}.\nelement vertex {}\n", axes,
+                                   size.vertices);
     for (const char* name : {"x", "y", "z"}) text += fmt::format("property float {}\n", name);
     if (!job.lines())
         for (const char* name : {"nx", "ny", "nz", "s", "t"}) text += fmt::format("property float {}\n", name);
@@ -68,7 +69,8 @@ double obj_bytes(const ExportJob& job, const ExportEstimate& size)
     return (25 + 14 + 23) * vertices + water + (2 + 3 * (3 * digits + 3)) * triangles;
 }
 
-void write_obj(const ExportJob& job, const std::filesystem::path& path, const std::filesystem::path& materials, const std::string& materials_name)
+void write_obj(const ExportJob& job, const std::filesystem::path& path, const std::filesystem::path& materials,
+               const std::string& materials_name)
 {
     if (!job.wet()) {
         std::string text = "# Hygroloom\n";

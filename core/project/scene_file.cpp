@@ -78,7 +78,8 @@ void fill(const ExportJob& job, const YarnMesh& piece, YarnPart& part)
         mesh.mTextureCoords[0][v] = {piece.uvs[2 * i], piece.uvs[2 * i + 1], 0};
         if (!job.wet()) continue;
         const Color color = job.color(group.kind, group.yarn, piece.segment_of_vertex[i]);
-        mesh.mColors[0][v] = {static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255, static_cast<float>(color.blue) / 255, 1};
+        mesh.mColors[0][v] = {static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
+                              static_cast<float>(color.blue) / 255, 1};
     }
     for (std::size_t i = 0; i < piece.indices.size(); i += 3) {
         aiFace& face = mesh.mFaces[part.faces++];
@@ -99,7 +100,8 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
         const aiString name(job.materials[i].name);
         // Assimp 5.2.5 writes every colour of a 3MF as black but white.
         const Color color = job.format == MeshFormat::three_mf ? Color{255, 255, 255} : job.materials[i].color;
-        const aiColor4D diffuse(static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255, static_cast<float>(color.blue) / 255, 1);
+        const aiColor4D diffuse(static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
+                                static_cast<float>(color.blue) / 255, 1);
         scene.mMaterials[i] = new aiMaterial;
         scene.mMaterials[i]->AddProperty(&name, AI_MATKEY_NAME);
         scene.mMaterials[i]->AddProperty(&diffuse, 1, AI_MATKEY_COLOR_DIFFUSE);

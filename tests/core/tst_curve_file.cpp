@@ -87,7 +87,9 @@ private Q_SLOTS:
         const Exported exported = export_textile(textile, fabric(), options, path("cloth.bcc"));
         QCOMPARE(double(exported.bytes), size.bytes);
         const std::string bcc = text_of(path("cloth.bcc"));
-        QCOMPARE(bcc.substr(0, 8), std::string("BCC\x44" "C0\x03\x02", 8));
+        QCOMPARE(bcc.substr(0, 8), std::string("BCC\x44"
+                                               "C0\x03\x02",
+                                               8));
         const auto expected = curves_of(textile, options.mesh.fibres());
         QCOMPARE(at<std::uint64_t>(bcc, 8), std::uint64_t(expected.size()));
         QCOMPARE(std::size_t(size.curves), expected.size());
@@ -119,8 +121,9 @@ private Q_SLOTS:
         QCOMPARE(usda.count("def BasisCurves \"warp_00"), 4);
         QCOMPARE(usda.count("def BasisCurves \"weft_00"), 3);
         QCOMPARE(usda.count('{'), usda.count('}'));
-        const QRegularExpression pattern("curveVertexCounts = \\[([^]]*)\\].*?widths = \\[([^]]*)\\].*?displayColor = \\[([^]]*)\\].*?points = \\[([^]]*)\\]",
-                                         QRegularExpression::DotMatchesEverythingOption);
+        const QRegularExpression pattern(
+            "curveVertexCounts = \\[([^]]*)\\].*?widths = \\[([^]]*)\\].*?displayColor = \\[([^]]*)\\].*?points = \\[([^]]*)\\]",
+            QRegularExpression::DotMatchesEverythingOption);
         const auto expected = curves_of(textile, options.mesh.fibres());
         std::size_t curve = 0;
         int yarn = 0;

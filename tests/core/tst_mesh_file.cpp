@@ -105,7 +105,9 @@ Content truth(const Textile& textile, const ExportOptions& options)
 {
     Content content;
     stream_mesh(textile, options.mesh, [&](const YarnMesh& piece) {
-        const auto at = [&](std::size_t v) { return aiVector3D(piece.positions[3 * v], piece.positions[3 * v + 1], piece.positions[3 * v + 2]); };
+        const auto at = [&](std::size_t v) {
+            return aiVector3D(piece.positions[3 * v], piece.positions[3 * v + 1], piece.positions[3 * v + 2]);
+        };
         for (std::size_t v = 0; v < piece.segment_of_vertex.size(); ++v)
             for (unsigned axis = 0; axis < 3; ++axis) {
                 content.low[axis] = std::min(content.low[axis], at(v)[axis]);
@@ -167,7 +169,8 @@ private Q_SLOTS:
             QCOMPARE(QString::fromStdString(size.refusal), QString());
             const Exported exported = export_textile(textile, fabric(), options, file);
             QCOMPARE(exported.files.front(), file);
-            QCOMPARE(std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator()), std::ptrdiff_t(exported.files.size()));
+            QCOMPARE(std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator()),
+                     std::ptrdiff_t(exported.files.size()));
             const double ratio = static_cast<double>(exported.bytes) / size.bytes;
             QVERIFY2(near(ratio, 1, tolerance + 1e-9), qPrintable(QString::number(ratio)));
 
@@ -179,11 +182,14 @@ private Q_SLOTS:
                 const bool turned = y_up && axis == 1; // y of the textile is -z
                 const double low = static_cast<double>(turned ? -own.high[axis] : own.low[axis]);
                 const double high = static_cast<double>(turned ? -own.low[axis] : own.high[axis]);
-                QVERIFY2(near(content.low[there], unit * low, unit * 2e-7), qPrintable(QString("%1 %2").arg(content.low[there]).arg(unit * low)));
-                QVERIFY2(near(content.high[there], unit * high, unit * 2e-7), qPrintable(QString("%1 %2").arg(content.high[there]).arg(unit * high)));
+                QVERIFY2(near(content.low[there], unit * low, unit * 2e-7),
+                         qPrintable(QString("%1 %2").arg(content.low[there]).arg(unit * low)));
+                QVERIFY2(near(content.high[there], unit * high, unit * 2e-7),
+                         qPrintable(QString("%1 %2").arg(content.high[there]).arg(unit * high)));
             }
             QVERIFY(own.volume > 0);
-            QVERIFY2(near(content.volume / (unit * unit * unit * own.volume), 1, 0.02), qPrintable(QString::number(content.volume / (unit * unit * unit * own.volume))));
+            QVERIFY2(near(content.volume / (unit * unit * unit * own.volume), 1, 0.02),
+                     qPrintable(QString::number(content.volume / (unit * unit * unit * own.volume))));
             if (ending != "stl" && ending != "3mf") QVERIFY(content.uvs && content.normals);
             if (named) {
                 for (const char* yarn : {"warp_000", "warp_003", "weft_000", "weft_002"}) QVERIFY2(content.names.count(yarn), yarn);
@@ -225,8 +231,10 @@ private Q_SLOTS:
         double factor = 0;
         int up = -1;
         float single = 0;
-        if (scene->mMetaData->Get("UnitScaleFactor", single)) factor = static_cast<double>(single);
-        else scene->mMetaData->Get("UnitScaleFactor", factor);
+        if (scene->mMetaData->Get("UnitScaleFactor", single))
+            factor = static_cast<double>(single);
+        else
+            scene->mMetaData->Get("UnitScaleFactor", factor);
         QVERIFY(scene->mMetaData->Get("UpAxis", up));
         QCOMPARE(up, 1);
         QCOMPARE(factor, 1.0); // in centimetres
@@ -267,7 +275,9 @@ private Q_SLOTS:
             Assimp::Importer importer;
             const aiScene* scene = importer.ReadFile(path(name).string(), 0);
             QVERIFY2(scene && scene->mNumMeshes > 0 && scene->mMeshes[0]->HasVertexColors(0), name);
-            const aiColor4D wet = scene->mMeshes[0]->mColors[0][0], dry = scene->mMeshes[scene->mNumMeshes - 1]->mColors[0][scene->mMeshes[scene->mNumMeshes - 1]->mNumVertices - 1];
+            const aiColor4D wet = scene->mMeshes[0]->mColors[0][0],
+                            dry =
+                                scene->mMeshes[scene->mNumMeshes - 1]->mColors[0][scene->mMeshes[scene->mNumMeshes - 1]->mNumVertices - 1];
             const bool linear = std::string(name).starts_with("wet.gl"); // 108 is 0.1500 and 218 0.7011 of linear light
             QVERIFY2(near(wet.b, linear ? 0.1500 : 108 / 255.0, 2e-3), qPrintable(QString("%1 %2").arg(name).arg(wet.b)));
             QVERIFY2(near(dry.b, linear ? 0.7011 : 218 / 255.0, 2e-3), qPrintable(QString("%1 %2").arg(name).arg(dry.b)));
@@ -328,7 +338,8 @@ private Q_SLOTS:
             QVERIFY(refused(textile, with(MeshDetail::yarn), format).find("hold curves") != std::string::npos);
         ExportOptions wet = with(MeshDetail::yarn);
         wet.saturation.assign(static_cast<std::size_t>(textile.segments()), 0.5f);
-        for (MeshFormat format : {MeshFormat::stl, MeshFormat::three_mf}) QVERIFY(refused(textile, wet, format).find("without colours") != std::string::npos);
+        for (MeshFormat format : {MeshFormat::stl, MeshFormat::three_mf})
+            QVERIFY(refused(textile, wet, format).find("without colours") != std::string::npos);
         wet.saturation.pop_back();
         QVERIFY_EXCEPTION_THROWN(export_estimate(textile, fabric(), wet, MeshFormat::ply), Error);
 
