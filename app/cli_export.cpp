@@ -1,72 +1,212 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// export: a piece of a fabric as a mesh for other programs.
+// export: a piece of a fabric as a mesh or as curves for other programs.
 #include "app/cli.h"
+#include "app/cli_interrupt.h"
 
 #include "core/project/mesh_file.h"
+#include "core/sim/recording.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <charconv>
+#include <chrono>
+#include <cmath>
+#include <unistd.h>
 
 namespace hygroloom {
 namespace {
 
-struct ExportOptions : ProjectOptions {
+struct ExportVerbOptions : ProjectOptions {
     std::string detail = "yarn";
-    std::string size = "5x5";
+    std::string size;
+    std::string repeats;
+    std::string water;
+    double time = -1;
     std::string output;
-    MeshOptions mesh;
+    int samples = 0; ///< 0: by the detail
+    int sides = 0;
+    bool open_ends = false;
+    bool no_flyaways = false;
+    bool estimate = false;
+    std::uint64_t seed = 1;
 };
 
-std::array<double, 2> size_from(const std::string& text)
+/// "AxB", each more than 0 and up to most.
+template <typename Number> std::array<Number, 2> pair_from(const std::string& text, Number most, const char* wanted)
 {
-    std::array<double, 2> size{};
+    std::array<Number, 2> pair{};
     const char* const end = text.data() + text.size();
-    const auto [middle, failure] = std::from_chars(text.data(), end, size[0]);
+    const auto [middle, failure] = std::from_chars(text.data(), end, pair[0]);
     if (failure == std::errc() && middle != end && *middle == 'x') {
-        const auto [last, second_failure] = std::from_chars(middle + 1, end, size[1]);
-        if (second_failure == std::errc() && last == end && size[0] > 0 && size[1] > 0 && size[0] <= 2000 && size[1] <= 2000) return size;
+        const auto [last, second_failure] = std::from_chars(middle + 1, end, pair[1]);
+        if (second_failure == std::errc() && last == end && pair[0] > 0 && pair[1] > 0 && pair[0] <= most && pair[1] <= most) return pair;
     }
-    throw Stop(exit_usage, "--size-mm: Give width x height in mm, up to 2000, as 10x5; given is \"" + text + "\".");
+    throw Stop(exit_usage, fmt::format("{}; given is \"{}\".", wanted, text));
 }
 
-int export_mesh(const ExportOptions& options)
+MeshRequest request_from(const ExportVerbOptions& options)
+{
+    MeshRequest request;
+    if (options.detail == "centreline")
+        request.detail = MeshDetail::centreline;
+    else if (options.detail == "yarn")
+        request.detail = MeshDetail::yarn;
+    else if (options.detail == "fibre")
+        request.detail = MeshDetail::fibre;
+    else
+        throw Stop(exit_usage, "--detail: Must be centreline, yarn or fibre; given is \"" + options.detail + "\".");
+    const bool fibre = request.detail == MeshDetail::fibre;
+    request.samples_per_crossing = options.samples > 0 ? options.samples : fibre ? 8 : 12;
+    request.sides = options.sides > 0 ? options.sides : fibre ? 6 : 12;
+    request.flyaways = !options.no_flyaways;
+    request.capped = !options.open_ends;
+    request.seed = options.seed;
+    return request;
+}
+
+/// What is exported.
+struct Piece {
+    Fabric fabric;
+    Textile textile;
+    std::vector<float> saturation;
+};
+
+Piece wet_piece(const ExportVerbOptions& options)
+{
+    if (!options.size.empty() || !options.repeats.empty())
+        throw Stop(exit_usage, "--water: The piece is the one that was simulated; leave --size-mm and --repeats out.");
+    try {
+        const Recording recording(options.water);
+        if (recording.frames() == 0) throw Stop(exit_invalid, options.water + ": The recording has no frame.");
+        const RunRecord& run = recording.run();
+        ExportVerbOptions own = options;
+        if (own.fabric.empty()) own.fabric = run.fabric;
+        const Design design = load_project(own);
+        require_valid(design, own);
+        Piece piece{chosen_fabric(design, own), run.textile, {}};
+        const auto recorded =
+            std::find_if(run.design.fabrics.begin(), run.design.fabrics.end(), [&](const Fabric& f) { return f.name == run.fabric; });
+        if (recorded == run.design.fabrics.end() || !(*recorded == piece.fabric))
+            throw Stop(exit_invalid,
+                       fmt::format("{}: The recording is of the fabric \"{}\" as it was then, and the project's \"{}\" differs. Run "
+                                   "the simulation again, or give the project it was made with.",
+                                   options.water, run.fabric, piece.fabric.name));
+        const std::vector<Ledger>& ledgers = recording.ledgers();
+        int nearest = recording.frames() - 1;
+        if (options.time >= 0)
+            for (int i = nearest; i >= 0; --i) {
+                const auto distance = [&](int frame) { return std::abs(ledgers[static_cast<std::size_t>(frame)].time - options.time); };
+                if (distance(i) <= distance(nearest)) nearest = i;
+            }
+        piece.saturation = recording.frame(nearest).saturation;
+        if (!options.quiet) fmt::print(stderr, "The water at {:.4g} s.\n", ledgers[static_cast<std::size_t>(nearest)].time);
+        return piece;
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+}
+
+Piece dry_piece(const ExportVerbOptions& options)
+{
+    if (options.time >= 0) throw Stop(exit_usage, "--time: Is a moment of a recording; give the recording with --water.");
+    if (!options.size.empty() && !options.repeats.empty()) throw Stop(exit_usage, "--size-mm and --repeats: Give one of the two.");
+    std::array<double, 2> size{5, 5};
+    std::array<int, 2> repeats{0, 0};
+    if (!options.size.empty()) size = pair_from(options.size, 2000.0, "--size-mm: Give width x height in mm, up to 2000, as 10x5");
+    if (!options.repeats.empty())
+        repeats = pair_from(options.repeats, 100000, "--repeats: Give repeats along the weft x along the warp, up to 100000, as 2x2");
+    const Design design = load_project(options);
+    require_valid(design, options);
+    const Fabric& fabric = chosen_fabric(design, options);
+    TextileRegion region;
+    try {
+        region = repeats[0] > 0 ? region_of_repeats(fabric, repeats[0], repeats[1]) : region_of_sample(fabric, size[0], size[1]);
+    } catch (const Error& error) {
+        throw Stop(exit_usage, std::string("--repeats: ") + error.what());
+    }
+    return {fabric, build_textile(design, fabric, region), {}};
+}
+
+std::string human_bytes(double bytes)
+{
+    return bytes < 1e9 ? fmt::format("{:.1f} MB", 1e-6 * bytes) : fmt::format("{:.2f} GB", 1e-9 * bytes);
+}
+
+void draw_bar(double share, double seconds)
+{
+    constexpr int width = 30;
+    const int full = static_cast<int>(share * width);
+    const std::string left = share > 0.02 ? fmt::format(", about {:.0f} s left", seconds * (1 - share) / share) : std::string();
+    fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s taken{}", std::string(static_cast<std::size_t>(full), '#'),
+               std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, seconds, left);
+    std::fflush(stderr);
+}
+
+int export_piece(const ExportVerbOptions& options)
 {
     if (options.output.ends_with(".wif") || options.output.ends_with(".WIF")) return export_wif(options, options.output);
-    if (options.detail == "fibre")
-        throw Stop(exit_usage, "This version exports centrelines and yarns; fibres come later. Use --detail yarn.");
-    if (options.detail != "yarn" && options.detail != "centreline")
-        throw Stop(exit_usage, "--detail: Must be centreline or yarn; given is \"" + options.detail + "\".");
-    MeshOptions mesh = options.mesh;
-    mesh.detail = options.detail == "yarn" ? MeshDetail::yarn : MeshDetail::centreline;
-    const auto [width, height] = size_from(options.size);
+    ExportOptions export_options;
+    export_options.mesh = request_from(options);
     MeshFormat format{};
     try {
         format = mesh_format_of(options.output);
     } catch (const Error& error) {
-        throw Stop(exit_usage, error.what());
+        throw Stop(exit_usage, std::string("-o: ") + error.what());
     }
-    const Design design = load_project(options);
-    require_valid(design, options);
-    const Fabric& fabric = chosen_fabric(design, options);
-    const TextileRegion region = region_of_sample(fabric, width, height);
-    const Textile textile = build_textile(design, fabric, region);
-    const MeshFileSize size = mesh_file_size(textile, format, mesh);
+    const Piece piece = options.water.empty() ? dry_piece(options) : wet_piece(options);
+    export_options.saturation = piece.saturation;
+    const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
+    if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     if (!options.quiet)
-        fmt::print(stderr, "{} ends and {} picks, {} vertices, {} {}, about {:.1f} MB.\n", region.ends, region.picks, size.vertices,
-                   size.triangles, mesh.detail == MeshDetail::yarn ? "triangles" : "pieces of line", 1e-6 * size.bytes);
-    write_mesh(textile, mesh, options.output);
-    if (options.json)
-        fmt::print("{}\n", nlohmann::ordered_json{{"file", options.output},
-                                                  {"ends", region.ends},
-                                                  {"picks", region.picks},
-                                                  {"vertices", size.vertices},
-                                                  {"faces", size.triangles}}
-                               .dump(2));
-    else
-        fmt::print("{}\n", options.output);
+        fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
+                   size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
+                   size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
+    nlohmann::ordered_json json{{"file", options.output},         {"detail", options.detail},  {"ends", piece.textile.ends()},
+                                {"picks", piece.textile.picks()}, {"vertices", size.vertices}, {"faces", size.triangles},
+                                {"curves", size.curves}};
+    if (options.estimate) {
+        json["bytes"] = std::round(size.bytes);
+        if (options.json) fmt::print("{}\n", json.dump(2));
+        return exit_ok;
+    }
+
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    const bool bar = !options.quiet && isatty(STDERR_FILENO);
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    double drawn = 0;
+    const auto progress = [&](double share) {
+        if (bar && seconds() > drawn + 0.1) {
+            drawn = seconds();
+            draw_bar(share, drawn);
+        }
+        return !cancel;
+    };
+    const auto clear_bar = [&] {
+        if (bar) fmt::print(stderr, "\r\033[K");
+    };
+    Exported exported;
+    try {
+        exported = export_textile(piece.textile, piece.fabric, export_options, options.output, progress);
+    } catch (const Cancelled&) {
+        clear_bar();
+        throw Stop(exit_cancelled, "Cancelled. No file was written.");
+    } catch (...) {
+        clear_bar();
+        throw;
+    }
+    clear_bar();
+    if (options.json) {
+        for (const auto& file : exported.files) json["files"].push_back(file.string());
+        json["bytes"] = exported.bytes;
+        json["seconds"] = seconds();
+        fmt::print("{}\n", json.dump(2));
+        return exit_ok;
+    }
+    for (const auto& file : exported.files) fmt::print("{}\n", file.string());
     return exit_ok;
 }
 
@@ -74,16 +214,25 @@ int export_mesh(const ExportOptions& options)
 
 void add_export(CLI::App& app, Verb& verb)
 {
-    auto options = std::make_shared<ExportOptions>();
-    CLI::App& export_verb = *app.add_subcommand("export", "A piece of a fabric as a mesh (OBJ, PLY, STL in mm; GLB in metres), or its draft (WIF)");
-    export_verb.footer("Example: hygroloom-cli export cloth.hygro --detail yarn --size-mm 5x5 -o cloth.obj");
+    auto options = std::make_shared<ExportVerbOptions>();
+    CLI::App& export_verb = *app.add_subcommand("export", "A piece of a fabric as a mesh or as curves, or its draft (WIF)");
+    export_verb.footer("Example: hygroloom-cli export cloth.hygro --detail yarn --size-mm 5x5 -o cloth.obj\n"
+                       "Meshes: .obj .ply .stl .3mf in mm; .glb .gltf .dae .x3d in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
+                       "Ctrl-C leaves no file behind.");
     add_project_options(export_verb, *options, false);
-    export_verb.add_option("--detail", options->detail, "centreline or yarn");
-    export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp");
-    export_verb.add_option("--samples", options->mesh.samples_per_crossing, "Rings per crossing")->check(CLI::Range(1, 100));
-    export_verb.add_option("--sides", options->mesh.sides, "Sides of a yarn")->check(CLI::Range(3, 200));
+    export_verb.add_option("--detail", options->detail, "centreline, yarn (as without it) or fibre");
+    export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp; 5x5 without it");
+    export_verb.add_option("--repeats", options->repeats, "Repeats of the fabric along the weft x along the warp, in place of a size");
+    export_verb.add_option("--samples", options->samples, "Rings per crossing; 12, of fibres 8 without it")->check(CLI::Range(1, 100));
+    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")->check(CLI::Range(3, 200));
+    export_verb.add_flag("--open-ends", options->open_ends, "No caps on the ends of yarns or fibres");
+    export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");
+    export_verb.add_option("--seed", options->seed, "Seed of the fibres' random numbers");
+    export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours the piece that was simulated");
+    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(CLI::NonNegativeNumber);
+    export_verb.add_flag("--estimate", options->estimate, "Only say how large it would be");
     export_verb.add_option("-o,--output", options->output, "The file; its ending says the format")->required();
-    export_verb.callback([&verb, options] { verb = [options] { return export_mesh(*options); }; });
+    export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });
 }
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // plan and simulate: what a run would do, and the run.
 #include "app/cli.h"
+#include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
 #include "core/sim/plan_json.h"
@@ -8,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <unistd.h>
 
 namespace hygroloom {
@@ -62,29 +62,6 @@ int plan(const RunVerbOptions& options)
     return exit_ok;
 }
 
-std::atomic<bool>* cancel_flag = nullptr;
-
-extern "C" void on_interrupt(int) { cancel_flag->store(true); }
-
-/// Ctrl-C and a polite kill cancel the run; a second one ends the program at once.
-struct InterruptCancels {
-    explicit InterruptCancels(RunControl& control)
-    {
-        static_assert(std::atomic<bool>::is_always_lock_free);
-        cancel_flag = &control.cancel;
-        struct sigaction action {};
-        action.sa_handler = on_interrupt;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(SIGINT, &action, nullptr);
-        sigaction(SIGTERM, &action, nullptr);
-    }
-    ~InterruptCancels()
-    {
-        std::signal(SIGINT, SIG_DFL);
-        std::signal(SIGTERM, SIG_DFL);
-    }
-};
-
 void draw_progress(const RunProgress& progress)
 {
     constexpr int width = 30;
@@ -117,7 +94,7 @@ int simulate(const RunVerbOptions& options)
     }
 
     RunControl control;
-    const InterruptCancels cancels(control);
+    const InterruptCancels cancels(control.cancel);
     const bool bar = !options.quiet && isatty(STDERR_FILENO);
     MetricsCollector collector;
     RunCallbacks callbacks;

@@ -54,6 +54,11 @@ public:
     }
     /// Writes x y z of each point, m.
     void curve(int strand, float* out) const;
+    /// The textile's segment that a point lies in, of a hair the one it is rooted in.
+    int segment(int strand, std::size_t point) const
+    {
+        return ring_[is_hair(strand) ? hairs_[static_cast<std::size_t>(strand - fibres_)].ring : point + 1].segment;
+    }
     /// Length of the strand's parts outside the yarn that count as loops; 0 for hairs.
     double loop_length(int strand) const;
     /// Writes a tube at these places of a mesh that has room for it; u runs along the yarn in crossings, v

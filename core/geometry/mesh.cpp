@@ -47,7 +47,8 @@ Station station(const Textile& textile, YarnKind kind, int yarn, std::size_t rin
 /// Appends one yarn to the flat arrays.
 class Sweep {
 public:
-    Sweep(const Textile& textile, YarnMesh& mesh, int samples, int sides) : textile_(textile), mesh_(mesh), samples_(samples), sides_(sides)
+    Sweep(const Textile& textile, YarnMesh& mesh, int samples, int sides, bool capped = true)
+        : textile_(textile), mesh_(mesh), samples_(samples), sides_(sides), capped_(capped)
     {
     }
 
@@ -72,8 +73,10 @@ public:
                 triangle(here + k, before + k + 1, here + k + 1);
             }
         }
-        cap(kind, yarn, station(textile_, kind, yarn, 0, samples_), -1);
-        cap(kind, yarn, station(textile_, kind, yarn, rings - 1, samples_), 1);
+        if (capped_) {
+            cap(kind, yarn, station(textile_, kind, yarn, 0, samples_), -1);
+            cap(kind, yarn, station(textile_, kind, yarn, rings - 1, samples_), 1);
+        }
         group.vertices = mesh_.segment_of_vertex.size() - group.first_vertex;
         group.indices = mesh_.indices.size() - group.first_index;
         mesh_.groups.push_back(std::move(group));
@@ -130,6 +133,7 @@ private:
     YarnMesh& mesh_;
     int samples_;
     int sides_;
+    bool capped_;
 };
 
 } // namespace
@@ -166,9 +170,9 @@ std::string yarn_name(YarnKind kind, int yarn)
     return name;
 }
 
-void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples, int sides, YarnMesh& mesh)
+void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples, int sides, YarnMesh& mesh, bool capped)
 {
-    Sweep(textile, mesh, samples, sides).add(kind, yarn);
+    Sweep(textile, mesh, samples, sides, capped).add(kind, yarn);
 }
 
 YarnMesh mesh_yarns(const Textile& textile, int samples, int sides)
@@ -189,21 +193,24 @@ YarnMesh mesh_yarns(const Textile& textile, int samples, int sides)
     return mesh;
 }
 
+YarnLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples)
+{
+    YarnLine line;
+    line.name = yarn_name(kind, yarn);
+    const std::size_t rings = rings_of(textile, kind, samples);
+    line.positions.reserve(3 * rings);
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const Vec3d centre = station(textile, kind, yarn, ring, samples).point.centre;
+        for (double value : {centre.x, centre.y, centre.z}) line.positions.push_back(static_cast<float>(value));
+    }
+    return line;
+}
+
 std::vector<YarnLine> yarn_lines(const Textile& textile, int samples)
 {
     std::vector<YarnLine> lines;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-        for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) {
-            YarnLine line;
-            line.name = yarn_name(kind, yarn);
-            const std::size_t rings = rings_of(textile, kind, samples);
-            line.positions.reserve(3 * rings);
-            for (std::size_t ring = 0; ring < rings; ++ring) {
-                const Vec3d centre = station(textile, kind, yarn, ring, samples).point.centre;
-                for (double value : {centre.x, centre.y, centre.z}) line.positions.push_back(static_cast<float>(value));
-            }
-            lines.push_back(std::move(line));
-        }
+        for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) lines.push_back(yarn_line(textile, kind, yarn, samples));
     return lines;
 }
 

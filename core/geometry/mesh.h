@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The skins of a textile's yarns as triangles: one closed tube per yarn, for pictures and for export.
-// In metres, in the textile's axes. Yarns end half a pitch outside their last crossings, with flat caps.
+// The skins of a textile's yarns as triangles: one tube per yarn, for pictures and for export.
+// In metres, in the textile's axes. Yarns end half a pitch outside their last crossings, with flat caps unless they are to be open.
 #pragma once
 
 #include "core/geometry/textile.h"
@@ -47,7 +47,7 @@ YarnMesh mesh_yarns(const Textile& textile, int samples_per_crossing, int sides)
 std::string yarn_name(YarnKind kind, int yarn);
 
 /// Adds one yarn and its group.
-void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing, int sides, YarnMesh& mesh);
+void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing, int sides, YarnMesh& mesh, bool capped = true);
 
 /// The middle line of one yarn.
 struct YarnLine {
@@ -55,7 +55,10 @@ struct YarnLine {
     std::vector<float> positions; ///< x y z per point, m
 };
 
-/// All ends, then all picks; the same points along each yarn as mesh_yarns() has rings.
+/// The same points along the yarn as mesh_yarns() has rings.
+YarnLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing);
+
+/// All ends, then all picks.
 std::vector<YarnLine> yarn_lines(const Textile& textile, int samples_per_crossing);
 
 /// A point of a section's skin, angle from the yarn's upward direction towards its across direction (+x of the warp, -y of the weft).

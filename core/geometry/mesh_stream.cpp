@@ -90,7 +90,7 @@ void make(const Textile& textile, const MeshRequest& request, const Piece& piece
         mesh.uvs.clear();
         mesh.indices.clear();
         mesh.segment_of_vertex.clear();
-        append_yarn(textile, piece.kind, piece.yarn, request.samples_per_crossing, request.sides, mesh);
+        append_yarn(textile, piece.kind, piece.yarn, request.samples_per_crossing, request.sides, mesh, request.capped);
         return;
     }
     std::size_t vertices = 0, triangles = 0;
@@ -110,7 +110,10 @@ MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKin
     const auto rings = static_cast<std::size_t>(crossings_of(textile, kind)) * static_cast<std::size_t>(request.samples_per_crossing) + 1;
     const auto sides = static_cast<std::size_t>(request.sides);
     if (request.detail == MeshDetail::centreline) return {rings, 0};
-    if (request.detail == MeshDetail::yarn) return {(rings + 2) * (sides + 1), 2 * sides * rings};
+    if (request.detail == MeshDetail::yarn) {
+        const std::size_t caps = request.capped ? 2 : 0;
+        return {(rings + caps) * (sides + 1), 2 * sides * (rings - 1) + caps * sides};
+    }
     const auto fibres = static_cast<std::size_t>(textile.type(kind, yarn).fibres);
     const std::size_t hairs = YarnFibres::count_hairs(textile, request.fibres(), kind, yarn, 0, crossings_of(textile, kind));
     const std::size_t caps = request.capped ? 2 * (sides - 2) : 0;

@@ -15,7 +15,7 @@ struct MeshRequest {
     int samples_per_crossing = 8; ///< rings
     int sides = 12;               ///< of a yarn, or of a fibre
     bool flyaways = true;
-    bool capped = true; ///< fibres' ends; yarns always end in caps
+    bool capped = true;           ///< ends of the tubes, of yarns or fibres
     std::uint64_t seed = 1;
 
     FibreOptions fibres() const { return {samples_per_crossing, sides, flyaways, capped, seed}; }

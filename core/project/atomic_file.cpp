@@ -25,6 +25,9 @@ namespace {
 /// Removes the temporary file unless it was renamed away.
 struct Temporary {
     std::filesystem::path path;
+    explicit Temporary(std::filesystem::path temporary) : path(std::move(temporary)) {}
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
     ~Temporary()
     {
         std::error_code ignored;
@@ -71,26 +74,45 @@ void keep_backup(const std::filesystem::path& target)
 
 } // namespace
 
-void write_file_with(const std::filesystem::path& given, const std::function<void(const std::filesystem::path&)>& writer, Previous previous)
+void write_files_with(const std::vector<std::filesystem::path>& paths,
+                      const std::function<void(const std::vector<std::filesystem::path>&)>& writer, Previous previous)
 {
+    struct Place {
+        std::filesystem::path target;
+        bool there = false;
+        struct stat old {};
+    };
+    std::vector<Place> places;
     std::error_code failure;
-    if (std::filesystem::is_directory(given, failure)) throw FileError(given.string() + ": This is a folder; give the name of a file.");
-    // A link stays a link: what it points to is replaced.
-    const auto target = std::filesystem::is_symlink(given, failure) ? std::filesystem::weakly_canonical(given, failure) : given;
-    const bool there = std::filesystem::exists(target, failure);
-    struct stat old {};
-    if (there && ::stat(target.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
-        throw FileError(given.string() + ": This is not a regular file.");
-    if (there && ::access(target.c_str(), W_OK) != 0) fail(given, "The file cannot be replaced", errno);
+    for (const auto& given : paths) {
+        if (std::filesystem::is_directory(given, failure)) throw FileError(given.string() + ": This is a folder; give the name of a file.");
+        // A link stays a link: what it points to is replaced.
+        Place place{std::filesystem::is_symlink(given, failure) ? std::filesystem::weakly_canonical(given, failure) : given};
+        place.there = std::filesystem::exists(place.target, failure);
+        if (place.there && ::stat(place.target.c_str(), &place.old) == 0 && !S_ISREG(place.old.st_mode))
+            throw FileError(given.string() + ": This is not a regular file.");
+        if (place.there && ::access(place.target.c_str(), W_OK) != 0) fail(given, "The file cannot be replaced", errno);
+        places.push_back(std::move(place));
+    }
+    std::vector<std::filesystem::path> temporaries;
+    for (const Place& place : places) temporaries.push_back(temporary_beside(place.target));
+    const std::vector<Temporary> guards(temporaries.begin(), temporaries.end());
+    writer(temporaries);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        sync(temporaries[i], false, paths[i]);
+        if (places[i].there) ::chmod(temporaries[i].c_str(), places[i].old.st_mode & 07777);
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const auto& target = places[i].target;
+        if (places[i].there && previous == Previous::keep_as_backup) keep_backup(target);
+        if (::rename(temporaries[i].c_str(), target.c_str()) != 0) fail(paths[i], "The file cannot be put in place", errno);
+        sync(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."), true, paths[i]);
+    }
+}
 
-    Temporary temporary{temporary_beside(target)};
-    writer(temporary.path);
-    sync(temporary.path, false, given);
-    if (there) ::chmod(temporary.path.c_str(), old.st_mode & 07777);
-    if (there && previous == Previous::keep_as_backup) keep_backup(target);
-    if (::rename(temporary.path.c_str(), target.c_str()) != 0) fail(given, "The file cannot be put in place", errno);
-    temporary.path.clear();
-    sync(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."), true, given);
+void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& writer, Previous previous)
+{
+    write_files_with({path}, [&](const std::vector<std::filesystem::path>& temporaries) { writer(temporaries[0]); }, previous);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes, Previous previous)

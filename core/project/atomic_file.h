@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 namespace hygroloom {
 
@@ -18,6 +19,12 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Previ
 /// The same for a writer that needs a path of its own: it gets the temporary path (with the target's extension) and throws when it fails.
 void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path& temporary)>& writer,
                      Previous previous = Previous::replace);
+
+/// The same for files that belong together: each is renamed once all are on the disk, in the order given, so the one that names the others
+/// comes last. They must lie in one folder.
+void write_files_with(const std::vector<std::filesystem::path>& paths,
+                      const std::function<void(const std::vector<std::filesystem::path>& temporaries)>& writer,
+                      Previous previous = Previous::replace);
 
 /// The whole file. Throws FileError when it is missing, a folder, not readable, empty, or larger than most bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most);

@@ -1,169 +1,293 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/project/mesh_file.h"
-
+// What is common to all formats: which can hold what, how large it gets, and the files put in place at the end.
 #include "core/base/error.h"
+#include "core/design/weave_analysis.h"
 #include "core/project/atomic_file.h"
+#include "core/project/export_private.h"
 
-#include <assimp/Exporter.hpp>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
 
 namespace hygroloom {
 namespace {
 
-/// From the textile's metres and axes to the format's.
-aiVector3D turned(MeshFormat format, const float* v)
+struct FormatTraits {
+    MeshFormat format;
+    const char* ending;
+    const char* name;
+    bool curves; ///< only
+    bool lines;  ///< centrelines
+    bool colors; ///< of vertices
+    bool streamed;
+};
+constexpr FormatTraits all_formats[] = {
+    {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},         {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
+    {MeshFormat::stl, ".stl", "STL", false, false, false, true},       {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
+    {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},      {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
+    {MeshFormat::three_mf, ".3mf", "3MF", false, false, false, false}, {MeshFormat::collada, ".dae", "Collada", false, false, true, false},
+    {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},       {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
+    {MeshFormat::usda, ".usda", "USD", true, true, true, true},
+};
+const FormatTraits& traits(MeshFormat format)
 {
-    return format == MeshFormat::glb ? aiVector3D(v[0], v[2], -v[1]) : aiVector3D(v[0], v[1], v[2]);
+    return *std::find_if(std::begin(all_formats), std::end(all_formats), [&](const FormatTraits& f) { return f.format == format; });
 }
 
-float scale_of(MeshFormat format) { return format == MeshFormat::glb ? 1.0f : 1000.0f; }
-
-aiMesh* new_mesh(const std::string& name, std::size_t vertices, std::size_t faces, bool lines)
+std::string lower(std::string text)
 {
-    auto* mesh = new aiMesh;
-    mesh->mName = name;
-    mesh->mPrimitiveTypes = lines ? aiPrimitiveType_LINE : aiPrimitiveType_TRIANGLE;
-    mesh->mNumVertices = static_cast<unsigned>(vertices);
-    mesh->mVertices = new aiVector3D[vertices];
-    mesh->mNumFaces = static_cast<unsigned>(faces);
-    mesh->mFaces = new aiFace[faces];
-    return mesh;
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 'a' - 'A');
+    return text;
 }
 
-void set_face(aiFace& face, std::initializer_list<unsigned> corners)
+std::string human(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes); }
+
+std::string refusal(const ExportJob& job, const ExportEstimate& size, const GltfLayout& layout)
 {
-    face.mNumIndices = static_cast<unsigned>(corners.size());
-    face.mIndices = new unsigned[corners.size()];
-    std::copy(corners.begin(), corners.end(), face.mIndices);
+    const FormatTraits& format = traits(job.format);
+    const MeshDetail detail = job.options.mesh.detail;
+    if (format.curves && detail == MeshDetail::yarn)
+        return fmt::format("{} files hold curves, no skins of yarns; choose the detail centreline or fibre.", format.name);
+    if (!format.lines && detail == MeshDetail::centreline)
+        return fmt::format("{} files are written with triangles only; write centrelines as .obj, .ply, .glb, .gltf, .bcc or .usda.",
+                           format.name);
+    if (!format.colors && job.wet())
+        return fmt::format("{} files are written without colours of vertices; write a water map as .ply, .obj, .glb, .gltf, .fbx, .dae, "
+                           ".x3d or .usda.",
+                           format.name);
+    constexpr std::size_t most_vertices = std::numeric_limits<std::int32_t>::max();
+    if ((job.format == MeshFormat::ply || job.format == MeshFormat::obj) && size.vertices > most_vertices)
+        return fmt::format("The mesh would have {:.1f} thousand million vertices, and {} files number up to 2.1; write .gltf, or take a "
+                           "smaller piece.",
+                           1e-9 * static_cast<double>(size.vertices), format.name);
+    if (job.format == MeshFormat::stl && size.triangles > std::numeric_limits<std::uint32_t>::max())
+        return fmt::format(
+            "The mesh would have {:.1f} thousand million triangles, and an STL file counts up to 4.2; write .gltf, or take a "
+            "smaller piece.",
+            1e-9 * static_cast<double>(size.triangles));
+    if (job.format == MeshFormat::glb && size.bytes > std::numeric_limits<std::uint32_t>::max())
+        return fmt::format("A GLB file ends at 4 GiB, and this one would have {:.1f} GiB; write .gltf or .ply, or take a smaller piece.",
+                           size.bytes / 1073741824.0);
+    if (job.format == MeshFormat::gltf && layout.yarn_too_large)
+        return "One yarn alone would have more than the 2 GiB of a glTF buffer; write .ply, or take a smaller piece.";
+    if (!format.streamed && size.memory > largest_scene_memory)
+        return fmt::format("The {} file would take about {} of memory while it is made, and at most {} are used. Write .obj, .ply, .stl, "
+                           ".glb or .gltf, which need none, or take a smaller piece.",
+                           format.name, human(size.memory), human(largest_scene_memory));
+    return {};
 }
 
-std::vector<aiMesh*> yarn_meshes(const Textile& textile, const MeshOptions& options, MeshFormat format)
+/// The files beside the main one.
+std::vector<std::filesystem::path> companions(const ExportJob& job, const std::filesystem::path& path, std::size_t buffers)
 {
-    const YarnMesh yarns = mesh_yarns(textile, options.samples_per_crossing, options.sides);
-    std::vector<aiMesh*> meshes;
-    for (const MeshGroup& group : yarns.groups) {
-        aiMesh* mesh = new_mesh(group.name, group.vertices, group.indices / 3, false);
-        mesh->mNormals = new aiVector3D[group.vertices];
-        mesh->mTextureCoords[0] = new aiVector3D[group.vertices];
-        mesh->mNumUVComponents[0] = 2;
-        for (std::size_t i = 0; i < group.vertices; ++i) {
-            const std::size_t v = group.first_vertex + i;
-            mesh->mVertices[i] = scale_of(format) * turned(format, &yarns.positions[3 * v]);
-            mesh->mNormals[i] = turned(format, &yarns.normals[3 * v]);
-            mesh->mTextureCoords[0][i] = {yarns.uvs[2 * v], yarns.uvs[2 * v + 1], 0};
-        }
-        const auto first = static_cast<unsigned>(group.first_vertex);
-        for (std::size_t i = 0; i < group.indices; i += 3) {
-            const std::uint32_t* corner = &yarns.indices[group.first_index + i];
-            set_face(mesh->mFaces[i / 3], {corner[0] - first, corner[1] - first, corner[2] - first});
-        }
-        meshes.push_back(mesh);
-    }
-    return meshes;
-}
-
-std::vector<aiMesh*> line_meshes(const Textile& textile, const MeshOptions& options, MeshFormat format)
-{
-    std::vector<aiMesh*> meshes;
-    for (const YarnLine& line : yarn_lines(textile, options.samples_per_crossing)) {
-        const std::size_t points = line.positions.size() / 3;
-        aiMesh* mesh = new_mesh(line.name, points, points - 1, true);
-        for (std::size_t i = 0; i < points; ++i) mesh->mVertices[i] = scale_of(format) * turned(format, &line.positions[3 * i]);
-        for (unsigned i = 0; i + 1 < points; ++i) set_face(mesh->mFaces[i], {i, i + 1});
-        meshes.push_back(mesh);
-    }
-    return meshes;
-}
-
-/// The scene owns everything in it.
-void fill_scene(aiScene& scene, const std::vector<aiMesh*>& meshes)
-{
-    scene.mNumMaterials = 1;
-    scene.mMaterials = new aiMaterial* [1] { new aiMaterial };
-    const aiString name("yarn");
-    scene.mMaterials[0]->AddProperty(&name, AI_MATKEY_NAME);
-    scene.mNumMeshes = static_cast<unsigned>(meshes.size());
-    scene.mMeshes = new aiMesh*[meshes.size()];
-    std::copy(meshes.begin(), meshes.end(), scene.mMeshes);
-    scene.mRootNode = new aiNode("textile");
-    scene.mRootNode->mNumChildren = scene.mNumMeshes;
-    scene.mRootNode->mChildren = new aiNode*[meshes.size()];
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        auto* node = new aiNode(meshes[i]->mName.C_Str());
-        node->mParent = scene.mRootNode;
-        node->mNumMeshes = 1;
-        node->mMeshes = new unsigned[1]{i};
-        scene.mRootNode->mChildren[i] = node;
-    }
-}
-
-const char* exporter_of(MeshFormat format)
-{
-    switch (format) {
-    case MeshFormat::obj: return "objnomtl";
-    case MeshFormat::ply: return "plyb";
-    case MeshFormat::stl: return "stlb";
-    default: return "glb2"; // Assimp's "glb" is version 1
-    }
+    std::vector<std::filesystem::path> files;
+    // Names without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of glTF decodes a URI.
+    std::string stem = path.stem().string();
+    for (char& c : stem)
+        if (static_cast<unsigned char>(c) <= ' ' || std::strchr("%#?&<>\"\\", c)) c = '_';
+    if (job.format == MeshFormat::obj && !job.wet()) files.push_back(path.parent_path() / (stem + ".mtl"));
+    if (job.format == MeshFormat::gltf)
+        for (std::size_t i = 0; i < buffers; ++i)
+            files.push_back(path.parent_path() / (stem + (i == 0 ? std::string() : fmt::format("-{}", i + 1)) + ".bin"));
+    return files;
 }
 
 } // namespace
 
 MeshFormat mesh_format_of(const std::filesystem::path& path)
 {
-    const std::string ending = path.extension().string();
-    if (ending == ".obj") return MeshFormat::obj;
-    if (ending == ".ply") return MeshFormat::ply;
-    if (ending == ".stl") return MeshFormat::stl;
-    if (ending == ".glb") return MeshFormat::glb;
-    throw Error("A mesh is written as .obj, .ply, .stl or .glb; \"" + path.filename().string() + "\" ends otherwise.");
+    const std::string ending = lower(path.extension().string());
+    std::string known;
+    for (const FormatTraits& format : all_formats) {
+        if (ending == format.ending) return format.format;
+        known += fmt::format("{}{}", known.empty() ? "" : &format == std::end(all_formats) - 1 ? " or " : ", ", format.ending);
+    }
+    throw Error("A mesh or curves are written as " + known + "; \"" + path.filename().string() + "\" ends otherwise.");
 }
 
-MeshFileSize mesh_file_size(const Textile& textile, MeshFormat format, const MeshOptions& options)
+TextileRegion region_of_repeats(const Fabric& fabric, int across, int along)
 {
-    MeshFileSize size;
+    const Weave weave = reduced(fabric.weave);
+    const auto threads = [](int repeat, const std::vector<YarnRun>& order, int count) {
+        long period = 0;
+        for (const YarnRun& run : order) period += run.count;
+        return std::lcm(static_cast<long>(repeat), std::max(period, 1L)) * count;
+    };
+    const long ends = threads(weave.ends(), fabric.warp_order, across), picks = threads(weave.picks(), fabric.weft_order, along);
+    if (ends > largest_yarn_order || picks > largest_yarn_order)
+        throw Error(fmt::format("So many repeats have {} ends and {} picks, and at most {} are exported; take fewer, or give a size.", ends,
+                                picks, largest_yarn_order));
+    return {0, 0, static_cast<int>(ends), static_cast<int>(picks)};
+}
+
+Color water_color(double saturation)
+{
+    constexpr Color stops[] = {undyed, {181, 212, 238}, {104, 165, 217}, {40, 106, 182}, {8, 42, 108}};
+    const double at = (saturation >= 0 ? std::min(saturation, 1.0) : 0.0) * 4; // not a number is dry
+    const auto low = std::min(static_cast<std::size_t>(at), std::size_t(3));
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + (b - a) * (at - static_cast<double>(low))));
+    };
+    const Color &a = stops[low], &b = stops[low + 1];
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
+double linear_light(std::uint8_t value)
+{
+    const double s = value / 255.0; // IEC 61966-2-1
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+ExportJob export_job(const Textile& textile, const Fabric& fabric, const ExportOptions& options, MeshFormat format)
+{
+    ExportJob job{textile, options, format, {}, {}, {}, {}, nullptr};
+    if (!options.saturation.empty()) {
+        if (options.saturation.size() != static_cast<std::size_t>(textile.segments()))
+            throw Error(fmt::format("The water map has {} segments, the textile {}.", options.saturation.size(), textile.segments()));
+        for (float saturation : options.saturation) job.water.push_back(water_color(static_cast<double>(saturation)));
+        job.materials.push_back({"water", {255, 255, 255}});
+        job.material_of_yarn.assign(static_cast<std::size_t>(textile.ends() + textile.picks()), 0);
+        return job;
+    }
+    std::map<std::string, int> known;
+    for_each_yarn(textile, [&](YarnKind kind, int yarn) {
+        const int number = textile.yarn_number(kind, yarn);
+        const bool warp = kind == YarnKind::warp;
+        const std::string name = number > 0 ? fmt::format("extra_{}", number) : warp ? "warp" : "weft";
+        const auto [place, fresh] = known.emplace(name, static_cast<int>(job.materials.size()));
+        if (fresh) job.materials.push_back({name, yarn_in(fabric, warp, number).color.value_or(undyed)});
+        job.material_of_yarn.push_back(place->second);
+    });
+    return job;
+}
+
+void tell(const ExportJob& job, double share)
+{
+    if (job.progress && *job.progress && !(*job.progress)(std::min(share, 1.0))) throw Cancelled();
+}
+
+int ExportJob::segment_of_point(YarnKind kind, int yarn, std::size_t point) const
+{
+    const bool warp = kind == YarnKind::warp;
+    const int crossings = warp ? textile.picks() : textile.ends();
+    const int at = std::min(static_cast<int>(point / static_cast<std::size_t>(options.mesh.samples_per_crossing)), crossings - 1);
+    return warp ? textile.segment(kind, yarn, at) : textile.segment(kind, at, yarn);
+}
+
+void for_each_piece(const ExportJob& job, const std::function<void(const YarnMesh&)>& take)
+{
+    const auto all = static_cast<double>(stream_size(job.textile, job.options.mesh).vertices);
+    double done = 0;
+    const auto took = [&](const YarnMesh& piece) {
+        take(piece);
+        done += static_cast<double>(piece.segment_of_vertex.size());
+        tell(job, done / all);
+    };
+    tell(job, 0);
+    if (!job.lines()) {
+        stream_mesh(job.textile, job.options.mesh, [&](const YarnMesh& piece) {
+            took(piece);
+            return true;
+        });
+        return;
+    }
+    for_each_yarn(job.textile, [&](YarnKind kind, int yarn) {
+        YarnMesh piece;
+        YarnLine line = yarn_line(job.textile, kind, yarn, job.options.mesh.samples_per_crossing);
+        piece.positions = std::move(line.positions);
+        const std::size_t points = piece.positions.size() / 3;
+        for (std::size_t i = 0; i < points; ++i) piece.segment_of_vertex.push_back(job.segment_of_point(kind, yarn, i));
+        piece.groups.push_back({std::move(line.name), kind, yarn, 0, points, 0, 0});
+        took(piece);
+    });
+}
+
+ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, const ExportOptions& options, MeshFormat format)
+{
+    const ExportJob job = export_job(textile, fabric, options, format);
+    ExportEstimate size;
     size.yarns = static_cast<std::size_t>(textile.ends() + textile.picks());
-    if (options.detail == MeshDetail::centreline) {
-        const auto pieces = static_cast<std::size_t>(textile.segments()) * static_cast<std::size_t>(options.samples_per_crossing);
-        size.vertices = pieces + size.yarns;
-        size.triangles = pieces;
-        size.bytes = 800.0 * static_cast<double>(size.yarns) + (format == MeshFormat::obj ? 45.0 : 20.0) * static_cast<double>(pieces);
-        return size;
+    if (job.lines() || traits(format).curves) {
+        for_each_yarn(textile, [&](YarnKind kind, int yarn) {
+            const CurveCount count = curve_count(job, kind, yarn);
+            size.curves += count.curves;
+            size.vertices += count.points;
+        });
+    } else {
+        const MeshSize mesh = stream_size(textile, options.mesh);
+        size.vertices = mesh.vertices;
+        size.triangles = mesh.triangles;
     }
-    const MeshSize mesh = mesh_size(textile, options.samples_per_crossing, options.sides);
-    size.vertices = mesh.vertices;
-    size.triangles = mesh.triangles;
-    const auto v = static_cast<double>(mesh.vertices), t = static_cast<double>(mesh.triangles);
+    GltfLayout layout;
     switch (format) {
-    case MeshFormat::obj: size.bytes = 55 * v + 40 * t; break;
-    case MeshFormat::ply: size.bytes = 32 * v + 13 * t; break;
-    case MeshFormat::stl: size.bytes = 50 * t + 84; break;
-    case MeshFormat::glb: size.bytes = 32 * v + 12 * t + 1500.0 * static_cast<double>(size.yarns); break;
+    case MeshFormat::obj: size.bytes = obj_bytes(job, size); break;
+    case MeshFormat::ply: size.bytes = ply_bytes(job, size); break;
+    case MeshFormat::stl: size.bytes = stl_bytes(size); break;
+    case MeshFormat::glb:
+    case MeshFormat::gltf: {
+        layout = gltf_layout(job);
+        for (std::uint64_t buffer : layout.buffers) size.bytes += static_cast<double>(buffer);
+        const bool glb = format == MeshFormat::glb;
+        std::vector<std::string> names;
+        if (!glb)
+            for (std::size_t i = 0; i < layout.buffers.size(); ++i) names.push_back("cloth.bin");
+        const std::size_t json = gltf_json(job, layout, names).size();
+        size.bytes += static_cast<double>(glb ? glb_overhead + (json + 3) / 4 * 4 : json);
+        break;
     }
+    case MeshFormat::bcc: size.bytes = bcc_bytes(size); break;
+    case MeshFormat::usda: size.bytes = usda_bytes(job, size); break;
+    default: size.bytes = scene_bytes(job, size); size.memory = scene_memory(job, size);
+    }
+    size.refusal = refusal(job, size, layout);
     return size;
 }
 
-void write_mesh(const Textile& textile, const MeshOptions& options, const std::filesystem::path& path)
+Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,
+                        const ExportProgress& progress)
 {
     const MeshFormat format = mesh_format_of(path);
-    if (format == MeshFormat::stl && options.detail == MeshDetail::centreline)
-        throw Error("STL holds triangles only; write centrelines as .obj, .ply or .glb.");
-    const MeshFileSize size = mesh_file_size(textile, format, options);
-    if (size.bytes > largest_mesh_bytes)
-        throw Error(fmt::format("The file would have about {:.1f} GB; at most {:.0f} GB are written. Take a smaller piece.",
-                                1e-9 * size.bytes, 1e-9 * largest_mesh_bytes));
-    aiScene scene;
-    fill_scene(scene, options.detail == MeshDetail::yarn ? yarn_meshes(textile, options, format) : line_meshes(textile, options, format));
-    Assimp::Exporter exporter;
-    const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, exporter_of(format));
-    if (!blob) throw FileError(path.string() + ": The mesh cannot be made: " + exporter.GetErrorString());
-    std::string bytes;
-    if (format == MeshFormat::obj) bytes = "# Hygroloom. Lengths in mm; x along the weft, y along the warp, z out of the top face.\n";
-    bytes.append(static_cast<const char*>(blob->data), blob->size);
-    write_file(path, bytes);
+    ExportJob job = export_job(textile, fabric, options, format);
+    job.shown = path.string();
+    job.progress = &progress;
+    const ExportEstimate size = export_estimate(textile, fabric, options, format);
+    if (!size.refusal.empty()) throw Error(size.refusal);
+    std::error_code failure;
+    const auto space = std::filesystem::space(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failure);
+    if (!failure && size.bytes > static_cast<double>(space.available))
+        throw FileError(fmt::format("{}: The file would have {}, and the disk has {} left.", path.string(), human(size.bytes),
+                                    human(static_cast<double>(space.available))));
+
+    const std::size_t buffers = format == MeshFormat::gltf ? gltf_layout(job).buffers.size() : 0;
+    std::vector<std::filesystem::path> files = companions(job, path, buffers);
+    std::vector<std::string> names;
+    for (const auto& file : files) names.push_back(file.filename().string());
+    files.push_back(path);
+    write_files_with(files, [&](const std::vector<std::filesystem::path>& temporary) {
+        const std::filesystem::path& main = temporary.back();
+        switch (format) {
+        case MeshFormat::obj: write_obj(job, main, names.empty() ? "" : temporary[0], names.empty() ? "" : names[0]); break;
+        case MeshFormat::ply: write_ply(job, main); break;
+        case MeshFormat::stl: write_stl(job, main); break;
+        case MeshFormat::glb: write_glb(job, main); break;
+        case MeshFormat::gltf: write_gltf(job, main, {temporary.begin(), temporary.end() - 1}, names); break;
+        case MeshFormat::bcc: write_bcc(job, main); break;
+        case MeshFormat::usda: write_usda(job, main); break;
+        default: write_scene(job, main);
+        }
+        tell(job, 1);
+    });
+    Exported exported;
+    exported.files.assign(files.rbegin(), files.rend());
+    std::reverse(exported.files.begin() + 1, exported.files.end());
+    for (const auto& file : exported.files) exported.bytes += std::filesystem::file_size(file);
+    return exported;
 }
 
 } // namespace hygroloom

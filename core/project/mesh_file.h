@@ -1,41 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Meshes and centrelines of yarns for other programs, through Assimp. OBJ, PLY and STL in mm with z out of the fabric; GLB in metres with y
-// out of it.
+// A textile as meshes and curves for other programs. Most formats are written piece by piece, so that memory does not grow with the
+// textile. Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in centimetres, with y out of it.
 #pragma once
 
-#include "core/geometry/mesh.h"
+#include "core/geometry/mesh_stream.h"
 
 #include <filesystem>
 
 namespace hygroloom {
 
-enum class MeshFormat { obj, ply, stl, glb };
+enum class MeshFormat { obj, ply, stl, glb, gltf, fbx, three_mf, collada, x3d, bcc, usda };
 
 /// By the file's ending. Throws Error naming the endings.
 MeshFormat mesh_format_of(const std::filesystem::path& path);
 
-enum class MeshDetail { centreline, yarn };
+struct ExportOptions {
+    MeshRequest mesh;
+    std::vector<float> saturation; ///< 0 .. 1 per segment, a water map in place of the yarns' colours; empty: none
+};
 
-struct MeshFileSize {
+struct ExportEstimate {
     std::size_t yarns = 0;
-    std::size_t vertices = 0;
-    std::size_t triangles = 0; ///< or pieces of line
-    double bytes = 0;          ///< of the file, within a factor of 1.5
+    std::size_t curves = 0;    ///< where yarns or fibres are written as lines
+    std::size_t vertices = 0;  ///< exact; of curves, their points
+    std::size_t triangles = 0; ///< exact; 0 of curves
+    double bytes = 0;          ///< of all files: exact for binary formats that are streamed, else within a quarter
+    double memory = 0;         ///< bytes that the whole scene takes, for formats that are not streamed
+    std::string refusal;       ///< why it cannot be written, a sentence; empty when it can
 };
 
-struct MeshOptions {
-    MeshDetail detail = MeshDetail::yarn;
-    int samples_per_crossing = 12;
-    int sides = 12;
+/// What export_textile() would write, without making it.
+ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, const ExportOptions& options, MeshFormat format);
+
+/// What was written.
+struct Exported {
+    std::vector<std::filesystem::path> files; ///< the asked-for one first
+    std::uintmax_t bytes = 0;
 };
 
-/// What write_mesh() would write, without building it.
-MeshFileSize mesh_file_size(const Textile& textile, MeshFormat format, const MeshOptions& options);
+/// Gets the share done, 0 .. 1, and returns false to cancel.
+using ExportProgress = std::function<bool(double share)>;
 
-constexpr double largest_mesh_bytes = 2e9;
+/// Yarns are named warp_000, weft_000 (not in PLY, STL and 3MF) and have their own colours (not in STL and 3MF). Files beside the main one
+/// (.mtl, .bin) take its name. Everything goes to temporary files, renamed at the end. fabric is the one the textile was built from. Throws
+/// Error with the estimate's refusal, FileError, or Cancelled; no file is changed then.
+Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,
+                        const ExportProgress& progress = {});
 
-/// One group (OBJ), node (GLB) or part (STL, PLY) per yarn, named warp_000, weft_000. Written to a temporary file and renamed.
-/// Throws Error when the format cannot hold it or it would be larger than largest_mesh_bytes, FileError when it cannot be written.
-void write_mesh(const Textile& textile, const MeshOptions& options, const std::filesystem::path& path);
+/// So many repeats of the fabric along the weft and along the warp: of the weave and of the yarns' order together.
+/// Throws Error when they have too many threads.
+TextileRegion region_of_repeats(const Fabric& fabric, int across, int along);
+
+/// What an undyed yarn looks like, and a dry segment.
+constexpr Color undyed{233, 228, 218};
+/// From dry to deep blue.
+Color water_color(double saturation);
+
+constexpr double largest_scene_memory = 400e6; ///< bytes, of formats that are not streamed
 
 } // namespace hygroloom

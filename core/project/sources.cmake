@@ -5,15 +5,20 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp
   project/atomic_file.cpp
+  project/curve_file.cpp
   project/draft_json.cpp
+  project/gltf_file.cpp
   project/json_reader.cpp
   project/library.cpp
   project/mesh_file.cpp
   project/migrations.cpp
+  project/output_file.cpp
+  project/polygon_file.cpp
   project/project_file.cpp
   project/project_read.cpp
   project/project_value.cpp
   project/project_write.cpp
+  project/scene_file.cpp
   project/weave_picture.cpp
   project/wif_draft.cpp
   project/wif_file.cpp

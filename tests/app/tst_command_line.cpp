@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
+
 class TestCommandLine : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
@@ -39,7 +41,13 @@ private Q_SLOTS:
         QTest::newRow("set without value") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm"};
         QTest::newRow("set of nothing") << QStringList{"check", f, "--set", "fabrics[0].end=1"};
         QTest::newRow("set to a word") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm=nan"};
-        QTest::newRow("fibres") << QStringList{"export", f, "--detail", "fibre", "-o", "x.obj"};
+        QTest::newRow("no such detail") << QStringList{"export", f, "--detail", "threads", "-o", "x.obj"};
+        QTest::newRow("centrelines as triangles") << QStringList{"export", f, "--detail", "centreline", "-o", "x.stl"};
+        QTest::newRow("skins as curves") << QStringList{"export", f, "-o", "x.bcc"};
+        QTest::newRow("no repeats") << QStringList{"export", f, "--repeats", "0x2", "-o", "x.obj"};
+        QTest::newRow("size and repeats") << QStringList{"export", f, "--repeats", "2x2", "--size-mm", "5x5", "-o", "x.obj"};
+        QTest::newRow("time without water") << QStringList{"export", f, "--time", "1", "-o", "x.obj"};
+        QTest::newRow("too large") << QStringList{"export", f, "--detail", "fibre", "--size-mm", "100x100", "-o", "x.glb"};
         QTest::newRow("no such format") << QStringList{"export", f, "-o", "x.dwg"};
         QTest::newRow("no size") << QStringList{"export", f, "--size-mm", "5", "-o", "x.obj"};
         QTest::newRow("map without file") << QStringList{"measure", "x.hygrorec", "--map", "top"};
@@ -167,7 +175,7 @@ private Q_SLOTS:
     }
     void exportWritesMeshesAndSaysHowLarge()
     {
-        for (const char* ending : {"obj", "ply", "stl", "glb"}) {
+        for (const char* ending : {"obj", "ply", "stl", "glb", "gltf", "fbx", "3mf", "dae", "x3d"}) {
             const QString file = folder_.filePath(QString("cloth.") + ending);
             const Answer answer = run_cli({"export", example("textile-A.hygro"), "--size-mm", "3x2", "-o", file});
             QCOMPARE(answer.code, 0);
@@ -180,7 +188,33 @@ private Q_SLOTS:
         const Answer nowhere = run_cli({"export", example("textile-A.hygro"), "-o", "/nowhere/cloth.obj"});
         QCOMPARE(nowhere.code, 1);
         QVERIFY(nowhere.err.contains("/nowhere/cloth.obj"));
-        QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 5);
+        QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 9 + 3 + 1); // cloth.mtl, cloth.bin and lines.mtl, too
+    }
+    void exportForetellsWhatItWrites()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("cloth.ply");
+        const QStringList arguments{"export", example("textile-A.hygro"), "--detail", "fibre", "--repeats", "2x3", "--open-ends", "--json", "-o", file};
+        const QJsonObject foretold = run_cli(arguments + QStringList{"--estimate"}).json();
+        QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+        const QJsonObject written = run_cli(arguments).json();
+        for (const char* key : {"vertices", "faces", "bytes", "ends", "picks"}) QVERIFY2(foretold[key].toDouble() > 0 && foretold[key] == written[key], key);
+        QCOMPARE(written["bytes"].toInteger(), QFileInfo(file).size());
+        QCOMPARE(written["files"].toArray().size(), 1);
+        QVERIFY(written["seconds"].toDouble() > 0);
+    }
+    void interruptedExportLeavesNoFile()
+    {
+        QTemporaryDir folder;
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"export", example("textile-F.hygro"), "--detail", "fibre", "--size-mm", "40x40", "-o", folder.filePath("f.obj")});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden), 20000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(20000));
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(process.readAllStandardError().contains("Cancelled"));
+        QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
     }
 };
 

@@ -58,6 +58,19 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
     }
+    void waterIsExportedOnThePieceThatWasSimulated()
+    {
+        const QString recording = folder_.filePath("wet.hygrorec"), file = folder_.filePath("wet.ply"), project = example("one-drop-on-cotton.hygro");
+        QCOMPARE(run_cli(short_run(recording), 300).code, 0);
+        const Answer answer = run_cli({"export", project, "--water", recording, "--time", "0.02", "--json", "-o", file});
+        QCOMPARE(answer.code, 0);
+        QVERIFY2(answer.err.contains("The water at 0.0"), answer.err);
+        QFile ply(file);
+        QVERIFY(ply.open(QIODevice::ReadOnly) && ply.read(1000).contains("property float saturation"));
+        QCOMPARE(run_cli({"export", project, "--water", recording, "--size-mm", "2x2", "-o", file}).code, 2);
+        QCOMPARE(run_cli({"export", project, "--water", recording, "--set", "fabrics[0].ends_per_cm=11", "-o", file}).code, 3);
+        QCOMPARE(run_cli({"export", project, "--water", project, "-o", file}).code, 3);
+    }
     void interruptedRunsLeaveAReadableRecording()
     {
         const QString recording = folder_.filePath("cut.hygrorec");

@@ -57,6 +57,19 @@ private Q_SLOTS:
         QCOMPARE(mesh.groups.front().name, std::string("warp_000"));
         QCOMPARE(mesh.groups.back().name, std::string("weft_004"));
     }
+    void openYarnsAreTheSameWithoutTheirCaps()
+    {
+        const Textile textile = cloth("twill 2/1 Z", 3, 4);
+        for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+            YarnMesh closed, open;
+            append_yarn(textile, kind, 1, 6, 8, closed);
+            append_yarn(textile, kind, 1, 6, 8, open, false);
+            QCOMPARE(closed.segment_of_vertex.size() - open.segment_of_vertex.size(), std::size_t(2 * 9));
+            QCOMPARE(closed.indices.size() - open.indices.size(), std::size_t(3 * 2 * 8));
+            QVERIFY(std::equal(open.positions.begin(), open.positions.end(), closed.positions.begin()));
+            QVERIFY(std::equal(open.indices.begin(), open.indices.end(), closed.indices.begin()));
+        }
+    }
     void groupsFollowEachOtherWithoutGaps()
     {
         const YarnMesh mesh = mesh_yarns(cloth("plain", 3, 4), 4, 8);

@@ -126,7 +126,8 @@ private Q_SLOTS:
     void skinIsFoundOnTheSideOneIsOn()
     {
         const Scene scene = drop_over_plate(1e-9, 1e-3, 0, 10);
-        TextileShape shape{scene.ends, scene.picks, Real(1e-4), {}, {}, scene.warp_up.data()};
+        const std::vector<float> unshifted(static_cast<std::size_t>(scene.segments()), 0.0f);
+        TextileShape shape{scene.ends, scene.picks, Real(1e-4), {}, {}, scene.warp_up.data(), unshifted.data()};
         for (auto [from, to] : {std::pair{&scene.warp_shape, &shape.warp}, std::pair{&scene.weft_shape, &shape.weft}})
             *to = {Real(from->pitch), Real(from->amplitude), Real(from->half_height), Real(from->half_width), from->samples, from->profile.data()};
         const NearestSkin above = nearest_skin(shape, {Real(1.5e-4), Real(1.5e-4), Real(1.8e-4)}, Real(2e-4));
