@@ -4,7 +4,7 @@
 #include "app/cli_weave.h"
 
 #include "core/base/units.h"
-#include "core/design/fabric_quantities.h"
+#include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
 #include <fmt/format.h>
@@ -32,6 +32,55 @@ Json yarn_json(const YarnQuantities& yarn)
             {"flattened", yarn.flattened}};
 }
 
+Json pores_json(const PoreRadii& radii)
+{
+    return {{"tenth", radii.tenth_um}, {"median", radii.median_um}, {"nine_tenths", radii.nine_tenths_um}, {"mean", radii.mean_um}};
+}
+
+Json permeability_json(const Permeability& k)
+{
+    return {{"through", k.through}, {"along_warp", k.along_warp}, {"along_weft", k.along_weft}};
+}
+
+Json geometry_json(const MeasuredGeometry& m)
+{
+    const auto yarn = [](const MeasuredYarn& y) {
+        return Json{{"crimp_percent", y.crimp_percent},
+                    {"cover", y.cover},
+                    {"braiding_angle_deg", y.braiding_angle_deg},
+                    {"pore_radius_um", pores_json(y.pores)}};
+    };
+    return {{"ends", m.ends},
+            {"picks", m.picks},
+            {"warp", yarn(m.warp)},
+            {"weft", yarn(m.weft)},
+            {"cover_factor", m.cover_factor},
+            {"areal_density_g_m2", m.areal_density_g_m2},
+            {"yarn_layer_thickness_mm", m.yarn_layer_thickness_mm},
+            {"thickness_mm", m.thickness_mm},
+            {"porosity", m.porosity},
+            {"fibre_volume_fraction", m.fibre_volume_fraction},
+            {"smoothness", m.smoothness},
+            {"inter_yarn_pore_radius_um", pores_json(m.holes)},
+            {"permeability_m2", permeability_json(m.permeability)}};
+}
+
+/// What the formulas say of permeability and braiding angle, beside what was measured on the geometry.
+struct Formulas {
+    Permeability permeability;
+    double warp_angle = 0, weft_angle = 0;
+};
+
+Formulas formulas_of(const Design& design, const Fabric& fabric, const FabricQuantities& q)
+{
+    Formulas f;
+    f.permeability = permeability_of(q, blended_material(design, fabric.warp.material).fibre_radius_um,
+                                     blended_material(design, fabric.weft.material).fibre_radius_um);
+    f.warp_angle = braiding_angle_deg(q.weft.pitch_mm, q.warp.rise_mm);
+    f.weft_angle = braiding_angle_deg(q.warp.pitch_mm, q.weft.rise_mm);
+    return f;
+}
+
 Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
 {
     Json measured = Json::object();
@@ -53,6 +102,7 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
               {"yarn_layer_thickness_mm", q.yarn_layer_thickness_mm},
               {"thickness_mm", q.thickness_mm},
               {"porosity", q.porosity},
+              {"rough_porosity", q.rough_porosity},
               {"fibre_volume_fraction", q.fibre_volume_fraction},
               {"gap_warp_mm", q.gap_warp_mm},
               {"gap_weft_mm", q.gap_weft_mm},
@@ -66,35 +116,47 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
 std::string text(double value) { return fmt::format("{:.4g}", value); }
 std::string text(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : std::string(); }
 
-void print_fabric(const Fabric& fabric, const FabricQuantities& q)
+std::string range(const PoreRadii& radii) { return fmt::format("{:.3g}..{:.3g}", radii.tenth_um, radii.nine_tenths_um); }
+
+void print_fabric(const Fabric& fabric, const FabricQuantities& q, const MeasuredGeometry& m, const Formulas& f)
 {
-    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit,
-                        const std::string& measured = {}) {
-        fmt::print("  {:<26} {:>10} {:>10} {:<6} {:>10}\n", name, warp, weft, unit, measured);
+    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const std::string& warp_made,
+                        const std::string& weft_made, const char* unit, const std::string& laboratory = {}) {
+        fmt::print("  {:<26} {:>9} {:>9}   {:>9} {:>9} {:<5} {:>9}\n", name, warp, weft, warp_made, weft_made, unit, laboratory);
     };
     const YarnQuantities &a = q.warp, &b = q.weft;
     fmt::print("{}\n", fabric.name);
-    row("", "warp", "weft", "", "measured");
-    row("linear density", text(a.linear_density_tex), text(b.linear_density_tex), "tex");
-    row("cotton count", text(ne_from_tex(a.linear_density_tex)), text(ne_from_tex(b.linear_density_tex)), "Ne");
-    row("diameter, free", text(a.diameter_mm), text(b.diameter_mm), "mm");
-    row("section, width", text(a.section_mm.width), text(b.section_mm.width), "mm");
-    row("section, height", text(a.section_mm.height), text(b.section_mm.height), "mm");
-    row("packing factor, free", text(a.packing_factor), text(b.packing_factor), "");
-    row("packing factor, in fabric", text(a.packing_factor_in_fabric), text(b.packing_factor_in_fabric), "");
-    row("crimp", text(a.crimp_percent), text(b.crimp_percent), "%", text(fabric.measured.crimp_percent));
-    row("cover", text(a.cover), text(b.cover), "");
-    row("gap between yarns", text(q.gap_warp_mm), text(q.gap_weft_mm), "mm");
-    row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), "um", text(fabric.measured.capillary_radius_um));
-    row("contact angle", text(a.contact_angle_deg), text(b.contact_angle_deg), "deg");
-    row("pore radius between yarns", text(q.inter_yarn_pore_radius_um), "", "um");
-    row("cover factor", text(q.cover_factor), "", "");
-    row("areal density", text(q.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
-    row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", "mm");
-    row("thickness", text(q.thickness_mm), "", "mm", text(fabric.thickness_mm));
-    row("porosity", text(q.porosity), "", "", text(fabric.measured.porosity));
-    if (fabric.measured.tortuosity) row("tortuosity", "", "", "", text(fabric.measured.tortuosity));
-    row("smoothness", text(q.smoothness), "", "");
+    fmt::print("  {:<26} {:>19}   {:>19} {:<5} {:>9}\n", "", "by formula", "by geometry", "", "laboratory");
+    row("", "warp", "weft", "warp", "weft", "");
+    row("linear density", text(a.linear_density_tex), text(b.linear_density_tex), "", "", "tex");
+    row("cotton count", text(ne_from_tex(a.linear_density_tex)), text(ne_from_tex(b.linear_density_tex)), "", "", "Ne");
+    row("diameter, free", text(a.diameter_mm), text(b.diameter_mm), "", "", "mm");
+    row("section, width", text(a.section_mm.width), text(b.section_mm.width), "", "", "mm");
+    row("section, height", text(a.section_mm.height), text(b.section_mm.height), "", "", "mm");
+    row("packing factor, free", text(a.packing_factor), text(b.packing_factor), "", "", "");
+    row("packing factor, in fabric", text(a.packing_factor_in_fabric), text(b.packing_factor_in_fabric), "", "", "");
+    row("crimp", text(a.crimp_percent), text(b.crimp_percent), text(m.warp.crimp_percent), text(m.weft.crimp_percent), "%",
+        text(fabric.measured.crimp_percent));
+    row("braiding angle", text(f.warp_angle), text(f.weft_angle), text(m.warp.braiding_angle_deg), text(m.weft.braiding_angle_deg), "deg");
+    row("cover", text(a.cover), text(b.cover), text(m.warp.cover), text(m.weft.cover), "");
+    row("gap between yarns", text(q.gap_warp_mm), text(q.gap_weft_mm), "", "", "mm");
+    row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), range(m.warp.pores), range(m.weft.pores), "um",
+        text(fabric.measured.capillary_radius_um));
+    row("contact angle", text(a.contact_angle_deg), text(b.contact_angle_deg), "", "", "deg");
+    row("pore radius between yarns", text(q.inter_yarn_pore_radius_um), "", range(m.holes), "", "um");
+    row("cover factor", text(q.cover_factor), "", text(m.cover_factor), "", "");
+    row("areal density", text(q.areal_density_g_m2), "", text(m.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
+    row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", text(m.yarn_layer_thickness_mm), "", "mm");
+    row("thickness", text(q.thickness_mm), "", text(m.thickness_mm), "", "mm", text(fabric.thickness_mm));
+    row("porosity", text(q.porosity), "", text(m.porosity), "", "", text(fabric.measured.porosity));
+    row("porosity, with roughness", text(q.rough_porosity), "", "", "", "");
+    row("fibre volume fraction", text(q.fibre_volume_fraction), "", text(m.fibre_volume_fraction), "", "");
+    row("smoothness", text(q.smoothness), "", text(m.smoothness), "", "");
+    row("permeability, through", text(1e12 * f.permeability.through), "", text(1e12 * m.permeability.through), "", "um2");
+    row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
+        text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
+    if (fabric.measured.tortuosity) row("tortuosity", "", "", "", "", "", text(fabric.measured.tortuosity));
+    if (fabric.measured != Measured{}) fmt::print("  Where there is a laboratory value, geometry and simulation use it.\n");
     for (const std::string& note : q.notes) fmt::print("  {}\n", note);
 }
 
@@ -120,10 +182,17 @@ int check(const ProjectOptions& options)
         if (has_error(issues)) break; // numbers that follow from wrong ones help nobody
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FabricQuantities quantities = derive_quantities(design, fabric);
+        const MeasuredGeometry geometry = measure_geometry(design, fabric);
+        const Formulas formulas = formulas_of(design, fabric, quantities);
         json["fabrics"].push_back(fabric_json(fabric, quantities));
+        Json& entry = json["fabrics"].back();
+        entry["derived"]["warp"]["braiding_angle_deg"] = formulas.warp_angle;
+        entry["derived"]["weft"]["braiding_angle_deg"] = formulas.weft_angle;
+        entry["derived"]["permeability_m2"] = permeability_json(formulas.permeability);
+        entry["geometry"] = geometry_json(geometry);
         add_weave_json(json["fabrics"].back(), design, fabric);
         if (options.json) continue;
-        print_fabric(fabric, quantities);
+        print_fabric(fabric, quantities, geometry, formulas);
         print_weave(design, fabric);
     }
     if (options.json) fmt::print("{}\n", json.dump(2));

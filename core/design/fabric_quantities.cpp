@@ -39,7 +39,7 @@ double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, dou
     for (std::size_t other = 0; other < crossed.size(); ++other) {
         const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
         const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
-        const Interlacing path = interlace(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
+        const Interlacing path = fitted.path(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
         sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
     }
     return sum;
@@ -55,7 +55,7 @@ double mean_width_of(const FittedYarns& fitted, bool warp, double crossed_pitch,
         for (std::size_t other = 0; other < crossed.size(); ++other) {
             const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
             const Section &own = yarns[type].section, &over = crossed[other].section;
-            const Interlacing path = interlace(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
+            const Interlacing path = fitted.path(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
             const double bent = mean_width(path, own, over, warp ? heights.weft : heights.warp);
             sum += order.share[type] * other_order.share[other] * (changes * bent + (1 - changes) * own.width);
         }
@@ -80,8 +80,8 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(interlace(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(interlace(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
+            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft), warp_straight(steps, 0.5 * a.width);
+            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp), weft_straight(steps, 0.5 * b.width);
             double here = 0;
             for (bool warp_turns : {false, true})
                 for (bool weft_turns : {false, true}) {
@@ -159,6 +159,9 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     FabricQuantities q;
     q.warp = describe(warp, fabric, fabric.ends_per_cm);
     q.weft = describe(weft, fabric, fabric.picks_per_cm);
+    q.warp.rise_mm = 2 * fitted.at(0, 0).warp;
+    q.weft.rise_mm = 2 * fitted.at(0, 0).weft;
+
     // A yarn runs longer than the fabric only where it changes sides.
     const double warp_changes = share_of_changes(fabric.weave, true);
     const double weft_changes = share_of_changes(fabric.weave, false);
@@ -181,6 +184,7 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     const double fly = flyaway_volume(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm) +
                        flyaway_volume(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
     q.smoothness = std::max(0.0, 1 - fly / q.thickness_mm);
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
@@ -221,6 +225,7 @@ FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
     q.areal_density_g_m2 *= scale;
     q.fibre_volume_fraction *= scale;
     q.porosity = fabric.measured.porosity.value_or(1 - scale * (1 - q.porosity));
+    q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     return q;
 }
 

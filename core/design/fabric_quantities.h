@@ -14,6 +14,7 @@ struct YarnQuantities {
     Section section_mm;                  ///< in the fabric
     double packing_factor_in_fabric = 0;
     double pitch_mm = 0;                 ///< from yarn to yarn
+    double rise_mm = 0;                  ///< of the centreline, from side to side
     double crimp_percent = 0;
     double cover = 0;                    ///< sett x mean width, 1 = touching
     double pore_radius_um = 0;           ///< between the fibres: 2 x void area / wetted perimeter
@@ -29,6 +30,7 @@ struct FabricQuantities {
     double yarn_layer_thickness_mm = 0;  ///< of the interlaced yarns
     double thickness_mm = 0;             ///< with flyaway, or as given
     double porosity = 0;                 ///< 1 - areal density / (thickness x fibre density)
+    double rough_porosity = 0;           ///< porosity less the share of flyaways: eps - k (1 - smoothness), k = 1, at least 0.01
     double fibre_volume_fraction = 0;    ///< of the yarn layer
     double gap_warp_mm = 0;              ///< between neighbouring ends
     double gap_weft_mm = 0;

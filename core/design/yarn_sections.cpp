@@ -43,12 +43,12 @@ double rise_before_jam(double span, const Section& own, const Section& other)
 }
 
 /// The rise that gives a crimp over one change of sides, at most most.
-double rise_of_crimp(double span, const Section& own, const Section& other, double crimp, double most)
+double rise_of_crimp(const FittedYarns& fitted, double span, const Section& own, const Section& other, double crimp, double most)
 {
     double low = 0, high = most;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        (interlace(span, own, other, middle).length / span - 1 < crimp ? low : high) = middle;
+        (fitted.path(span, own, other, middle).length / span - 1 < crimp ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -75,11 +75,11 @@ struct Loom {
         const double sum = 0.5 * (a.height + b.height);
         if (warp_crimp >= 0 && weft_crimp >= 0) return asked(a, b, sum);
         if (warp_crimp >= 0) {
-            const double rise = rise_of_crimp(weft_pitch, a, b, warp_crimp, sum);
+            const double rise = rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, sum);
             return {rise, sum - rise};
         }
         if (weft_crimp >= 0) {
-            const double rise = rise_of_crimp(warp_pitch, b, a, weft_crimp, sum);
+            const double rise = rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, sum);
             return {sum - rise, rise};
         }
         const double warp_gives = std::pow(weft_pitch, 3) / stiffness(warp), weft_gives = std::pow(warp_pitch, 3) / stiffness(weft);
@@ -93,7 +93,7 @@ struct Loom {
     /// The rises both set crimps ask for; less than sum where the yarns would have to be flatter.
     CrossingHeights asked(const Section& a, const Section& b, double sum) const
     {
-        return {rise_of_crimp(weft_pitch, a, b, warp_crimp, sum), rise_of_crimp(warp_pitch, b, a, weft_crimp, sum)};
+        return {rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, sum), rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, sum)};
     }
 
     bool jams() const
@@ -102,8 +102,8 @@ struct Loom {
         for (std::size_t i = 0; i < fitted.warp.size(); ++i)
             for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
                 const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
-                jams = jams || (warp_changes && interlace(weft_pitch, a, b, fitted.at(i, j).warp).jammed) ||
-                       (weft_changes && interlace(warp_pitch, b, a, fitted.at(i, j).weft).jammed);
+                jams = jams || (warp_changes && fitted.path(weft_pitch, a, b, fitted.at(i, j).warp).jammed) ||
+                       (weft_changes && fitted.path(warp_pitch, b, a, fitted.at(i, j).weft).jammed);
             }
         return jams;
     }
@@ -228,6 +228,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
 
     loom.warp_crimp = mean_of(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
     loom.weft_crimp = mean_of(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
+    fitted.rounded = loom.warp_crimp >= 0 || loom.weft_crimp >= 0;
     loom.lay(1);
     double scale = 1;
     if (fabric.thickness_mm) {

@@ -58,9 +58,15 @@ struct FittedYarns {
     std::vector<FittedYarn> weft;
     std::vector<CrossingHeights> heights; ///< warp type x number of weft types + weft type
     double available_height = 0;  ///< mm, thickness less the loops on both faces; 0 when no thickness is given
+    bool rounded = false;         ///< a crimp is set: yarns are as round where they touch as a path of that crimp needs
     bool jammed = false;          ///< free yarns of this sett cannot bend round each other in full arcs
 
     const CrossingHeights& at(std::size_t warp_type, std::size_t weft_type) const { return heights[warp_type * weft.size() + weft_type]; }
+    /// One yarn's path over another's. Precondition of Interlacing holds.
+    Interlacing path(double pitch, const Section& own, const Section& other, double rise) const
+    {
+        return interlace(pitch, own, rounded ? Section{other.height, other.height} : other, rise);
+    }
     /// From face to face.
     double thickness() const;
 };
@@ -68,7 +74,7 @@ struct FittedYarns {
 /// Precondition: the yarns, the setts and the orders are in range.
 /// Crimp: as set; else the centrelines' rises are those of beams of the yarns' stiffness that press on each other half-way between
 /// their crossings (stiffness ~ tex x fibre radius2 / fibre density; deflection ~ span3 / stiffness), as far as neither jams.
-/// Without a thickness or a set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
+/// With both crimps set, yarns are flattened until they touch at those rises. Without a thickness or a set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric);
 
 } // namespace hygroloom

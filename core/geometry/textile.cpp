@@ -27,9 +27,9 @@ struct Crossed {
 };
 
 /// From over a to under b (or over b, when it stays up). Between two different yarns the two paths that each would make are blended.
-YarnPath make_path(const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
+YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
 {
-    const Interlacing from = interlace(pitch, own, a.section, a.own_rise), to = interlace(pitch, own, b.section, b.own_rise);
+    const Interlacing from = fitted.path(pitch, own, a.section, a.own_rise), to = fitted.path(pitch, own, b.section, b.own_rise);
     const bool alike = a.own_rise == b.own_rise && a.section == b.section;
     const double sign = changes ? -1 : 1;
     YarnPath path;
@@ -121,7 +121,7 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
         }
         for (const Crossed& before : all)
             for (const Crossed& after : all)
-                for (bool turns : {false, true}) system.paths.push_back(make_path(type.section, before, after, span, turns));
+                for (bool turns : {false, true}) system.paths.push_back(make_path(fitted, type.section, before, after, span, turns));
         for (std::size_t other = 0; other < all.size(); ++other) {
             const YarnPath& path = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1];
             type.length_per_pitch.push_back(1 + (path.length / span - 1) * changes);

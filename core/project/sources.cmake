@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+embed_text(${CMAKE_SOURCE_DIR}/resources/library/fabrics.json ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp library_fabrics_json)
+embed_text(${CMAKE_SOURCE_DIR}/resources/library/finishes.json ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp library_finishes_json)
 target_sources(hygroloom_core PRIVATE
+  ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp
   project/atomic_file.cpp
   project/draft_json.cpp
   project/json_reader.cpp
+  project/library.cpp
   project/mesh_file.cpp
   project/migrations.cpp
   project/project_file.cpp

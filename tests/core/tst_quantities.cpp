@@ -176,6 +176,39 @@ private Q_SLOTS:
         fabric.weave = weave_from_pattern("satin 5/2");
         QVERIFY(near(derive_quantities({}, fabric).warp.crimp_percent, 0.4 * plain, 1e-12));
     }
+    void laboratoryValuesAreUsedAndLeaveTheDerivedOnesAlone()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        const FabricQuantities derived = derive_quantities({}, fabric);
+        fabric.measured.areal_density_g_m2 = 0.9 * derived.areal_density_g_m2;
+        fabric.measured.capillary_radius_um = 5;
+        QCOMPARE(derive_quantities({}, fabric).areal_density_g_m2, derived.areal_density_g_m2);
+        const FabricQuantities used = quantities_in_use({}, fabric);
+        QVERIFY(near(used.areal_density_g_m2, 0.9 * derived.areal_density_g_m2, 1e-9));
+        QVERIFY(near(used.warp.packing_factor_in_fabric, 0.45, 1e-12)); // 0.9 x 0.5: the sections stay
+        QVERIFY(near(1 - used.porosity, 0.9 * (1 - derived.porosity), 1e-12));
+        QCOMPARE(used.warp.pore_radius_um, 5.0);
+
+        Fabric porous = square_cloth(yarn("cotton", 0.2), 20);
+        porous.measured.porosity = 1 - 1.2 * (1 - derived.porosity);
+        QVERIFY(near(quantities_in_use({}, porous).areal_density_g_m2, 1.2 * derived.areal_density_g_m2, 1e-9));
+        Fabric crimped = square_cloth(yarn("cotton", 0.2), 20);
+        crimped.measured.crimp_percent = 4;
+        QVERIFY(near(quantities_in_use({}, crimped).warp.crimp_percent, 4, 0.05));
+        QVERIFY(near(derive_quantities({}, crimped).warp.crimp_percent, derived.warp.crimp_percent, 1e-12));
+    }
+    void stripesWeighWhatTheirThreadsDo()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        fabric.extra_yarns = {yarn("cotton", 0.1)};
+        fabric.weave = Weave(1, 2, {1, 0}); // ends change at every pick, all alike; picks are straight
+        fabric.warp_order = {{0, 1}, {1, 3}};
+        fabric.warp_crimp_percent = 0;
+        const FabricQuantities q = derive_quantities({}, fabric);
+        // 24.347 tex and a quarter of it: (20 x 24.347 x (1 + 3/4)/4 + 20 x 24.347) / 10
+        const double mean = 24.347 * (1 + 0.75) / 4;
+        QVERIFY2(near(q.areal_density_g_m2, 2 * mean + 2 * 24.347 * (1 + 0.01 * q.weft.crimp_percent), 0.3), qPrintable(QString::number(q.areal_density_g_m2)));
+    }
     void theFabricsContactAngleReplacesTheFibres()
     {
         Fabric fabric = square_cloth(yarn("wool", 0.2), 20);

@@ -21,7 +21,7 @@ Design example(const QString& name)
 /// Depth of a point inside the picks, 0 outside: against the pick's section at every place whose cross-plane holds the point.
 double depth_in_weft(const Textile& t, const Vec3d& p)
 {
-    constexpr int samples = 200;
+    constexpr int samples = 100;
     double deepest = 0;
     const int end = std::clamp(static_cast<int>(std::lround(p.x / t.warp.pitch + 0.5 * (t.ends() - 1))), 1, t.ends() - 2);
     for (int pick = 0; pick < t.picks(); ++pick) {
@@ -51,8 +51,8 @@ double worst_overlap(const Textile& t)
         for (int pick = 1; pick < t.picks() - 1; ++pick)
             for (int step = -5; step <= 5; ++step) {
                 const YarnPoint p = yarn_point(t, YarnKind::warp, end, pick, step / 10.0);
-                for (int side = 0; side < 24; ++side) {
-                    const SectionPoint s = section_point(p.half_width, p.half_height, 2 * pi * side / 24);
+                for (int side = 0; side < 16; ++side) {
+                    const SectionPoint s = section_point(p.half_width, p.half_height, 2 * pi * side / 16);
                     const Vec3d skin{p.centre.x + s.across, p.centre.y - p.tangent.z * s.up, p.centre.z + p.tangent.y * s.up};
                     worst = std::max(worst, depth_in_weft(t, skin));
                 }
@@ -134,6 +134,115 @@ private Q_SLOTS:
         const double gap = std::abs(t.height_at_crossing(YarnKind::warp, 1, 2) - t.height_at_crossing(YarnKind::weft, 1, 2));
         QVERIFY(std::abs(gap - 0.5 * (t.warp.types[0].section.height + t.weft.types[0].section.height)) < 1e-12);
         QVERIFY((t.height_at_crossing(YarnKind::warp, 1, 2) > 0) == t.warp_up(1, 2));
+    }
+    void crimpGoesToTheYarnThatBendsMoreEasily()
+    {
+        // Beams: deflection ~ span3 / stiffness. Picks twice as far apart let the ends bend 8 times as far as the picks.
+        Design design = example("textile-G");
+        Fabric& fabric = design.fabrics[0];
+        fabric.thickness_mm.reset();
+        fabric.ends_per_cm = 16;
+        fabric.picks_per_cm = 8;
+        const Textile t = build_textile(design, fabric, {0, 0, 4, 4});
+        QVERIFY(std::abs(t.warp.types[0].rise[0] / t.weft.types[0].rise[0] - 8) < 1e-9);
+        // A weft of twice the linear density is twice as stiff.
+        fabric.ends_per_cm = fabric.picks_per_cm = 12;
+        fabric.weft.diameter_mm = 0.2 * std::sqrt(2.0);
+        const Textile stiff = build_textile(design, fabric, {0, 0, 4, 4});
+        QVERIFY(std::abs(stiff.warp.types[0].rise[0] / stiff.weft.types[0].rise[0] - 2) < 1e-9);
+    }
+    void setCrimpIsTheCrimp()
+    {
+        Design design = example("textile-G");
+        Fabric& fabric = design.fabrics[0];
+        fabric.thickness_mm.reset();
+        fabric.ends_per_cm = fabric.picks_per_cm = 22;
+        for (const char* pattern : {"plain", "twill 2/1 Z"}) {
+            fabric.weave = weave_from_pattern(pattern);
+            fabric.warp_crimp_percent = 5;
+            fabric.weft_crimp_percent = 2;
+            const Textile t = build_textile(design, fabric, {0, 0, 6, 6});
+            double warp = 0, weft = 0;
+            for (int i = 0; i < 6; ++i) {
+                warp += t.segment_length(YarnKind::warp, 1, i) / (6 * t.weft.pitch);
+                weft += t.segment_length(YarnKind::weft, i, 1) / (6 * t.warp.pitch);
+            }
+            QVERIFY2(std::abs(warp - 1.05) < 1e-3 && std::abs(weft - 1.02) < 1e-3, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
+            QVERIFY(worst_overlap(t) < 0.01);
+            fabric.weft_crimp_percent.reset(); // the weft then takes what is left
+            const Textile one = build_textile(design, fabric, {0, 0, 6, 6});
+            QVERIFY(std::abs(one.warp.types[0].rise[0] + one.weft.types[0].rise[0] - 0.2e-3) < 1e-9);
+        }
+    }
+    void yarnsThatWouldJamAreFlattenedWhenNoThicknessIsGiven()
+    {
+        Design design = example("textile-G");
+        Fabric& fabric = design.fabrics[0];
+        fabric.thickness_mm.reset();
+        fabric.ends_per_cm = fabric.picks_per_cm = 30; // Peirce's limit of round yarns is 28.9
+        const Textile t = build_textile(design, fabric, {0, 0, 6, 6});
+        QVERIFY(t.warp.types[0].section.height < 0.2e-3 && t.warp.types[0].section.width > 0.2e-3);
+        QVERIFY(std::abs(t.warp.types[0].area / (0.25 * pi * 0.04e-6) - 1) < 1e-9);
+        QVERIFY(worst_overlap(t) < 0.01);
+    }
+    void stripesFollowTheOrderWhereverTheRegionBegins()
+    {
+        Design design = example("textile-G");
+        Fabric& fabric = design.fabrics[0];
+        fabric.thickness_mm.reset();
+        Yarn thick = fabric.warp;
+        thick.diameter_mm = 0.28;
+        thick.color = Color{200, 30, 30};
+        Yarn dyed = fabric.warp;
+        dyed.color = Color{30, 30, 200};
+        fabric.extra_yarns = {thick, dyed};
+        fabric.warp_order = {{0, 3}, {1, 2}, {2, 1}};
+        fabric.weft_order = {{0, 4}, {1, 1}};
+        fabric.ends_per_cm = fabric.picks_per_cm = 20;
+        const Textile t = build_textile(design, fabric, {-7, 4, 20, 20});
+        QCOMPARE(t.warp.types.size(), std::size_t(2)); // dyed apart, they are alike
+        const int numbers[] = {0, 0, 0, 1, 1, 2};
+        for (int end = 0; end < 20; ++end) {
+            const int number = numbers[(end - 7 + 12) % 6];
+            QCOMPARE(t.yarn_number(YarnKind::warp, end), number);
+            QVERIFY(std::abs(t.type(YarnKind::warp, end).section.width - (number == 1 ? 0.28e-3 : 0.2e-3)) < 1e-9);
+        }
+        QVERIFY2(worst_overlap(t) < 0.01, qPrintable(QString::number(worst_overlap(t))));
+        // Where two yarns cross, their skins touch.
+        for (int end = 0; end < 12; ++end)
+            for (int pick = 0; pick < 12; ++pick) {
+                const double apart = std::abs(t.height_at_crossing(YarnKind::warp, end, pick) - t.height_at_crossing(YarnKind::weft, end, pick));
+                QVERIFY(std::abs(apart - 0.5 * (t.type(YarnKind::warp, end).section.height + t.type(YarnKind::weft, pick).section.height)) < 1e-12);
+            }
+        // Paths join at the crossings.
+        for (int pick = 1; pick < 19; ++pick)
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const YarnPoint a = yarn_point(t, kind, 5, pick, 0.5), b = yarn_point(t, kind, 5, pick + 1, -0.5);
+                QVERIFY(length(a.centre - b.centre) < 1e-12 && length(a.tangent - b.tangent) < 1e-9);
+                const YarnPoint c = yarn_point(t, kind, 5, pick, -1e-9), d = yarn_point(t, kind, 5, pick, 1e-9);
+                QVERIFY(length(c.centre - d.centre) < 1e-8 && std::abs(c.half_height - d.half_height) < 1e-9);
+            }
+    }
+    void floatsMoveTogetherAndNeverIntoEachOther()
+    {
+        Design design = example("textile-G");
+        Fabric& fabric = design.fabrics[0];
+        fabric.weave = weave_from_pattern("basket 2/2");
+        const Textile t = build_textile(design, fabric, {0, 0, 16, 16});
+        // In a hopsack two ends weave alike with nothing between them: they close up; pairs stay apart.
+        QVERIFY(t.shift_at_crossing(YarnKind::warp, 4, 4) > 0 && t.shift_at_crossing(YarnKind::warp, 5, 4) < 0);
+        QVERIFY(t.shift_at_crossing(YarnKind::warp, 4, 4) == -t.shift_at_crossing(YarnKind::warp, 5, 4));
+        for (const char* pattern : {"plain", "basket 2/2", "twill 2/2 Z", "satin 8/3", "rib 2/2 warp"}) {
+            fabric.weave = weave_from_pattern(pattern);
+            const Textile cloth = build_textile(design, fabric, {0, 0, 16, 16});
+            for (int end = 0; end < 15; ++end)
+                for (int pick = 0; pick < 16; ++pick)
+                    for (double offset : {-0.5, -0.2, 0.0, 0.3}) {
+                        const YarnPoint a = yarn_point(cloth, YarnKind::warp, end, pick, offset), b = yarn_point(cloth, YarnKind::warp, end + 1, pick, offset);
+                        QVERIFY(b.centre.x - a.centre.x >= a.half_width + b.half_width - 1e-9);
+                    }
+            if (fabric.weave.pattern() == "plain") QCOMPARE(cloth.shift_at_crossing(YarnKind::warp, 4, 4), 0.0);
+        }
     }
     void everySegmentHasItsOwnNumber()
     {

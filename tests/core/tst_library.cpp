@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/error.h"
+#include "core/design/fabric_quantities.h"
+#include "core/design/validate.h"
+#include "core/project/library.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <map>
+
+using namespace hygroloom;
+
+class TestLibrary : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyPresetIsSound()
+    {
+        QVERIFY(shipped_presets().size() >= 24);
+        for (const Preset& preset : shipped_presets())
+            for (const Issue& issue : validate(preset.design)) QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text).c_str());
+    }
+    void presetsWeighWhatTheirConstructionsDo()
+    {
+        // g/m2 by hand: (ends/cm x tex x (1 + crimp) + picks/cm x tex x (1 + crimp)) / 10, rounded.
+        const std::map<std::string, double> expected{
+            {"Poplin shirting", 128}, {"Sheeting", 105},       {"Drill", 245},        {"Denim", 394},        {"Oxford", 123},
+            {"Voile", 47},            {"Cotton sateen", 119},  {"Wool serge", 269},   {"Tropical worsted", 154}, {"Hemp canvas", 277},
+            {"Linen cloth", 149},     {"Polyester taffeta", 69}, {"Sports micro-twill", 84}, {"Pongee", 68},  {"Nylon taslan", 93},
+            {"Silk habotai", 53},     {"Viscose challis", 105}};
+        std::size_t found = 0;
+        for (const Preset& preset : shipped_presets()) {
+            const auto weight = expected.find(preset.fabric().name);
+            if (weight == expected.end()) continue;
+            ++found;
+            const FabricQuantities q = derive_quantities(preset.design, preset.fabric());
+            QVERIFY2(std::abs(q.areal_density_g_m2 - weight->second) < 1.5 + 0.01 * weight->second,
+                     qPrintable(QString("%1: %2").arg(preset.fabric().name.c_str()).arg(q.areal_density_g_m2)));
+            QVERIFY2(std::abs(q.warp.crimp_percent - *preset.fabric().warp_crimp_percent) < 1, qPrintable(QString("%1: warp crimp %2").arg(preset.fabric().name.c_str()).arg(q.warp.crimp_percent)));
+            QVERIFY2(std::abs(q.weft.crimp_percent - *preset.fabric().weft_crimp_percent) < 1, qPrintable(QString("%1: weft crimp %2").arg(preset.fabric().name.c_str()).arg(q.weft.crimp_percent)));
+        }
+        QCOMPARE(found, expected.size());
+    }
+    void aUsersLibraryComesBackAsItWas()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("mine.hygrolib").toStdString();
+        QVERIFY(read_library(path).empty());
+        Design design = shipped_presets()[0].design;
+        design.materials.push_back(*find_material({}, "cotton"));
+        design.materials[0].name = "my cotton";
+        design.materials[0].based_on = "cotton";
+        design.fabrics[0].warp.material = {{"my cotton", 1}};
+        std::vector<Preset> mine{preset_of(design, design.fabrics[0], "Mine", "With a note."), shipped_presets()[3]};
+        QCOMPARE(mine[0].design.materials.size(), std::size_t(1));
+        write_library(mine, path);
+        const std::vector<Preset> back = read_library(path);
+        QCOMPARE(back.size(), mine.size());
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            QVERIFY(back[i].design == mine[i].design);
+            QVERIFY(back[i].group == mine[i].group && back[i].note == mine[i].note);
+        }
+    }
+    void aPresetBringsItsMaterialsAndGetsAFreeName()
+    {
+        Design design = shipped_presets()[0].design;
+        Preset preset = shipped_presets()[0];
+        Material own = *find_material({}, "cotton");
+        own.name = "my cotton";
+        preset.design.materials = {own};
+        preset.design.fabrics[0].warp.material = {{"my cotton", 1}};
+        Material other = own;
+        other.contact_angle_deg = 80;
+        design.materials = {other};
+        QCOMPARE(add_preset(design, preset), std::size_t(1));
+        QVERIFY(design.fabrics[1].name == "Poplin shirting 2");
+        QVERIFY(design.fabrics[1].warp.material[0].name == "my cotton 2");
+        QCOMPARE(design.materials[0].contact_angle_deg, 80.0);
+        QVERIFY(!has_error(validate(design)));
+        add_preset(design, preset);
+        QCOMPARE(design.materials.size(), std::size_t(2)); // the same substance is there already
+    }
+    void aBrokenLibraryIsRefusedWithItsPlace()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("mine.hygrolib");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"format":"hygroloom-library","version":1,"presets":[{"group":"x","project":{"format":"hygroloom-project","version":1,"fabrics":[]}}]})");
+        file.close();
+        try {
+            read_library(path.toStdString());
+            QFAIL("nothing was thrown");
+        } catch (const FileError& error) {
+            QVERIFY2(QString(error.what()).contains("presets[0].project"), error.what());
+        }
+    }
+    void finishesAreWithinTheAnglesThereAre()
+    {
+        QVERIFY(finishes().size() >= 6);
+        for (const Finish& finish : finishes()) QVERIFY(finish.contact_angle_deg >= 0 && finish.contact_angle_deg <= 180 && !finish.note.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLibrary)
+#include "tst_library.moc"
