@@ -99,20 +99,21 @@ void WeaveNotes::refresh()
     if (!fabric) {
         facts_->setText(tr("Add a fabric to draw its weave."));
         warnings_->clear();
+        shown_.reset();
         refreshGauges();
         return;
     }
-    if (facts_->text().isEmpty() || !shown_.same_matrix(fabric->weave) || shown_.pattern() != fabric->weave.pattern()) {
-        shown_ = fabric->weave;
-        const WeaveAnalysis found = analyse(shown_);
-        const double crossings = static_cast<double>(shown_.ends()) * shown_.picks();
+    if (!shown_ || !shown_->same_matrix(fabric->weave)) {
+        const Weave& weave = shown_.emplace(fabric->weave);
+        const WeaveAnalysis found = analyse(weave);
+        const double crossings = static_cast<double>(weave.ends()) * weave.picks();
         QString facts = tr("Longest floats: warp %1, weft %2. Warp shows on %3 % of the face.")
                             .arg(std::max(found.warp_face.longest, found.warp_back.longest))
                             .arg(std::max(found.weft_face.longest, found.weft_back.longest))
                             .arg(shownNumber(100 * found.warp_up_share, 0));
         facts += " " + tr("%1 % of the crossings interlace.")
                            .arg(shownNumber(100 * static_cast<double>(found.warp_interlacings + found.weft_interlacings) / (2 * crossings), 0));
-        if (found.repeat_ends != shown_.ends() || found.repeat_picks != shown_.picks()) {
+        if (found.repeat_ends != weave.ends() || found.repeat_picks != weave.picks()) {
             facts += " " + tr("It repeats every %1 × %2.").arg(found.repeat_ends).arg(found.repeat_picks);
         }
         facts_->setText(facts);

@@ -41,7 +41,7 @@ private:
     void refreshGauges();
 
     Document& document_;
-    Weave shown_;
+    std::optional<Weave> shown_;
     QLabel* facts_;
     QLabel* setts_[2]; ///< warp, weft
     LimitGauge* gauges_[2];

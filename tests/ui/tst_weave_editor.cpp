@@ -166,6 +166,11 @@ private Q_SLOTS:
 
     void theNotesTellWhatTheWeaveIsLike()
     {
+        Document empty;
+        WeaveEditor later(empty);
+        QVERIFY(later.notes()->text().contains("Add a fabric"));
+        QVERIFY(empty.openExample(shippedExample()));
+        QVERIFY2(later.notes()->text().contains("100 % of the crossings interlace"), qPrintable(later.notes()->text()));
         document_->edit("weave", {}, [](Design& d) { d.fabrics[0].weave = weave_from_pattern("satin 5/2"); });
         QString text = editor_->notes()->text();
         QVERIFY2(text.contains("Longest floats: warp 4, weft 4."), qPrintable(text));
