@@ -58,6 +58,7 @@ DraftEditor::DraftEditor(Document& document, QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(buildBar());
     layout->addLayout(middle, 1);
+    layout->addWidget(note_);
     connect(paper_, &DraftPaper::cellPainted, this, &DraftEditor::paint);
     connect(paper_, &DraftPaper::strokeEnded, this, [this] { document_.endStroke(); });
     connect(&document_, &Document::designChanged, this, [this] {
@@ -113,8 +114,8 @@ QWidget* DraftEditor::buildBar()
     note_ = new QLabel;
     note_->setForegroundRole(QPalette::PlaceholderText);
     note_->setAccessibleName(tr("About the draft"));
-    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    row->addWidget(note_, 1);
+    note_->setWordWrap(true);
+    row->addStretch();
     const auto button = [&](const char* icon, const QString& name, auto work) {
         auto* made = new QToolButton;
         made->setIcon(themedIcon(icon));
@@ -157,8 +158,8 @@ void DraftEditor::refresh()
     treadles_->setEnabled(!liftplan);
     plan_->setCurrentIndex(liftplan ? 1 : 0);
     shed_->setCurrentIndex(draft().rising_shed ? 0 : 1);
-    note_->setText(weave.draft() ? QString() : tr("The smallest draft of this weave."));
-    note_->setToolTip(weave.draft() ? QString() : tr("The weave has no draft of its own until you change this one or press Find Draft."));
+    note_->setText(tr("This is the smallest draft of the weave, which has none of its own until you change it here or press Find Draft."));
+    note_->setVisible(!weave.draft());
 }
 
 void DraftEditor::paint(DraftPart part, const QPoint& cell, bool fill, bool add)

@@ -56,6 +56,7 @@ void DraftPaper::setDraft(const Fabric& fabric, const Draft& draft)
     pressed_ = draft.liftplan.empty() ? table(draft.treadling, draft.treadles) : table(draft.liftplan, draft.shafts);
     warp_yarns_ = threadYarns(fabric, true, cells(DraftPart::drawdown).width());
     weft_yarns_ = threadYarns(fabric, false, cells(DraftPart::drawdown).height());
+    fitCells();
     first_shaft_ = std::clamp(first_shaft_, 0, std::max(0, draft.shafts - shownShafts()));
     first_treadle_ = std::clamp(first_treadle_, 0, std::max(0, cells(DraftPart::treadling).width() - shownTreadles()));
     const QSize size = cells(cursor_part_);
@@ -76,8 +77,19 @@ void DraftPaper::setColored(bool colored)
     viewport()->update();
 }
 
+void DraftPaper::fitCells()
+{
+    if (!zoomed_) {
+        const QSize cloth = cells(DraftPart::drawdown);
+        const int across = cloth.width() + cells(DraftPart::treadling).width(), up = cloth.height() + draft_.shafts;
+        const int room = 2 * (margin + gap) + bar;
+        cell_ = std::clamp(std::min((viewport()->width() - room) / std::max(1, across), (viewport()->height() - room) / std::max(1, up)), 14, 28);
+    }
+}
+
 void DraftPaper::zoomBy(double factor)
 {
+    zoomed_ = true;
     const int size = static_cast<int>(std::lround(cell_ * factor));
     cell_ = std::clamp(size == cell_ ? cell_ + (factor > 1 ? 1 : -1) : size, 3, 40);
     updateScrollBars();
@@ -177,6 +189,7 @@ void DraftPaper::updateScrollBars()
 
 void DraftPaper::resizeEvent(QResizeEvent*)
 {
+    fitCells();
     updateScrollBars();
     verticalScrollBar()->setValue(verticalScrollBar()->maximum());
 }

@@ -54,6 +54,7 @@ private:
     int shownTreadles() const;
     bool cellAt(DraftPart part, const QPointF& at, QPoint* cell) const;
     void updateScrollBars();
+    void fitCells();
     void moveCursor(int x, int y);
     void showCursor();
     void drawPart(QPainter& painter, DraftPart part);
@@ -64,6 +65,7 @@ private:
     std::vector<std::vector<bool>> threaded_, tied_, pressed_;
     bool colored_ = true;
     int cell_ = 14;
+    bool zoomed_ = false; ///< by the user; else small drafts have larger squares
     int first_shaft_ = 0, first_treadle_ = 0; ///< the nearest that are shown
     DraftPart cursor_part_ = DraftPart::drawdown;
     QPoint cursor_{0, 0};
