@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/candidates_panel.h"
 
+#include "core/base/error.h"
 #include "ui/appearance.h"
+#include "ui/preset_gallery.h"
 #include "ui/quantity.h"
 
 #include <QAction>
@@ -75,10 +77,12 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
         buttons->addWidget(button);
         actions_ << action;
     };
-    add("add", tr("&Add Fabric"), tr("Add a plain cotton fabric"), &CandidatesPanel::addFabric);
+    add("add", tr("&Add Fabric"), tr("Add a plain cotton fabric"), qOverload<>(&CandidatesPanel::addFabric));
     add("duplicate", tr("D&uplicate Fabric"), tr("Add a copy of the chosen fabric"), &CandidatesPanel::duplicateFabric);
     add("rename", tr("&Rename Fabric"), tr("Rename the chosen fabric"), &CandidatesPanel::renameFabric);
     add("delete", tr("&Delete Fabric"), tr("Delete the chosen fabric"), &CandidatesPanel::deleteFabric);
+    add("gallery", tr("From &Preset…"), tr("Add a fabric from the library"), &CandidatesPanel::chooseFromLibrary);
+    add("keep", tr("&Keep in My Library"), tr("Keep the chosen fabric in my library"), &CandidatesPanel::keepFabric);
     actions_[2]->setShortcut(Qt::Key_F2);
     actions_[3]->setShortcut(QKeySequence::Delete);
     for (QAction* action : actions_) {
@@ -127,21 +131,55 @@ void CandidatesPanel::refresh()
     list_->setCurrentRow(count > 0 ? document_.fabricIndex() : -1);
     list_->setVisible(count > 0);
     empty_->setVisible(count == 0);
-    for (int i = 1; i < actions_.size(); ++i) {
+    for (const int i : {1, 2, 3, 5}) { // all that need a fabric
         actions_[i]->setEnabled(count > 0);
     }
 }
 
 void CandidatesPanel::addFabric()
 {
-    document_.editState(tr("add fabric"), [](Design& design, DesignState& state) {
-        Fabric fabric;
-        fabric.name = freeName(design, tr("New fabric").toStdString());
-        fabric.warp.diameter_mm = 0.25;
-        fabric.weft.diameter_mm = 0.25;
-        design.fabrics.push_back(fabric);
+    Fabric fabric;
+    fabric.name = tr("New fabric").toStdString();
+    fabric.warp.diameter_mm = 0.25;
+    fabric.weft.diameter_mm = 0.25;
+    addFabric(tr("add fabric"), std::move(fabric));
+}
+
+void CandidatesPanel::addFabric(const QString& undo, Fabric fabric)
+{
+    document_.editState(undo, [&](Design& design, DesignState& state) {
+        fabric.name = freeName(design, fabric.name);
+        design.fabrics.push_back(std::move(fabric));
         state.fabric = static_cast<int>(design.fabrics.size()) - 1;
     });
+}
+
+void CandidatesPanel::chooseFromLibrary()
+{
+    PresetGallery gallery(userLibraryPath(), this);
+    if (gallery.exec() == QDialog::Accepted && gallery.chosen()) {
+        addPreset(*gallery.chosen());
+    }
+}
+
+void CandidatesPanel::addPreset(const Preset& preset)
+{
+    document_.editState(tr("add %1").arg(QString::fromStdString(preset.fabric().name)), [&](Design& design, DesignState& state) {
+        state.fabric = static_cast<int>(add_preset(design, preset));
+    });
+}
+
+void CandidatesPanel::keepFabric()
+{
+    if (!document_.fabric()) {
+        return;
+    }
+    try {
+        keepInLibrary(*document_.design(), *document_.fabric(), userLibraryPath());
+        Q_EMIT told(tr("Kept %1 in my library.").arg(QString::fromStdString(document_.fabric()->name)), false);
+    } catch (const Error& error) {
+        Q_EMIT told(QString::fromStdString(error.what()), true);
+    }
 }
 
 void CandidatesPanel::duplicateFabric()

@@ -2,6 +2,7 @@
 #include "ui/fabric_panel.h"
 
 #include "core/base/units.h"
+#include "core/project/library.h"
 #include "ui/yarn_panel.h"
 
 #include <QCheckBox>
@@ -11,23 +12,6 @@
 #include <cmath>
 
 namespace hygroloom {
-
-namespace {
-
-struct Finish {
-    const char* name;
-    double contact_angle_deg; ///< typical, of water, advancing
-};
-
-constexpr Finish finishes[] = {
-    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Hydrophilic finish"), 20},
-    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Scoured, bleached"), 35},
-    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Wicking finish"), 45},
-    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Unfinished synthetic"), 75},
-    {QT_TRANSLATE_NOOP("hygroloom::FabricPanel", "Water repellent"), 120},
-};
-
-} // namespace
 
 FabricPanel::FabricPanel(Document& document, QWidget* parent)
     : QScrollArea(parent)
@@ -94,24 +78,26 @@ void FabricPanel::addConstruction()
     });
     auto* finish = new QComboBox;
     finish->addItem(tr("As the fibres"));
-    for (const Finish& one : finishes) {
-        finish->addItem(tr("%1, %2°").arg(tr(one.name)).arg(one.contact_angle_deg));
+    for (const Finish& one : finishes()) {
+        finish->addItem(tr("%1, %2°").arg(QString::fromStdString(one.name)).arg(one.contact_angle_deg));
+        finish->setItemData(finish->count() - 1, QString::fromStdString(one.note), Qt::ToolTipRole);
     }
     finish->addItem(tr("Own contact angle"));
     finish->setMinimumContentsLength(8);
     finish->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    finish->setToolTip("<p>" + tr("A finish sets a typical contact angle; measure yours where it matters.") + "</p>");
+    finish->setToolTip("<p>" + tr("A finish sets the contact angle above to a typical value; measure yours where it matters.") + "</p>");
     form_->addRow(tr("Finish"), finish);
     connect(finish, &QComboBox::activated, this, [this](int index) {
-        if (index > static_cast<int>(std::size(finishes))) {
+        if (index > static_cast<int>(finishes().size())) {
             form_->refresh();
             return;
         }
         const auto fabric = static_cast<std::size_t>(document_.fabricIndex());
         document_.edit(tr("finish"), {}, [&](Design& design) {
-            design.fabrics[fabric].contact_angle_deg = index == 0 ? std::nullopt : std::optional(finishes[index - 1].contact_angle_deg);
+            design.fabrics[fabric].contact_angle_deg = index == 0 ? std::nullopt : std::optional(finishes()[static_cast<std::size_t>(index) - 1].contact_angle_deg);
         });
     });
+    addCrimps();
     addDerived();
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
@@ -125,11 +111,35 @@ void FabricPanel::addConstruction()
         const auto& q = document_.quantities();
         thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
         angle->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
-        int row = f && f->contact_angle_deg ? static_cast<int>(std::size(finishes)) + 1 : 0;
-        for (std::size_t i = 0; f && i < std::size(finishes); ++i) {
-            row = f->contact_angle_deg == finishes[i].contact_angle_deg ? static_cast<int>(i) + 1 : row;
+        int row = f && f->contact_angle_deg ? static_cast<int>(finishes().size()) + 1 : 0;
+        for (std::size_t i = 0; f && i < finishes().size(); ++i) {
+            row = f->contact_angle_deg == finishes()[i].contact_angle_deg ? static_cast<int>(i) + 1 : row;
         }
         finish->setCurrentIndex(row);
+    });
+}
+
+void FabricPanel::addCrimps()
+{
+    Quantity percent = Quantity::fraction(0, 100);
+    percent.unit = "%";
+    percent.units = {{{"%"}, [](double v) { return v; }}};
+    percent.step = 0.5;
+    percent.decimals = 1;
+    const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
+        return form_->addQuantity(percent, field(label, undo, where, [member](const Fabric& f) { return f.*member; },
+                                                 [member](Fabric& f, std::optional<double> v) { f.*member = v; },
+                                                 tr("How much longer the yarn is than the fabric. Empty: warp and weft share the crimp by their stiffness.")),
+                                  true);
+    };
+    QuantityEdit* warp = add(tr("Warp crimp"), tr("warp crimp"), "warp_crimp_percent", &Fabric::warp_crimp_percent);
+    QuantityEdit* weft = add(tr("Weft crimp"), tr("weft crimp"), "weft_crimp_percent", &Fabric::weft_crimp_percent);
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        warp->setEnabled(document_.fabric() != nullptr);
+        weft->setEnabled(document_.fabric() != nullptr);
+        warp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
+        weft->setDerived(q ? std::optional(q->weft.crimp_percent) : std::nullopt);
     });
 }
 

@@ -18,6 +18,7 @@ private:
     using Write = std::function<void(Fabric&, std::optional<double>)>;
     DesignField field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     void addConstruction();
+    void addCrimps();
     void addFlyaway();
     void addMeasured();
     void addDerived();

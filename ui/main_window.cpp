@@ -5,6 +5,7 @@
 #include "ui/appearance.h"
 #include "ui/candidates_panel.h"
 #include "ui/chart.h"
+#include "ui/draft_editor.h"
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
 #include "ui/issues_panel.h"
@@ -30,8 +31,6 @@
 namespace hygroloom {
 
 namespace {
-
-constexpr int layout_version = 1;
 
 /// What a run depends on, as text: equal texts mean that the results still hold.
 std::string dependence(const Design& design, const std::string& fabric, const std::string& experiment)
@@ -112,6 +111,7 @@ void MainWindow::buildPanels()
     };
     candidates_ = new CandidatesPanel(document_);
     weave_ = new WeaveEditor(document_);
+    draft_ = new DraftEditor(document_);
     fabric_panel_ = new FabricPanel(document_);
     experiment_panel_ = new ExperimentPanel(document_);
     simulation_panel_ = new SimulationPanel(document_, run_);
@@ -126,6 +126,7 @@ void MainWindow::buildPanels()
     layout->addWidget(chart_, 1);
     candidates_dock_ = dock("candidates", tr("Candidates"), candidates_);
     weave_dock_ = dock("weave", tr("Weave"), weave_);
+    draft_dock_ = dock("draft", tr("Draft"), draft_);
     fabric_dock_ = dock("fabric", tr("Fabric"), fabric_panel_);
     experiment_dock_ = dock("experiment", tr("Experiment"), experiment_panel_);
     simulation_dock_ = dock("simulation", tr("Simulation"), simulation_panel_);
@@ -146,7 +147,7 @@ void MainWindow::arrange(Workspace workspace)
 {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    for (QDockWidget* dock : {candidates_dock_, weave_dock_, fabric_dock_, experiment_dock_, simulation_dock_, issues_dock_, timeline_dock_}) {
+    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, issues_dock_, timeline_dock_}) {
         dock->setFloating(false);
     }
     addDockWidget(Qt::LeftDockWidgetArea, candidates_dock_);
@@ -157,8 +158,10 @@ void MainWindow::arrange(Workspace workspace)
     splitDockWidget(fabric_dock_, experiment_dock_, Qt::Vertical);
     splitDockWidget(experiment_dock_, simulation_dock_, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, timeline_dock_);
+    addDockWidget(Qt::BottomDockWidgetArea, draft_dock_);
+    splitDockWidget(timeline_dock_, draft_dock_, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
-    splitDockWidget(timeline_dock_, issues_dock_, Qt::Vertical);
+    splitDockWidget(draft_dock_, issues_dock_, Qt::Vertical);
     const bool design = workspace == Workspace::design;
     candidates_dock_->setVisible(design);
     weave_dock_->setVisible(design);
@@ -166,9 +169,10 @@ void MainWindow::arrange(Workspace workspace)
     experiment_dock_->setVisible(!design);
     simulation_dock_->setVisible(!design);
     timeline_dock_->setVisible(!design);
+    draft_dock_->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
-        resizeDocks({candidates_dock_, weave_dock_}, {220, 380}, Qt::Vertical);
+        resizeDocks({candidates_dock_, weave_dock_}, {130, 470}, Qt::Vertical);
         resizeDocks({candidates_dock_, fabric_dock_}, {230, 320}, Qt::Horizontal);
     } else {
         resizeDocks({experiment_dock_, simulation_dock_}, {400, 300}, Qt::Vertical);
@@ -215,6 +219,18 @@ void MainWindow::connectParts()
     connect(weave_->paper(), &PointPaper::crossingHovered, viewport_, &Viewport::setHighlight);
     connect(viewport_, &Viewport::repeatHovered, weave_->paper(), &PointPaper::setHighlight);
     connect(viewport_, &Viewport::repeatSelected, weave_->paper(), &PointPaper::setSelectedYarn);
+    connect(candidates_, &CandidatesPanel::told, this, [this](const QString& sentence, bool problem) {
+        if (problem) {
+            tellProblem(sentence);
+        } else {
+            statusBar()->showMessage(sentence, 4000);
+        }
+    });
+    connect(weave_, &WeaveEditor::draftRequested, this, [this] {
+        draft_dock_->setVisible(true);
+        resizeDocks({draft_dock_}, {std::max(300, height() * 2 / 5)}, Qt::Vertical);
+        draft_->paper()->setFocus();
+    });
     connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
         (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);
     });

@@ -19,6 +19,7 @@ namespace hygroloom {
 
 class CandidatesPanel;
 class Chart;
+class DraftEditor;
 class ExperimentPanel;
 class FabricPanel;
 class IssuesPanel;
@@ -37,6 +38,8 @@ public:
 
     /// A project or a recording, told apart by its ending. False after the user was told why not.
     bool openFile(const QString& path);
+    /// Asks what to take of a draft, a grid of text or a picture, and adds it as a candidate. False after the user was told why not.
+    bool importDraft(const QString& path);
     /// The example that ships with the program; an empty project where it cannot be found.
     void openShippedExample();
 
@@ -63,6 +66,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    static constexpr int layout_version = 2;
     // main_window.cpp
     void buildPanels();
     void connectParts();
@@ -91,6 +95,8 @@ private:
     bool saveAs();
     void saveRecordingAs();
     void saveScreenshot();
+    void chooseDraft();
+    void exportDraft();
     bool mayDiscard();
     bool mayStopRun();
     void addRecentFile(const QString& path);
@@ -112,6 +118,7 @@ private:
     WaterMapView* maps_ = nullptr;
     CandidatesPanel* candidates_ = nullptr;
     WeaveEditor* weave_ = nullptr;
+    DraftEditor* draft_ = nullptr;
     FabricPanel* fabric_panel_ = nullptr;
     ExperimentPanel* experiment_panel_ = nullptr;
     SimulationPanel* simulation_panel_ = nullptr;
@@ -120,6 +127,7 @@ private:
     Chart* chart_ = nullptr;
     QDockWidget* candidates_dock_ = nullptr;
     QDockWidget* weave_dock_ = nullptr;
+    QDockWidget* draft_dock_ = nullptr;
     QDockWidget* fabric_dock_ = nullptr;
     QDockWidget* experiment_dock_ = nullptr;
     QDockWidget* simulation_dock_ = nullptr;

@@ -92,6 +92,12 @@ void MainWindow::buildFileMenu()
     connect(save_, &QAction::triggered, this, &MainWindow::save);
     connect(addCommand(menu, {}, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), tr("Save the project in another place.")), &QAction::triggered, this,
             &MainWindow::saveAs);
+    menu->addSeparator();
+    connect(addCommand(menu, "import", tr("&Import Draft…"), QKeySequence("Ctrl+I"), tr("Add a fabric from a WIF draft, a text grid or a picture.")),
+            &QAction::triggered, this, &MainWindow::chooseDraft);
+    connect(addCommand(menu, {}, tr("E&xport Draft (WIF)…"), {}, tr("Write the chosen fabric's draft for other weaving programs.")), &QAction::triggered,
+            this, &MainWindow::exportDraft);
+    menu->addSeparator();
     save_recording_ = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
     connect(save_recording_, &QAction::triggered, this, &MainWindow::saveRecordingAs);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"), tr("Save the picture of the fabric as PNG."));
@@ -150,7 +156,7 @@ void MainWindow::buildViewMenu()
     }
     menu->addSeparator();
     QMenu* docks = menu->addMenu(tr("&Panels"));
-    for (QDockWidget* dock : {candidates_dock_, weave_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_, issues_dock_}) {
+    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_, issues_dock_}) {
         docks->addAction(dock->toggleViewAction());
     }
     connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Put the panels back where they were at first.")), &QAction::triggered, this,

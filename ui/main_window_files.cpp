@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Opening, saving, recent files, dropped files, closing.
+#include "core/base/error.h"
 #include "ui/candidates_panel.h"
 #include "ui/examples.h"
+#include "ui/import_dialog.h"
 #include "ui/main_window.h"
 
 #include <QAction>
@@ -27,11 +29,17 @@ bool isRecording(const QString& path)
     return path.endsWith(".hygrorec", Qt::CaseInsensitive);
 }
 
+bool isDraft(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    return QStringList{"wif", "txt", "png", "bmp"}.contains(ending);
+}
+
 QString readablePath(const QMimeData* data)
 {
     for (const QUrl& url : data->urls()) {
         const QString path = url.toLocalFile();
-        if (path.endsWith(".hygro", Qt::CaseInsensitive) || isRecording(path)) {
+        if (path.endsWith(".hygro", Qt::CaseInsensitive) || isRecording(path) || isDraft(path)) {
             return path;
         }
     }
@@ -47,6 +55,9 @@ QString withEnding(const QString& path, const QString& ending)
 
 bool MainWindow::openFile(const QString& path)
 {
+    if (isDraft(path)) {
+        return importDraft(path);
+    }
     if (isRecording(path)) {
         if (run_.running() && !mayStopRun()) {
             return false;
@@ -170,6 +181,56 @@ void MainWindow::saveScreenshot()
     }
 }
 
+void MainWindow::chooseDraft()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Import Draft"), QFileInfo(document_.path()).absolutePath(),
+                                                      tr("Drafts, text grids and pictures (*.wif *.txt *.png *.bmp);;All files (*)"));
+    if (!path.isEmpty()) {
+        importDraft(path);
+    }
+}
+
+bool MainWindow::importDraft(const QString& path)
+{
+    try {
+        ImportDialog dialog(import_draft(path.toStdString(), *document_.design()), this);
+        if (dialog.exec() != QDialog::Accepted) {
+            return false;
+        }
+        candidates_->addFabric(tr("import of %1").arg(QFileInfo(path).fileName()), dialog.fabric());
+    } catch (const Error& error) {
+        tellProblem(QString::fromStdString(error.what()));
+        return false;
+    }
+    setWorkspace(Workspace::design);
+    return true;
+}
+
+void MainWindow::exportDraft()
+{
+    if (!document_.fabric()) {
+        return;
+    }
+    if (document_.fabricHasError()) {
+        tellProblem(tr("The fabric has an error, so its draft cannot be exported; the Issues panel says which."));
+        return;
+    }
+    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                                      : QFileInfo(document_.path()).absolutePath();
+    const QString name = QString::fromStdString(document_.fabric()->name) + ".wif";
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export Draft"), QDir(folder).filePath(name), tr("Drafts (*.wif)"));
+    if (chosen.isEmpty()) {
+        return;
+    }
+    const QString path = withEnding(chosen, ".wif");
+    try {
+        write_wif(*document_.design(), *document_.fabric(), path.toStdString());
+        statusBar()->showMessage(tr("Saved %1.").arg(path), 4000);
+    } catch (const Error& error) {
+        tellProblem(QString::fromStdString(error.what()));
+    }
+}
+
 bool MainWindow::mayDiscard()
 {
     if (!document_.modified()) {
@@ -207,7 +268,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
-    states_[static_cast<int>(workspace_)] = saveState(1);
+    states_[static_cast<int>(workspace_)] = saveState(layout_version);
     settings.setValue("window/design", states_[0]);
     settings.setValue("window/simulate", states_[1]);
     event->accept();

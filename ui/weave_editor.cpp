@@ -2,9 +2,10 @@
 #include "ui/weave_editor.h"
 
 #include "core/base/error.h"
+#include "ui/appearance.h"
 #include "ui/design_undo.h"
 #include "ui/point_paper.h"
-#include "ui/quantity.h"
+#include "ui/weave_notes.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -12,39 +13,22 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QToolTip>
+#include <QStandardItemModel>
+#include <QToolButton>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace hygroloom {
 
 namespace {
 
-constexpr int largest_drawn_repeat = 64; // larger ones come from files
-
-
 QSpinBox* countBox(const QString& name)
 {
     auto* box = new QSpinBox;
-    box->setRange(1, largest_drawn_repeat);
+    box->setRange(1, largest_repeat);
     box->setKeyboardTracking(false);
     box->setAccessibleName(name);
     box->setToolTip(name);
     return box;
-}
-
-/// Interlacings of one repeat: how often a yarn changes sides, per yarn and crossing.
-double interlacingShare(const Weave& weave)
-{
-    int changes = 0;
-    for (int end = 0; end < weave.ends(); ++end) {
-        for (int pick = 0; pick < weave.picks(); ++pick) {
-            changes += weave.warp_up(end, pick) != weave.warp_up(end, pick + 1);
-            changes += weave.warp_up(end, pick) != weave.warp_up(end + 1, pick);
-        }
-    }
-    return changes / (2.0 * weave.ends() * weave.picks());
 }
 
 } // namespace
@@ -56,7 +40,7 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
     , ends_(countBox(tr("Ends of the repeat")))
     , picks_(countBox(tr("Picks of the repeat")))
     , paper_(new PointPaper)
-    , summary_(new QLabel)
+    , notes_(new WeaveNotes(document))
 {
     pattern_->setEditable(true);
     new DesignUndo(pattern_->lineEdit());
@@ -66,12 +50,7 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
     pattern_->lineEdit()->setPlaceholderText(tr("free weave"));
     pattern_->setMinimumContentsLength(10);
     pattern_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const std::string& name : common_weave_patterns()) {
-        pattern_->addItem(QString::fromStdString(name));
-    }
-    summary_->setForegroundRole(QPalette::PlaceholderText);
-    summary_->setWordWrap(true);
-    summary_->setAccessibleName(tr("About the weave"));
+    addPatterns();
 
     auto* size = new QHBoxLayout;
     size->setSpacing(4);
@@ -83,21 +62,50 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
-    layout->addWidget(pattern_);
+    auto* draft = new QToolButton;
+    draft->setIcon(themedIcon("draft"));
+    draft->setAutoRaise(true);
+    draft->setAccessibleName(tr("Edit the draft"));
+    draft->setToolTip(tr("Edit threading, tie-up, treadling and the order of the yarns."));
+    connect(draft, &QToolButton::clicked, this, &WeaveEditor::draftRequested);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(4);
+    top->addWidget(pattern_, 1);
+    top->addWidget(draft);
+    layout->addLayout(top);
+    layout->addWidget(buildTools());
     layout->addWidget(paper_, 1);
     layout->addLayout(size);
-    layout->addWidget(summary_);
+    layout->addWidget(notes_);
 
     connect(pattern_, &QComboBox::textActivated, this, &WeaveEditor::choosePattern);
     connect(pattern_->lineEdit(), &QLineEdit::returnPressed, this, &WeaveEditor::choosePattern);
     connect(ends_, &QSpinBox::valueChanged, this, &WeaveEditor::resizeRepeat);
     connect(picks_, &QSpinBox::valueChanged, this, &WeaveEditor::resizeRepeat);
-    connect(paper_, &PointPaper::crossingPainted, this, [this](int end, int pick, bool) {
-        setWeave(tr("weave"), "weave drawn", document_.fabric()->weave.toggled(end, pick));
+    connect(paper_, &PointPaper::painted, this, [this](const Crossings& crossings, bool up) {
+        setWeave(tr("weave"), "weave drawn", withPainted(document_.fabric()->weave, crossings, up));
     });
     connect(paper_, &PointPaper::strokeEnded, this, [this] { document_.endStroke(); });
     connect(&document_, &Document::designChanged, this, &WeaveEditor::refresh);
     refresh();
+}
+
+void WeaveEditor::addPatterns()
+{
+    auto* items = new QStandardItemModel(pattern_);
+    for (const WeaveGroup& group : weave_catalogue()) {
+        auto* heading = new QStandardItem(tr(group.name.c_str()));
+        heading->setFlags(Qt::NoItemFlags);
+        QFont font = heading->font();
+        font.setBold(true);
+        heading->setFont(font);
+        items->appendRow(heading);
+        for (const std::string& name : group.patterns) {
+            items->appendRow(new QStandardItem(QString::fromStdString(name)));
+        }
+    }
+    pattern_->setModel(items);
+    pattern_->setMaxVisibleItems(24);
 }
 
 void WeaveEditor::refresh()
@@ -105,22 +113,17 @@ void WeaveEditor::refresh()
     const Fabric* fabric = document_.fabric();
     setEnabled(fabric != nullptr);
     if (!fabric) {
-        summary_->setText(tr("Add a fabric to draw its weave."));
         return;
     }
     const QSignalBlocker quietEnds(ends_);
     const QSignalBlocker quietPicks(picks_);
     const Weave& weave = fabric->weave;
     paper_->setWeave(weave);
-    ends_->setMaximum(std::max(largest_drawn_repeat, weave.ends()));
-    picks_->setMaximum(std::max(largest_drawn_repeat, weave.picks()));
     ends_->setValue(weave.ends());
     picks_->setValue(weave.picks());
     pattern_->setCurrentIndex(pattern_->findText(QString::fromStdString(weave.pattern())));
     pattern_->setEditText(QString::fromStdString(weave.pattern()));
     pattern_->lineEdit()->setCursorPosition(0);
-    summary_->setText(tr("%1 % of the crossings interlace").arg(shownNumber(100 * interlacingShare(weave), 0)));
-    summary_->setToolTip("<p>" + tr("How often a yarn changes sides from one crossing to the next; 100 % is plain weave.") + "</p>");
 }
 
 void WeaveEditor::choosePattern()
@@ -132,8 +135,7 @@ void WeaveEditor::choosePattern()
     try {
         setWeave(tr("weave pattern"), {}, weave_from_pattern(name));
     } catch (const Error& error) {
-        QToolTip::showText(pattern_->mapToGlobal(QPoint(0, pattern_->height())), "<p>" + QString::fromStdString(error.what()).toHtmlEscaped() + "</p>",
-                           pattern_);
+        complain(pattern_, QString::fromStdString(error.what()));
         refresh();
     }
 }
@@ -144,19 +146,14 @@ void WeaveEditor::resizeRepeat()
     if (!fabric) {
         return;
     }
-    const int ends = ends_->value();
-    const int picks = picks_->value();
-    std::vector<std::uint8_t> up;
-    for (int pick = 0; pick < picks; ++pick) {
-        for (int end = 0; end < ends; ++end) {
-            up.push_back(fabric->weave.warp_up(end, pick) ? 1 : 0);
-        }
-    }
-    setWeave(tr("size of the repeat"), "weave size", Weave(ends, picks, std::move(up)));
+    setWeave(tr("size of the repeat"), "weave size", resized(fabric->weave, ends_->value(), picks_->value()));
 }
 
 void WeaveEditor::setWeave(const QString& undo, const std::string& field, const Weave& weave)
 {
+    if (weave == document_.fabric()->weave) {
+        return;
+    }
     const int index = document_.fabricIndex();
     document_.edit(undo, field, [&](Design& design) { design.fabrics[static_cast<std::size_t>(index)].weave = weave; });
 }

@@ -3,10 +3,15 @@
 
 #include "core/base/units.h"
 #include "core/design/yarn_sections.h"
+#include "ui/cloth_picture.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QLabel>
+#include <QMenu>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -14,17 +19,14 @@ namespace hygroloom {
 
 namespace {
 
-bool sameMaterial(const std::vector<MaterialShare>& a, const std::vector<MaterialShare>& b)
+QIcon swatch(const QColor& color, const QPalette& palette)
 {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const MaterialShare& x, const MaterialShare& y) { return x.name == y.name && x.share == y.share; });
-}
-
-bool sameYarn(const Yarn& a, const Yarn& b)
-{
-    return sameMaterial(a.material, b.material) && a.diameter_mm == b.diameter_mm && a.linear_density_tex == b.linear_density_tex
-        && a.packing_factor == b.packing_factor && a.fibres_per_yarn == b.fibres_per_yarn && a.twist_per_m == b.twist_per_m
-        && a.twist_direction == b.twist_direction;
+    QPixmap pixmap(32, 32);
+    pixmap.fill(color);
+    QPainter painter(&pixmap);
+    painter.setPen(QPen(palette.color(QPalette::Mid), 2));
+    painter.drawRect(1, 1, 30, 30);
+    return pixmap;
 }
 
 } // namespace
@@ -42,7 +44,7 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
         form.addWide(same_);
         connect(same_, &QCheckBox::clicked, this, [this](bool on) {
             unlinked_ = on ? std::string() : form_.document().fabric()->name;
-            if (on && !sameYarn(form_.document().fabric()->warp, form_.document().fabric()->weft)) {
+            if (on && form_.document().fabric()->warp != form_.document().fabric()->weft) {
                 const auto index = static_cast<std::size_t>(form_.document().fabricIndex());
                 form_.document().edit(tr("weft same as warp"), {}, [index](Design& design) {
                     design.fabrics[index].weft = design.fabrics[index].warp;
@@ -106,6 +108,22 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
         editYarn(tr("%1 twist direction").arg(kind), path("twist_direction"),
                  [index](Yarn& y) { y.twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
     });
+    QuantityEdit* plies = form.addQuantity(
+        Quantity::count(1, most_plies), field(tr("Plies"), tr("plies"), "plies", [](const Yarn& y) { return std::optional<double>(y.plies); },
+                                              [](Yarn& y, std::optional<double> v) { y.plies = static_cast<int>(v.value_or(1)); },
+                                              tr("Single yarns twisted together. Diameter and linear density are the whole yarn's.")));
+    ply_twist_ = form.addQuantity(
+        Quantity::twist(5000), field(tr("Ply twist"), tr("ply twist"), "ply_twist_per_m", [](const Yarn& y) { return std::optional(y.ply_twist_per_m); },
+                                     [](Yarn& y, std::optional<double> v) { y.ply_twist_per_m = v.value_or(0); },
+                                     tr("Turns of the plies round each other.")));
+    ply_direction_ = new QComboBox;
+    ply_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
+    form.addRow(tr("Ply direction"), ply_direction_);
+    connect(ply_direction_, &QComboBox::activated, this, [this, kind](int index) {
+        editYarn(tr("%1 ply twist direction").arg(kind), path("ply_twist_direction"),
+                 [index](Yarn& y) { y.ply_twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    });
+    addColor(kind);
     QuantityEdit* fibres = form.addQuantity(
         Quantity::count(1, 500), field(tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
                                         [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
@@ -113,8 +131,30 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
                                         tr("Bundles of real fibres, as drawn and exported.")));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric it lies in."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres, which draw the water in."));
-    fields_ = {fibre_, blend_, share_, diameter_, density_, packing_, twist, twist_direction_, fibres};
+    fields_ = {fibre_, blend_, share_, diameter_, density_, packing_, twist, twist_direction_, plies, ply_twist_, ply_direction_, color_, fibres};
     form.onRefresh([this] { refresh(); });
+}
+
+void YarnPanel::addColor(const QString& kind)
+{
+    color_ = new QToolButton;
+    color_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    color_->setPopupMode(QToolButton::InstantPopup);
+    color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto* menu = new QMenu(color_);
+    connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this, kind] {
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), !weft_), color_, tr("Colour of the Yarn"));
+        if (color.isValid()) {
+            editYarn(tr("%1 colour").arg(kind), path("color"), [&](Yarn& y) {
+                y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()), static_cast<std::uint8_t>(color.blue())};
+            });
+        }
+    });
+    connect(menu->addAction(tr("Undyed")), &QAction::triggered, this, [this, kind] {
+        editYarn(tr("%1 colour").arg(kind), path("color"), [](Yarn& y) { y.color.reset(); });
+    });
+    color_->setMenu(menu);
+    form_.addRow(tr("Colour"), color_);
 }
 
 void YarnPanel::addMaterials()
@@ -164,7 +204,7 @@ std::function<void(Design&, std::optional<double>)> YarnPanel::writing(std::func
 {
     return [this, change = std::move(change)](Design& design, std::optional<double> value) {
         Fabric& fabric = design.fabrics[static_cast<std::size_t>(form_.document().fabricIndex())];
-        const bool linked = !weft_ && fabric.name != unlinked_ && sameYarn(fabric.warp, fabric.weft);
+        const bool linked = !weft_ && fabric.name != unlinked_ && fabric.warp == fabric.weft;
         change(weft_ ? fabric.weft : fabric.warp, value);
         if (linked && !form_.property("weft apart").toBool()) {
             fabric.weft = fabric.warp;
@@ -198,14 +238,20 @@ void YarnPanel::refresh()
     }
     refreshMaterials();
     twist_direction_->setCurrentIndex(y->twist_direction == TwistDirection::s ? 0 : 1);
+    ply_direction_->setCurrentIndex(y->ply_twist_direction == TwistDirection::s ? 0 : 1);
+    color_->setIcon(swatch(yarnColor(*y, !weft_), form_.palette()));
+    color_->setText(y->color ? yarnColor(*y, !weft_).name() : tr("undyed"));
     share_->setEnabled(y->material.size() == 2);
+    ply_twist_->setEnabled(y->plies > 1);
+    ply_direction_->setEnabled(y->plies > 1);
     if (same_) {
         const Fabric& fabric = *form_.document().fabric();
-        const bool same = sameYarn(fabric.warp, fabric.weft) && fabric.name != unlinked_;
+        const bool same = fabric.warp == fabric.weft && fabric.name != unlinked_;
         form_.setProperty("weft apart", !same);
         same_->setChecked(same);
         for (QWidget* field : fields_) {
-            field->setEnabled(!same && (field != share_ || y->material.size() == 2));
+            field->setEnabled(!same && (field != share_ || y->material.size() == 2)
+                              && ((field != ply_twist_ && field != ply_direction_) || y->plies > 1));
         }
     }
     const auto& quantities = form_.document().quantities();

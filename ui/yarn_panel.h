@@ -5,6 +5,7 @@
 #include "ui/design_form.h"
 
 class QCheckBox;
+class QToolButton;
 
 namespace hygroloom {
 
@@ -21,6 +22,7 @@ private:
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
     std::string path(const char* field) const;
     void addMaterials();
+    void addColor(const QString& kind);
     void refresh();
     void refreshMaterials();
 
@@ -30,6 +32,9 @@ private:
     QComboBox* fibre_ = nullptr;
     QComboBox* blend_ = nullptr;
     QComboBox* twist_direction_ = nullptr;
+    QComboBox* ply_direction_ = nullptr;
+    QToolButton* color_ = nullptr;
+    QuantityEdit* ply_twist_ = nullptr;
     QuantityEdit* share_ = nullptr;
     QuantityEdit* diameter_ = nullptr;
     QuantityEdit* density_ = nullptr;

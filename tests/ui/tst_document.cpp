@@ -145,8 +145,8 @@ private Q_SLOTS:
         const std::string before = text();
         const int steps = document_->history()->count();
 
-        Q_EMIT weave.paper()->crossingPainted(0, 0, true);
-        Q_EMIT weave.paper()->crossingPainted(1, 1, true);
+        Q_EMIT weave.paper()->painted({QPoint(0, 0)}, false);
+        Q_EMIT weave.paper()->painted({QPoint(1, 1)}, false);
         Q_EMIT weave.paper()->strokeEnded();
 
         QCOMPARE(document_->history()->count(), steps + 1);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The library as pictures to choose from, and a user's own part of it.
+#include "ui/candidates_panel.h"
+#include "ui/document.h"
+#include "ui/examples.h"
+#include "ui/preset_gallery.h"
+
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestPresetGallery : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyShippedPresetIsShownWithAPicture()
+    {
+        PresetGallery gallery(folder_.filePath("none.json"));
+        auto* list = gallery.findChild<QListWidget*>();
+        QCOMPARE(list->count(), static_cast<int>(shipped_presets().size()));
+        QVERIFY(gallery.chosen());
+        const auto painted = [&] { return list->item(list->count() - 1)->icon().pixmap(64, 64).toImage().pixelColor(32, 32); };
+        const QColor blank = painted();
+        QTRY_VERIFY_WITH_TIMEOUT(painted() != blank, 5000);
+    }
+
+    void searchingAndGroupsNarrowTheChoice()
+    {
+        PresetGallery gallery(folder_.filePath("none.json"));
+        auto* list = gallery.findChild<QListWidget*>();
+        const int all = list->count();
+        const QString group = QString::fromStdString(shipped_presets().front().group);
+        gallery.search(group, {});
+        QVERIFY(list->count() > 0 && list->count() < all);
+        gallery.search({}, QString::fromStdString(shipped_presets().back().fabric().name));
+        QVERIFY(list->count() >= 1);
+        QCOMPARE(gallery.chosen()->fabric().name, shipped_presets().back().fabric().name);
+        gallery.search({}, "no fabric is called like this");
+        QCOMPARE(list->count(), 0);
+        QVERIFY(!gallery.chosen());
+    }
+
+    void aPresetBecomesACandidateAndCanBeUndone()
+    {
+        Document document;
+        QVERIFY(document.openExample(shippedExample()));
+        CandidatesPanel candidates(document);
+        const std::size_t before = document.design()->fabrics.size();
+        candidates.addPreset(shipped_presets().front());
+        QCOMPARE(document.design()->fabrics.size(), before + 1);
+        QCOMPARE(document.fabric()->name, shipped_presets().front().fabric().name);
+        QVERIFY(!document.fabricHasError());
+        document.history()->undo();
+        QCOMPARE(document.design()->fabrics.size(), before);
+    }
+
+    void whatIsKeptIsFoundAndCanBeRemoved()
+    {
+        const QString path = folder_.filePath("own/library.json");
+        Document document;
+        QVERIFY(document.openExample(shippedExample()));
+        Fabric fabric = *document.fabric();
+        fabric.name = "my shirting";
+        keepInLibrary(*document.design(), fabric, path);
+        keepInLibrary(*document.design(), fabric, path); // replaces the first
+        PresetGallery gallery(path);
+        auto* list = gallery.findChild<QListWidget*>();
+        QCOMPARE(list->count(), static_cast<int>(shipped_presets().size()) + 1);
+        gallery.removeChosen(); // a shipped one stays
+        QCOMPARE(list->count(), static_cast<int>(shipped_presets().size()) + 1);
+        list->setCurrentRow(list->count() - 1);
+        QCOMPARE(gallery.chosen()->fabric().name, std::string("my shirting"));
+        gallery.removeChosen();
+        QCOMPARE(list->count(), static_cast<int>(shipped_presets().size()));
+        QVERIFY(read_library(path.toStdString()).empty());
+    }
+
+private:
+    QTemporaryDir folder_;
+};
+
+QTEST_MAIN(TestPresetGallery)
+#include "tst_preset_gallery.moc"

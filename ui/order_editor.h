@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The yarns of the chosen fabric, their colours, and the order in which they come: by text, or on the draft's bars.
+#pragma once
+
+#include "ui/document.h"
+
+#include <QWidget>
+
+class QLineEdit;
+class QListWidget;
+class QToolButton;
+
+namespace hygroloom {
+
+class OrderEditor : public QWidget {
+    Q_OBJECT
+public:
+    explicit OrderEditor(Document& document, QWidget* parent = nullptr);
+
+    /// The yarn that is drawn with, as yarn_in() numbers them; 0 is the fabric's own warp or weft.
+    int chosenYarn() const;
+    void chooseYarn(int yarn);
+    /// Makes an end (pick) of the given period the chosen yarn.
+    void paintThread(bool warp, int thread, int period);
+    void addYarn();
+    void removeYarn();
+    void setColor(const QColor& color);
+
+private:
+    void refresh();
+    void pickColor();
+    void setOrder(bool warp, const QString& text);
+    void edit(const QString& undo, const std::string& field, const std::function<void(Fabric&)>& change);
+
+    Document& document_;
+    QListWidget* list_;
+    QToolButton* remove_;
+    QLineEdit* orders_[2]; ///< warp, weft
+};
+
+} // namespace hygroloom
