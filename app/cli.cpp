@@ -90,7 +90,7 @@ int devices(const DevicesOptions& options)
             list.push_back({{"backend", info.name}, {"device", info.device}, {"usable", info.usable}});
             if (!info.usable) list.back()["reason"] = info.reason;
         }
-        fmt::print("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2));
+        fmt::print("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return exit_ok;
     }
     for (const BackendInfo& info : backends)

@@ -146,7 +146,11 @@ void draw_bar(double share, double seconds)
 
 int export_piece(const ExportVerbOptions& options)
 {
-    if (options.output.ends_with(".wif") || options.output.ends_with(".WIF")) return export_wif(options, options.output);
+    if (CLI::detail::to_lower(std::filesystem::path(options.output).extension().string()) == ".wif") {
+        if (options.estimate || !options.water.empty())
+            throw Stop(exit_usage, "--estimate and --water are for meshes and curves; a draft (.wif) has neither size nor water.");
+        return export_wif(options, options.output);
+    }
     ExportOptions export_options;
     export_options.mesh = request_from(options);
     MeshFormat format{};
@@ -168,7 +172,7 @@ int export_piece(const ExportVerbOptions& options)
                                 {"curves", size.curves}};
     if (options.estimate) {
         json["bytes"] = std::round(size.bytes);
-        if (options.json) fmt::print("{}\n", json.dump(2));
+        if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return exit_ok;
     }
 
@@ -203,7 +207,7 @@ int export_piece(const ExportVerbOptions& options)
         for (const auto& file : exported.files) json["files"].push_back(file.string());
         json["bytes"] = exported.bytes;
         json["seconds"] = seconds();
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return exit_ok;
     }
     for (const auto& file : exported.files) fmt::print("{}\n", file.string());

@@ -30,7 +30,7 @@ int list_finishes(const PresetOptions& options)
         json.push_back({{"name", finish.name}, {"contact_angle_deg", finish.contact_angle_deg}, {"note", finish.note}});
         if (!options.json) fmt::print("  {:<30} {:>4.0f} degrees  {}\n", finish.name, finish.contact_angle_deg, finish.note);
     }
-    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(2));
+    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -45,7 +45,7 @@ int list_presets(const PresetOptions& options, const std::vector<Preset>& preset
         if (preset.group != group) fmt::print("{}\n", group = preset.group);
         fmt::print("  {:<20} {:>4.0f} g/m2  {}\n", preset.fabric().name, weight, preset.note);
     }
-    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(2));
+    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -53,7 +53,14 @@ int presets(const PresetOptions& options)
 {
     if (options.finishes) return list_finishes(options);
     std::vector<Preset> all = shipped_presets();
-    if (!options.library.empty()) all = read_library(options.library);
+    if (!options.library.empty()) {
+        if (!std::filesystem::exists(options.library)) throw Stop(exit_invalid, "There is no library " + options.library + ".");
+        try {
+            all = read_library(options.library);
+        } catch (const FileError& error) {
+            throw Stop(exit_invalid, error.what());
+        }
+    }
     for (const Preset& preset : all)
         for (const Issue& issue : validate(preset.design))
             if (issue.severity == Severity::error)
@@ -75,7 +82,7 @@ int presets(const PresetOptions& options)
     }
     write_project(design, options.output);
     if (options.json)
-        fmt::print("{}\n", Json{{"file", options.output}, {"fabrics", added}}.dump(2));
+        fmt::print("{}\n", Json{{"file", options.output}, {"fabrics", added}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}\n", options.output);
     return exit_ok;

@@ -51,7 +51,7 @@ int list_cases(const VerifyOptions& options)
         list.push_back({{"case", c.name}, {"about", c.about}, {"parameters", parameters_json(c.parameters)}});
         if (!options.json) fmt::print("{:<26} {}\n", c.name, c.about);
     }
-    if (options.json) fmt::print("{}\n", Json{{"cases", list}}.dump(2));
+    if (options.json) fmt::print("{}\n", Json{{"cases", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -95,7 +95,7 @@ int verify(const VerifyOptions& options)
         if (options.json) reports.push_back(report_json(report));
         else print_report(report);
     }
-    if (options.json) fmt::print("{}\n", options.name.empty() ? Json{{"reports", reports}}.dump(2) : reports[0].dump(2));
+    if (options.json) fmt::print("{}\n", options.name.empty() ? Json{{"reports", reports}}.dump(2) : reports[0].dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return pass ? exit_ok : exit_failed;
 }
 

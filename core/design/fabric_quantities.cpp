@@ -40,7 +40,8 @@ double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, dou
         const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
         const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
         const Interlacing path = fitted.path(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
-        sum += order.share[other] * 100 * (path.length / path.pitch - 1) * changes;
+        const double crimp = path.length / path.pitch - 1;
+        sum += order.share[other] * 100 * (crimp > 1e-9 ? crimp : 0) * changes;
     }
     return sum;
 }
@@ -84,17 +85,17 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
                                       warp_straight(steps, 0.5 * a.width);
             const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp),
                                       weft_straight(steps, 0.5 * b.width);
+            const double dx = 0.5 * warp_pitch / steps, dy = 0.5 * weft_pitch / steps;
+            const auto beyond = [](std::size_t cell, double size, double edge) {
+                return std::clamp(static_cast<double>(cell) + 1 - edge / size, 0.0, 1.0); // share of a cell past a yarn's edge
+            };
             double here = 0;
             for (bool warp_turns : {false, true})
                 for (bool weft_turns : {false, true}) {
                     const std::vector<double>&warp = warp_turns ? warp_bent : warp_straight, &weft = weft_turns ? weft_bent : weft_straight;
-                    int free = 0;
+                    double free = 0;
                     for (std::size_t k = 0; k < steps; ++k)
-                        for (std::size_t l = 0; l < steps; ++l) {
-                            const double x = 0.5 * warp_pitch * (static_cast<double>(k) + 0.5) / steps,
-                                         y = 0.5 * weft_pitch * (static_cast<double>(l) + 0.5) / steps;
-                            free += x > warp[l] && y > weft[k];
-                        }
+                        for (std::size_t l = 0; l < steps; ++l) free += beyond(k, dx, warp[l]) * beyond(l, dy, weft[k]);
                     const double likely = (warp_turns ? warp_changes : 1 - warp_changes) * (weft_turns ? weft_changes : 1 - weft_changes);
                     here += likely * free / (steps * steps);
                 }
@@ -205,11 +206,18 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
             q.notes.push_back(fmt::format("The {}'s crimp is set to {:.3g} %; yarns of these sections and setts can have {:.3g} %.", name,
                                           *set, reached));
     };
-    note_crimp("warp", fabric.warp_crimp_percent, q.warp.crimp_percent);
-    note_crimp("weft", fabric.weft_crimp_percent, q.weft.crimp_percent);
+    note_crimp("warp", fabric.warp_crimp_percent ? fabric.warp_crimp_percent : fabric.measured.crimp_percent, q.warp.crimp_percent);
+    note_crimp("weft", fabric.weft_crimp_percent ? fabric.weft_crimp_percent : fabric.measured.crimp_percent, q.weft.crimp_percent);
     if (q.jammed)
         q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
     return q;
+}
+
+double scale_to(const FabricQuantities& q, const Measured& measured)
+{
+    if (measured.areal_density_g_m2) return *measured.areal_density_g_m2 / q.areal_density_g_m2;
+    if (measured.porosity) return (1 - *measured.porosity) / (1 - q.porosity);
+    return 1;
 }
 
 } // namespace
@@ -224,7 +232,7 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
 FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
 {
     FabricQuantities q = quantities_of(design, fabric);
-    const double scale = fibre_scale(q, fabric.measured);
+    const double scale = scale_to(q, fabric.measured);
     for (YarnQuantities* yarn : {&q.warp, &q.weft}) {
         yarn->pore_radius_um *= (1 - scale * yarn->packing_factor_in_fabric) / (scale * (1 - yarn->packing_factor_in_fabric));
         yarn->linear_density_tex *= scale;
@@ -239,11 +247,6 @@ FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
     return q;
 }
 
-double fibre_scale(const FabricQuantities& q, const Measured& measured)
-{
-    if (measured.areal_density_g_m2) return *measured.areal_density_g_m2 / q.areal_density_g_m2;
-    if (measured.porosity) return (1 - *measured.porosity) / (1 - q.porosity);
-    return 1;
-}
+double fibre_scale(const Design& design, const Fabric& fabric) { return scale_to(quantities_of(design, fabric), fabric.measured); }
 
 } // namespace hygroloom

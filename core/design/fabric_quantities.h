@@ -47,7 +47,8 @@ FabricQuantities derive_quantities(const Design& design, const Fabric& fabric);
 /// The same with what a laboratory measured in its place, and what follows from that: what geometry and simulation use.
 FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric);
 
-/// How much more fibre the yarns hold than derived, by the measured areal density or else the measured porosity; 1 when neither is given.
-double fibre_scale(const FabricQuantities& derived, const Measured& measured);
+/// How much more fibre the yarns hold than their description says, by the measured areal density or else the measured porosity, for the
+/// crimp and the thickness that are in use; 1 when neither is given.
+double fibre_scale(const Design& design, const Fabric& fabric);
 
 } // namespace hygroloom

@@ -165,16 +165,31 @@ void validate_measured(const Measured& measured, const std::string& where, Issue
 /// Whether the yarns can hold as much fibre as the laboratory's values ask for.
 void validate_fibre_scale(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
-    const FabricQuantities derived = derive_quantities(design, fabric);
-    const double scale = fibre_scale(derived, fabric.measured);
-    const double packing = scale * std::max(derived.warp.packing_factor_in_fabric, derived.weft.packing_factor_in_fabric);
-    const char* key = fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity";
-    if (scale != 1 && (packing > densest_packing || packing < 0.01))
-        list.error(
-            "measured_disagrees", where + key,
-            fmt::format("The laboratory's value means yarns packed to {:.3g}; the sections that follow from sett, thickness and diameters "
-                        "can hold from 0.01 to {}. Derived are {:.4g} g/m2 and a porosity of {:.3g}.",
-                        packing, densest_packing, derived.areal_density_g_m2, derived.porosity));
+    const double scale = fibre_scale(design, fabric);
+    if (scale == 1) return;
+    const FittedYarns fitted = fit_yarns(design, fabric);
+    double loosest = 1, densest = 0;
+    for (const auto* yarns : {&fitted.warp, &fitted.weft})
+        for (const FittedYarn& yarn : *yarns) {
+            loosest = std::min(loosest, scale * yarn.packing_factor);
+            densest = std::max(densest, scale * yarn.packing_factor);
+        }
+    const FabricQuantities used = quantities_in_use(design, fabric);
+    const std::string key = where + (fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity");
+    if (densest > densest_packing || loosest < 0.01)
+        list.error("measured_disagrees", key,
+                   fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
+                               "and diameters can hold from 0.01 to {}. Derived are {:.4g} g/m2.",
+                               loosest, densest, densest_packing, used.areal_density_g_m2 / scale));
+    if (fabric.measured.areal_density_g_m2 && fabric.measured.porosity) {
+        Fabric weighed = fabric;
+        weighed.measured.porosity.reset();
+        const double meant = quantities_in_use(design, weighed).porosity;
+        if (std::abs(meant - *fabric.measured.porosity) > 0.05)
+            list.add(Severity::warning, "measured_disagrees", where + ".porosity",
+                     fmt::format("The areal density means a porosity of {:.3g}; given is {}. The areal density decides how much fibre there is.",
+                                 meant, *fabric.measured.porosity));
+    }
 }
 
 void note_wicking(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)

@@ -46,6 +46,7 @@ double rise_before_jam(double span, const Section& own, const Section& other)
 /// The rise that gives a crimp over one change of sides, at most most.
 double rise_of_crimp(const FittedYarns& fitted, double span, const Section& own, const Section& other, double crimp, double most)
 {
+    if (crimp <= 0) return 0;
     double low = 0, high = most;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);

@@ -117,12 +117,16 @@ double packing_at(const YarnType& type, double squared) { return type.packing * 
 double drawn_fibre_radius(const YarnType& type)
 {
     const double radius = equivalent_radius(type), ply = ply_radius(type.plies);
-    const double thick = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
-    const double reach = std::max(0.1 * radius * ply, radius * ply - thick);       // of the middles
+    const double straight = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
     const double round = type.plies > 1 ? 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply) : 0;
-    const double lengthening =
-        helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
-    return thick / std::sqrt(lengthening);
+    double fibre = straight;
+    for (int i = 0; i < 12; ++i) { // thinner fibres reach further out and are longer
+        const double reach = std::max(0.1 * radius * ply, radius * ply - fibre);
+        const double lengthening =
+            helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
+        fibre = straight / std::sqrt(lengthening);
+    }
+    return fibre;
 }
 
 FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
@@ -219,6 +223,7 @@ void YarnFibres::find_loops(std::uint64_t stream)
     const double density = 1e3 * textile_.flyaway.loop_density_per_mm, height = metre_from_mm(textile_.flyaway.loop_height_mm);
     if (density <= 0 || height <= 0) return;
     const double reach = (1 + loop_flank) * loop_width * height;
+    loop_reach_ = static_cast<float>(reach);
     const auto first = static_cast<std::int64_t>(std::floor((along0_ - reach) * density)) - 1;
     const auto last = static_cast<std::int64_t>(std::floor((along1_ + reach) * density)) + 1;
     for (std::int64_t k = first; k <= last; ++k) {
@@ -228,6 +233,13 @@ void YarnFibres::find_loops(std::uint64_t stream)
         loops_[fibre].push_back(
             {static_cast<float>((static_cast<double>(k) + draw(2)) / density), static_cast<float>(h), static_cast<float>(loop_width * h)});
     }
+}
+
+const YarnFibres::Loop* YarnFibres::first_loop(std::size_t fibre, float along) const
+{
+    const auto& loops = loops_[fibre];
+    const auto first = std::lower_bound(loops.begin(), loops.end(), along - loop_reach_, [](const Loop& loop, float place) { return loop.middle < place; });
+    return loops.data() + (first - loops.begin());
 }
 
 void YarnFibres::find_hairs(std::uint64_t stream)
@@ -292,7 +304,9 @@ void YarnFibres::place(int fibre, std::size_t index, float* out) const
         cosine = y * inverse;
     }
     float lifted = 0, extra = 0;
-    for (const Loop& loop : loops_[i]) {
+    for (const Loop* at = first_loop(i, ring.along); at != loops_[i].data() + loops_[i].size(); ++at) {
+        const Loop& loop = *at;
+        if (loop.middle > ring.along + loop_reach_) break;
         const float x = std::abs(ring.along - loop.middle) / loop.half_width;
         if (x >= 1 + static_cast<float>(loop_flank)) continue;
         if (x < 1) {
@@ -342,8 +356,12 @@ double YarnFibres::loop_length(int strand) const
     for (std::size_t ring = 0; ring < rings_; ++ring) {
         place(strand, ring + 1, here);
         bool outside = false;
-        for (const Loop& loop : loops_[static_cast<std::size_t>(strand)])
+        const auto& loops = loops_[static_cast<std::size_t>(strand)];
+        for (const Loop* at = first_loop(static_cast<std::size_t>(strand), ring_[ring + 1].along); at != loops.data() + loops.size(); ++at) {
+            const Loop& loop = *at;
+            if (loop.middle > ring_[ring + 1].along + loop_reach_) break;
             outside = outside || std::abs(ring_[ring + 1].along - loop.middle) < loop.half_width;
+        }
         if (ring > 0 && (outside || outside_before)) {
             const double piece = std::hypot(static_cast<double>(here[0] - before[0]), static_cast<double>(here[1] - before[1]),
                                             static_cast<double>(here[2] - before[2]));

@@ -88,7 +88,9 @@ private:
         std::size_t ring;
     };
 
-    void find_loops(std::uint64_t stream);
+    void find_loops(std::uint64_t stream); ///< in order along the yarn
+    /// The first of a fibre's loops that can reach a place.
+    const Loop* first_loop(std::size_t fibre, float along) const;
     void find_hairs(std::uint64_t stream);
     void place(int fibre, std::size_t ring, float* out) const;
     void hair_curve(const Hair& hair, float* out) const;
@@ -104,6 +106,7 @@ private:
     float core_ = 0;      ///< how much denser the axis is than the mean
     float inner_ = 1;     ///< share of the section's half axes that fibres' middles reach
     float migration_ = 0; ///< m of yarn from surface to surface
+    float loop_reach_ = 0;     ///< m, from a loop's middle to where its fibre is back in the yarn
     double along0_ = 0, along1_ = 0;
     std::vector<Ring> ring_; ///< one more at each end
     std::vector<float> start_angle_cos_, start_angle_sin_, phase_;

@@ -7,18 +7,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hygroloom {
 namespace {
 
-constexpr int least_threads = 16, most_threads = 48;
-constexpr int raster = 100; // points per pitch, for cover
+constexpr int least_threads = 16, most_threads = 240;
+constexpr double most_points = 2e7; // of fibres, and of the raster for cover
 
-/// Whole repeats where they are small enough.
-int threads_for(int repeat)
+/// Whole repeats of weave and yarn order where they are small enough.
+int threads_for(int repeat, const std::vector<YarnRun>& order)
 {
-    const int whole = repeat * std::max(1, (least_threads + repeat - 1) / repeat);
-    return std::min(whole, most_threads);
+    long period = 0;
+    for (const YarnRun& run : order) period += run.count;
+    const long both = std::lcm(static_cast<long>(repeat), std::max(1L, period));
+    return static_cast<int>(std::min<long>(both * std::max(1L, (least_threads + both - 1) / both), most_threads));
 }
 
 PoreRadii radii_of(std::vector<std::pair<double, double>> radius_and_weight)
@@ -70,35 +73,58 @@ double line_length(const std::vector<float>& line)
     return length;
 }
 
-/// Mass and volume are those of the yarns without flyaways: a yarn's linear density holds them already.
+/// Twelve points per turn, and enough for the bends.
+int samples_for(const YarnType& type, double pitch)
+{
+    return static_cast<int>(std::clamp(std::ceil(12 * pitch * std::max(std::abs(type.twist), std::abs(type.ply_twist))), 24.0, 1200.0));
+}
+
+/// Mass and volume are those of the yarns without flyaways: a yarn's linear density holds them already. Of many points every few yarns
+/// are summed and stand for the others.
 FibreSums sum_fibres(const Textile& textile)
 {
     FibreSums sums;
     std::vector<float> line;
-    for (bool flyaways : {false, true})
-        for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-            for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) {
-                const YarnType& type = textile.type(kind, yarn);
-                const YarnFibres fibres(textile, {24, 6, flyaways, true, 1}, kind, yarn, 0,
-                                        kind == YarnKind::warp ? textile.picks() : textile.ends());
-                const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        const int crossings = kind == YarnKind::warp ? textile.picks() : textile.ends();
+        const double pitch = textile.system(other_kind(kind)).pitch;
+        std::vector<int> threads(system.types.size(), 0), summed(system.types.size(), 0);
+        for (int yarn = 0; yarn < system.count; ++yarn) ++threads[static_cast<std::size_t>(textile.type_of(kind, yarn))];
+        std::vector<int> wanted;
+        for (std::size_t type = 0; type < system.types.size(); ++type) {
+            const double each = static_cast<double>(crossings) * samples_for(system.types[type], pitch) * system.types[type].fibres;
+            const double share = 0.25 * most_points * threads[type] / system.count;
+            wanted.push_back(std::clamp(static_cast<int>(share / each), 1, std::max(1, threads[type])));
+        }
+        for (int yarn = 0; yarn < system.count; ++yarn) {
+            const auto number = static_cast<std::size_t>(textile.type_of(kind, yarn));
+            if (summed[number] == wanted[number]) continue;
+            ++summed[number];
+            const YarnType& type = system.types[number];
+            const double stands_for = static_cast<double>(threads[number]) / wanted[number];
+            const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
+            for (bool flyaways : {false, true}) {
+                const YarnFibres fibres(textile, {samples_for(type, pitch), 6, flyaways, true, 1}, kind, yarn, 0, crossings);
                 for (int strand = 0; strand < fibres.strands(); ++strand) {
                     line.resize(3 * fibres.points(strand));
                     fibres.curve(strand, line.data());
                     const double radius = fibres.radius(strand);
                     if (!flyaways) {
-                        const double volume = line_length(line) * pi * radius * radius;
+                        const double volume = stands_for * line_length(line) * pi * radius * radius;
                         sums.volume += volume;
                         sums.mass += volume * type.fibre.density_kg_m3;
                         continue;
                     }
-                    sums.flyaway += real_area * (fibres.is_hair(strand) ? line_length(line) : fibres.loop_length(strand));
+                    sums.flyaway += stands_for * real_area * (fibres.is_hair(strand) ? line_length(line) : fibres.loop_length(strand));
                     for (std::size_t i = 2; i < line.size() && !fibres.is_hair(strand); i += 3) {
                         sums.highest = std::max(sums.highest, static_cast<double>(line[i]) + radius);
                         sums.lowest = std::min(sums.lowest, static_cast<double>(line[i]) - radius);
                     }
                 }
             }
+        }
+    }
     return sums;
 }
 
@@ -119,8 +145,9 @@ struct Cover {
 /// Shares of the fabric's area that lie under ends, under picks, under either.
 Cover rasterize(const Textile& textile)
 {
-    constexpr double step = 1.0 / raster;
-    const auto strips = [](int yarns, int crossings, auto at) { // one more yarn on each side
+    const int raster = static_cast<int>(std::clamp(std::sqrt(0.2 * most_points / textile.crossings()), 8.0, 100.0)); // cells per pitch
+    const double step = 1.0 / raster;
+    const auto strips = [&](int yarns, int crossings, auto at) { // one more yarn on each side
         std::vector<Strip> all;
         for (int yarn = -1; yarn <= yarns; ++yarn)
             for (int i = 0; i < crossings * raster; ++i) all.push_back(at(yarn, i / raster, (i % raster + 0.5) * step - 0.5));
@@ -130,24 +157,26 @@ Cover rasterize(const Textile& textile)
                              [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::warp, yarn, at, offset); });
     const auto weft = strips(textile.picks(), textile.ends(),
                              [&](int yarn, int at, double offset) { return strip_at(textile, YarnKind::weft, yarn, at, offset); });
-    const auto covered = [](const std::vector<Strip>& all, int yarn, int along, int length, double place) {
+    // Share of a cell from place to place + size that a yarn or its neighbours cover.
+    const auto covered = [](const std::vector<Strip>& all, int yarn, int along, int length, double place, double size) {
+        double share = 0;
         for (int beside = 0; beside <= 2; ++beside) {
             const Strip& strip = all[static_cast<std::size_t>((yarn + beside) * length + along)];
-            if (std::abs(place - strip.middle) < strip.half) return true;
+            share += std::max(0.0, std::min(place + size, strip.middle + strip.half) - std::max(place, strip.middle - strip.half)) / size;
         }
-        return false;
+        return std::min(1.0, share);
     };
     Cover cover;
     const int columns = textile.ends() * raster, rows = textile.picks() * raster;
+    const double dx = step * textile.warp.pitch, dy = step * textile.weft.pitch;
+    const double x0 = textile.x_of_end(0) - 0.5 * textile.warp.pitch, y0 = textile.y_of_pick(0) - 0.5 * textile.weft.pitch;
     for (int column = 0; column < columns; ++column)
         for (int row = 0; row < rows; ++row) {
-            const double x = textile.x_of_end(0) + ((column + 0.5) * step - 0.5) * textile.warp.pitch;
-            const double y = textile.y_of_pick(0) + ((row + 0.5) * step - 0.5) * textile.weft.pitch;
-            const bool under_warp = covered(warp, column / raster, row, rows, x),
-                       under_weft = covered(weft, row / raster, column, columns, y);
+            const double under_warp = covered(warp, column / raster, row, rows, x0 + column * dx, dx);
+            const double under_weft = covered(weft, row / raster, column, columns, y0 + row * dy, dy);
             cover.warp += under_warp;
             cover.weft += under_weft;
-            cover.both += under_warp || under_weft;
+            cover.both += 1 - (1 - under_warp) * (1 - under_weft);
         }
     const double n = static_cast<double>(columns) * rows;
     return {cover.warp / n, cover.weft / n, cover.both / n};
@@ -191,13 +220,13 @@ double mean_crimp_percent(const Textile& textile, YarnKind kind)
     for (int end = 0; end < textile.ends(); ++end)
         for (int pick = 0; pick < textile.picks(); ++pick) {
             // Chords of a fine polyline: the path as it is drawn.
-            constexpr int steps = 32;
+            constexpr int steps = 24;
             const bool is_warp = kind == YarnKind::warp;
             Vec3d before;
             for (int i = 0; i <= steps; ++i) {
                 const Vec3d here =
                     yarn_point(textile, kind, is_warp ? end : pick, is_warp ? pick : end, static_cast<double>(i) / steps - 0.5).centre;
-                if (i > 0) length += hygroloom::length(here - before);
+                if (i > 0) length += is_warp ? std::hypot(here.y - before.y, here.z - before.z) : std::hypot(here.x - before.x, here.z - before.z);
                 before = here;
             }
         }
@@ -229,7 +258,7 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
 {
     Fabric unmeasured = fabric; // to compare with the formulas
     unmeasured.measured = {};
-    const Textile textile = build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends()), threads_for(fabric.weave.picks())});
+    const Textile textile = build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends(), fabric.warp_order), threads_for(fabric.weave.picks(), fabric.weft_order)});
     const FabricQuantities& formula = textile.quantities;
     const double area = textile.crossings() * textile.warp.pitch * textile.weft.pitch;
     const FibreSums sums = sum_fibres(textile);

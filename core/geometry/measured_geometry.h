@@ -22,7 +22,7 @@ struct Permeability {
 };
 
 struct MeasuredYarn {
-    double crimp_percent = 0;
+    double crimp_percent = 0;      ///< out of the fabric's plane
     double cover = 0;
     double braiding_angle_deg = 0; ///< between the chords that meet over a crossed yarn; 0 when it never changes sides
     PoreRadii pores;               ///< between the fibres
@@ -43,7 +43,8 @@ struct MeasuredGeometry {
     int ends = 0, picks = 0; ///< that were measured
 };
 
-/// Makes every fibre of a few repeats (some thousand crossings at most) and measures them. Precondition: validate() found no error.
+/// Makes the fibres of some repeats of weave and yarn order, of 240 ends and picks at most, and measures them; pores in yarns are those of
+/// the first yarn of each system. Laboratory values are left out. Precondition: validate() found no error.
 MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric);
 
 /// By formula, beside MeasuredGeometry::permeability. Radii in um as FabricQuantities has them.

@@ -230,7 +230,7 @@ Textile build_textile(const Design& design, const Fabric& fabric, const TextileR
     const FittedYarns fitted = fit_yarns(design, fabric);
     Textile textile;
     textile.quantities = quantities_in_use(design, fabric);
-    const double scale = fibre_scale(derive_quantities(design, fabric), fabric.measured);
+    const double scale = fibre_scale(design, fabric);
     textile.thickness = metre_from_mm(fitted.thickness());
     textile.warp = make_system(fabric, fitted, true, region.ends, scale);
     textile.weft = make_system(fabric, fitted, false, region.picks, scale);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <array>
 #include <cmath>
 
@@ -88,11 +89,14 @@ private:
             if (names.size() < 200) names += (names.empty() ? "[" : ", [") + name.substr(0, 60) + "]";
         };
         std::vector<std::string> declared;
+        std::map<std::string, const WifSection*> by_name;
+        for (const WifSection& section : file_.sections) by_name.emplace(section.name, &section);
         for (const WifEntry& entry : contents->entries) {
             const std::string name = capitals(entry.key);
             if (!truth(entry.value).value_or(false)) continue;
             declared.push_back(name);
-            const WifSection* section = file_.find(name);
+            const auto found = by_name.find(name);
+            const WifSection* section = found == by_name.end() ? nullptr : found->second;
             if (!section || (section->entries.empty() && section->lines.size() <= 1)) list(missing, name);
         }
         std::sort(declared.begin(), declared.end());
@@ -165,6 +169,8 @@ private:
                 else if (*number >= first_) // 0 stands for none
                     list.push_back(*number - first_);
             }
+            std::sort(list.begin(), list.end()); // a number twice means nothing more
+            list.erase(std::unique(list.begin(), list.end()), list.end());
         }
         if (unreadable > 0) warn(fmt::format("{} of [{}] left out: no number.", counted(unreadable, "value", "values"), name));
         if (beyond > 0) warn(fmt::format("{} of [{}] left out: greater than {}.", counted(beyond, "value", "values"), name, most_shafts));

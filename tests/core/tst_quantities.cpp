@@ -197,6 +197,24 @@ private Q_SLOTS:
         QVERIFY(near(quantities_in_use({}, crimped).warp.crimp_percent, 4, 0.05));
         QVERIFY(near(derive_quantities({}, crimped).warp.crimp_percent, derived.warp.crimp_percent, 1e-12));
     }
+    void laboratoryWeightIsMetWhateverTheCrimp()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        fabric.measured.areal_density_g_m2 = 100;
+        fabric.measured.crimp_percent = 20;
+        const FabricQuantities q = quantities_in_use({}, fabric);
+        QVERIFY(near(q.areal_density_g_m2, 100, 1e-9));
+        QVERIFY(near(2 * 20 * q.warp.linear_density_tex * (1 + 0.01 * q.warp.crimp_percent) / 10, 100, 1e-6));
+        QVERIFY(near(fibre_scale({}, fabric), q.warp.packing_factor_in_fabric / 0.5, 1e-12));
+    }
+    void coverOfStraightYarnsIsTheTextbooks()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        fabric.weave = Weave(1, 1, {1}); // nothing interlaces
+        QVERIFY(near(derive_quantities({}, fabric).cover_factor, 0.64, 1e-9)); // 0.4 + 0.4 - 0.16
+        fabric.ends_per_cm = fabric.picks_per_cm = 0.5;
+        QVERIFY(near(derive_quantities({}, fabric).cover_factor, 0.0199, 1e-9));
+    }
     void stripesWeighWhatTheirThreadsDo()
     {
         Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
