@@ -156,7 +156,9 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const Measure
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
     if (fabric.measured.tortuosity) row("tortuosity", "", "", "", "", "", text(fabric.measured.tortuosity));
-    if (fabric.measured != Measured{}) fmt::print("  Where there is a laboratory value, the cloth that is drawn and simulated has it; the columns of formula and geometry leave it out.\n");
+    if (fabric.measured != Measured{})
+        fmt::print("  Where there is a laboratory value, the cloth that is drawn and simulated has it; the columns of formula and geometry "
+                   "leave it out.\n");
     fmt::print("  The geometry is that of {} ends and {} picks.\n", m.ends, m.picks);
     for (const std::string& note : q.notes) fmt::print("  {}\n", note);
 }

@@ -18,6 +18,8 @@
 namespace hygroloom {
 namespace {
 
+constexpr int most_samples = 100; // per crossing
+
 struct ExportVerbOptions : ProjectOptions {
     std::string detail = "yarn";
     std::string size;
@@ -161,6 +163,13 @@ int export_piece(const ExportVerbOptions& options)
     }
     const Piece piece = options.water.empty() ? dry_piece(options) : wet_piece(options);
     export_options.saturation = piece.saturation;
+    if (export_options.mesh.detail == MeshDetail::fibre) {
+        const int smooth = smooth_samples(piece.textile);
+        if (options.samples == 0) export_options.mesh.samples_per_crossing = std::min(smooth, most_samples);
+        if (export_options.mesh.samples_per_crossing < smooth && !options.quiet)
+            fmt::print(stderr, "The twist turns the fibres too often for {} samples per crossing; {} draw them smoothly.\n",
+                       export_options.mesh.samples_per_crossing, smooth);
+    }
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     if (!options.quiet)
@@ -227,7 +236,8 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_option("--detail", options->detail, "centreline, yarn (as without it) or fibre");
     export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp; 5x5 without it");
     export_verb.add_option("--repeats", options->repeats, "Repeats of the fabric along the weft x along the warp, in place of a size");
-    export_verb.add_option("--samples", options->samples, "Rings per crossing; 12, of fibres 8 without it")->check(CLI::Range(1, 100));
+    export_verb.add_option("--samples", options->samples, "Rings per crossing; without it 12, of fibres 8 or what the twist needs")
+        ->check(CLI::Range(1, most_samples));
     export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")->check(CLI::Range(3, 200));
     export_verb.add_flag("--open-ends", options->open_ends, "No caps on the ends of yarns or fibres");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");

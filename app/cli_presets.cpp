@@ -30,7 +30,9 @@ int list_finishes(const PresetOptions& options)
         json.push_back({{"name", finish.name}, {"contact_angle_deg", finish.contact_angle_deg}, {"note", finish.note}});
         if (!options.json) fmt::print("  {:<30} {:>4.0f} degrees  {}\n", finish.name, finish.contact_angle_deg, finish.note);
     }
-    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json)
+        fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(
+                               2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -45,7 +47,9 @@ int list_presets(const PresetOptions& options, const std::vector<Preset>& preset
         if (preset.group != group) fmt::print("{}\n", group = preset.group);
         fmt::print("  {:<20} {:>4.0f} g/m2  {}\n", preset.fabric().name, weight, preset.note);
     }
-    if (options.json) fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json)
+        fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(
+                               2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -82,7 +86,8 @@ int presets(const PresetOptions& options)
     }
     write_project(design, options.output);
     if (options.json)
-        fmt::print("{}\n", Json{{"file", options.output}, {"fabrics", added}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n",
+                   Json{{"file", options.output}, {"fabrics", added}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}\n", options.output);
     return exit_ok;

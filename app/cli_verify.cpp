@@ -32,7 +32,8 @@ Json report_json(const VerifyReport& report)
 {
     Json results = Json::array();
     for (const VerifyResult& r : report.results)
-        results.push_back({{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}});
+        results.push_back(
+            {{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}});
     return {{"case", report.name}, {"parameters", parameters_json(report.parameters)}, {"results", results}, {"wall_s", report.wall}};
 }
 
@@ -40,8 +41,8 @@ void print_report(const VerifyReport& report)
 {
     fmt::print("{} ({:.2f} s)\n", report.name, report.wall);
     for (const VerifyResult& r : report.results)
-        fmt::print("  {:<4} {:<24} computed {:<12.6g} expected {:<12.6g} tolerance {:.3g}\n", r.pass() ? "pass" : "FAIL", r.name, r.computed, r.expected,
-                   r.tolerance);
+        fmt::print("  {:<4} {:<24} computed {:<12.6g} expected {:<12.6g} tolerance {:.3g}\n", r.pass() ? "pass" : "FAIL", r.name,
+                   r.computed, r.expected, r.tolerance);
 }
 
 int list_cases(const VerifyOptions& options)
@@ -92,10 +93,14 @@ int verify(const VerifyOptions& options)
             throw Stop(exit_usage, error.what());
         }
         pass = pass && report.pass();
-        if (options.json) reports.push_back(report_json(report));
-        else print_report(report);
+        if (options.json)
+            reports.push_back(report_json(report));
+        else
+            print_report(report);
     }
-    if (options.json) fmt::print("{}\n", options.name.empty() ? Json{{"reports", reports}}.dump(2) : reports[0].dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json)
+        fmt::print("{}\n", options.name.empty() ? Json{{"reports", reports}}.dump(2)
+                                                : reports[0].dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return pass ? exit_ok : exit_failed;
 }
 
@@ -108,7 +113,9 @@ void add_verify(CLI::App& app, Verb& chosen)
     verb.footer("Example: hygroloom-cli verify washburn --set radius_um=20 --set contact_angle_deg=45 --json");
     verb.add_option("case", options->name, "Name of one case; all when left out");
     verb.add_flag("--list", options->list, "Only list the cases");
-    verb.add_option("--set", options->sets, "Change a parameter of the case, e.g. radius_um=20")->type_name("NAME=VALUE")->allow_extra_args(false);
+    verb.add_option("--set", options->sets, "Change a parameter of the case, e.g. radius_um=20")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
     verb.add_option("--backend", options->backend, "auto, cpu or cuda");
     verb.add_option("--threads", options->threads, "Threads of the CPU; 0 for all")->check(CLI::Range(0, 1024));
     add_common_options(verb, *options);

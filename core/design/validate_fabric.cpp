@@ -177,18 +177,20 @@ void validate_fibre_scale(const Design& design, const Fabric& fabric, const std:
     const FabricQuantities used = quantities_in_use(design, fabric);
     const std::string key = where + (fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity");
     if (densest > densest_packing || loosest < 0.01)
-        list.error("measured_disagrees", key,
-                   fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
-                               "and diameters can hold from 0.01 to {}. Derived are {:.4g} g/m2.",
-                               loosest, densest, densest_packing, used.areal_density_g_m2 / scale));
+        list.error(
+            "measured_disagrees", key,
+            fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
+                        "and diameters can hold from 0.01 to {}. Derived are {:.4g} g/m2.",
+                        loosest, densest, densest_packing, used.areal_density_g_m2 / scale));
     if (fabric.measured.areal_density_g_m2 && fabric.measured.porosity) {
         Fabric weighed = fabric;
         weighed.measured.porosity.reset();
         const double meant = quantities_in_use(design, weighed).porosity;
         if (std::abs(meant - *fabric.measured.porosity) > 0.05)
-            list.add(Severity::warning, "measured_disagrees", where + ".porosity",
-                     fmt::format("The areal density means a porosity of {:.3g}; given is {}. The areal density decides how much fibre there is.",
-                                 meant, *fabric.measured.porosity));
+            list.add(
+                Severity::warning, "measured_disagrees", where + ".porosity",
+                fmt::format("The areal density means a porosity of {:.3g}; given is {}. The areal density decides how much fibre there is.",
+                            meant, *fabric.measured.porosity));
     }
 }
 

@@ -129,6 +129,16 @@ double drawn_fibre_radius(const YarnType& type)
     return fibre;
 }
 
+int smooth_samples(const Textile& textile)
+{
+    double turns = 1; // per crossing
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (const YarnType& type : textile.system(kind).types)
+            turns = std::max(turns, textile.system(other_kind(kind)).pitch *
+                                        std::max(std::abs(type.twist), type.plies > 1 ? std::abs(type.ply_twist) : 0.0));
+    return static_cast<int>(std::ceil(8 * turns));
+}
+
 FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
 {
     const double twist = type.plies > 1 ? 0.0 : std::abs(type.twist); // a plied yarn's fibres lie about along it
@@ -238,7 +248,8 @@ void YarnFibres::find_loops(std::uint64_t stream)
 const YarnFibres::Loop* YarnFibres::first_loop(std::size_t fibre, float along) const
 {
     const auto& loops = loops_[fibre];
-    const auto first = std::lower_bound(loops.begin(), loops.end(), along - loop_reach_, [](const Loop& loop, float place) { return loop.middle < place; });
+    const auto first = std::lower_bound(loops.begin(), loops.end(), along - loop_reach_,
+                                        [](const Loop& loop, float place) { return loop.middle < place; });
     return loops.data() + (first - loops.begin());
 }
 
@@ -357,7 +368,8 @@ double YarnFibres::loop_length(int strand) const
         place(strand, ring + 1, here);
         bool outside = false;
         const auto& loops = loops_[static_cast<std::size_t>(strand)];
-        for (const Loop* at = first_loop(static_cast<std::size_t>(strand), ring_[ring + 1].along); at != loops.data() + loops.size(); ++at) {
+        for (const Loop* at = first_loop(static_cast<std::size_t>(strand), ring_[ring + 1].along); at != loops.data() + loops.size();
+             ++at) {
             const Loop& loop = *at;
             if (loop.middle > ring_[ring + 1].along + loop_reach_) break;
             outside = outside || std::abs(ring_[ring + 1].along - loop.middle) < loop.half_width;

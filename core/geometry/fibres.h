@@ -32,6 +32,9 @@ struct FlyawayLength {
 };
 FlyawayLength flyaway_length(const Textile& textile, const YarnType& type);
 
+/// Samples per crossing with which the fibres are drawn smoothly: eight a turn of the hardest twist, eight at least.
+int smooth_samples(const Textile& textile);
+
 /// The fibres of one stretch of a yarn, from half a pitch before its first crossing to half a pitch past its last.
 /// Neighbouring stretches meet in the same points and normals. Strands 0 .. regular() - 1 run through; the hairs rooted in the
 /// stretch follow.
@@ -103,10 +106,10 @@ private:
     int fibres_ = 0;
     std::size_t rings_ = 0;
     double fibre_radius_ = 0, hair_radius_ = 0;
-    float core_ = 0;      ///< how much denser the axis is than the mean
-    float inner_ = 1;     ///< share of the section's half axes that fibres' middles reach
-    float migration_ = 0; ///< m of yarn from surface to surface
-    float loop_reach_ = 0;     ///< m, from a loop's middle to where its fibre is back in the yarn
+    float core_ = 0;       ///< how much denser the axis is than the mean
+    float inner_ = 1;      ///< share of the section's half axes that fibres' middles reach
+    float migration_ = 0;  ///< m of yarn from surface to surface
+    float loop_reach_ = 0; ///< m, from a loop's middle to where its fibre is back in the yarn
     double along0_ = 0, along1_ = 0;
     std::vector<Ring> ring_; ///< one more at each end
     std::vector<float> start_angle_cos_, start_angle_sin_, phase_;

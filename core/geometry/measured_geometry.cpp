@@ -76,7 +76,8 @@ double line_length(const std::vector<float>& line)
 /// Twelve points per turn, and enough for the bends.
 int samples_for(const YarnType& type, double pitch)
 {
-    return static_cast<int>(std::clamp(std::ceil(12 * pitch * std::max(std::abs(type.twist), std::abs(type.ply_twist))), 24.0, 1200.0));
+    return static_cast<int>(
+        std::clamp(std::ceil(12 * pitch * std::max(std::abs(type.twist), type.plies > 1 ? std::abs(type.ply_twist) : 0.0)), 24.0, 1200.0));
 }
 
 /// Mass and volume are those of the yarns without flyaways: a yarn's linear density holds them already. Of many points every few yarns
@@ -226,7 +227,8 @@ double mean_crimp_percent(const Textile& textile, YarnKind kind)
             for (int i = 0; i <= steps; ++i) {
                 const Vec3d here =
                     yarn_point(textile, kind, is_warp ? end : pick, is_warp ? pick : end, static_cast<double>(i) / steps - 0.5).centre;
-                if (i > 0) length += is_warp ? std::hypot(here.y - before.y, here.z - before.z) : std::hypot(here.x - before.x, here.z - before.z);
+                if (i > 0)
+                    length += is_warp ? std::hypot(here.y - before.y, here.z - before.z) : std::hypot(here.x - before.x, here.z - before.z);
                 before = here;
             }
         }
@@ -258,7 +260,9 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
 {
     Fabric unmeasured = fabric; // to compare with the formulas
     unmeasured.measured = {};
-    const Textile textile = build_textile(design, unmeasured, {0, 0, threads_for(fabric.weave.ends(), fabric.warp_order), threads_for(fabric.weave.picks(), fabric.weft_order)});
+    const Textile textile =
+        build_textile(design, unmeasured,
+                      {0, 0, threads_for(fabric.weave.ends(), fabric.warp_order), threads_for(fabric.weave.picks(), fabric.weft_order)});
     const FabricQuantities& formula = textile.quantities;
     const double area = textile.crossings() * textile.warp.pitch * textile.weft.pitch;
     const FibreSums sums = sum_fibres(textile);

@@ -22,7 +22,7 @@ struct Permeability {
 };
 
 struct MeasuredYarn {
-    double crimp_percent = 0;      ///< out of the fabric's plane
+    double crimp_percent = 0; ///< out of the fabric's plane
     double cover = 0;
     double braiding_angle_deg = 0; ///< between the chords that meet over a crossed yarn; 0 when it never changes sides
     PoreRadii pores;               ///< between the fibres

@@ -133,6 +133,18 @@ MeshSize stream_size(const Textile& textile, const MeshRequest& request)
     return all;
 }
 
+double stream_memory(const Textile& textile, const MeshRequest& request)
+{
+    double largest = 0;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const double rings = static_cast<double>(crossings_of(textile, kind)) * request.samples_per_crossing + 1;
+        const double vertices = request.detail == MeshDetail::yarn ? (rings + 2) * (request.sides + 1) : rings * request.sides;
+        largest =
+            std::max(largest, request.detail == MeshDetail::yarn ? vertices : std::max(vertices, static_cast<double>(piece_vertices)));
+    }
+    return pieces_at_once * largest * 60; // 36 bytes a vertex, 24 for its two triangles
+}
+
 bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::function<bool(const YarnMesh&)>& take)
 {
     Cutter cutter(textile, request);

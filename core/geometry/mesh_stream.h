@@ -15,7 +15,7 @@ struct MeshRequest {
     int samples_per_crossing = 8; ///< rings
     int sides = 12;               ///< of a yarn, or of a fibre
     bool flyaways = true;
-    bool capped = true;           ///< ends of the tubes, of yarns or fibres
+    bool capped = true; ///< ends of the tubes, of yarns or fibres
     std::uint64_t seed = 1;
 
     FibreOptions fibres() const { return {samples_per_crossing, sides, flyaways, capped, seed}; }
@@ -25,6 +25,9 @@ struct MeshRequest {
 MeshSize stream_size(const Textile& textile, const MeshRequest& request);
 /// The same of one yarn.
 MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn);
+
+/// Bytes that the pieces alive at the same time take at most: little, unless one yarn or one fibre alone has millions of vertices.
+double stream_memory(const Textile& textile, const MeshRequest& request);
 
 /// Hands over all ends, then all picks, in pieces of one yarn or of a part of its fibres: at most about a quarter of a million vertices
 /// unless one yarn or fibre alone has more. Each piece has one group, whose indices begin at 0. take returns false to stop; it is

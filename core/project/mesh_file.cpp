@@ -76,9 +76,14 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
                            size.bytes / 1073741824.0);
     if (job.format == MeshFormat::gltf && layout.yarn_too_large)
         return "One yarn alone would have more than the 2 GiB of a glTF buffer; write .ply, or take a smaller piece.";
+    if (format.streamed && size.memory > largest_stream_memory)
+        return fmt::format(
+            "One yarn alone is so long and fine that the pieces in the making would take {} of memory, and at most {} are used; "
+            "take fewer samples or sides, or a smaller piece.",
+            human(size.memory), human(largest_stream_memory));
     if (!format.streamed && size.memory > largest_scene_memory)
         return fmt::format("The {} file would take about {} of memory while it is made, and at most {} are used. Write .obj, .ply, .stl, "
-                           ".glb or .gltf, which need none, or take a smaller piece.",
+                           ".glb or .gltf, which need little, or take a smaller piece.",
                            format.name, human(size.memory), human(largest_scene_memory));
     return {};
 }
@@ -213,6 +218,11 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
     const ExportJob job = export_job(textile, fabric, options, format);
     ExportEstimate size;
     size.yarns = static_cast<std::size_t>(textile.ends() + textile.picks());
+    if (static_cast<double>(textile.ends()) * textile.picks() > most_crossings) {
+        size.refusal = fmt::format("The piece has {} x {} crossings; at most {:.0f} million are exported. Take a smaller piece.",
+                                   textile.ends(), textile.picks(), 1e-6 * most_crossings);
+        return size;
+    }
     if (job.lines() || traits(format).curves) {
         for_each_yarn(textile, [&](YarnKind kind, int yarn) {
             const CurveCount count = curve_count(job, kind, yarn);
@@ -223,6 +233,7 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
         const MeshSize mesh = stream_size(textile, options.mesh);
         size.vertices = mesh.vertices;
         size.triangles = mesh.triangles;
+        if (traits(format).streamed) size.memory = stream_memory(textile, options.mesh);
     }
     GltfLayout layout;
     switch (format) {

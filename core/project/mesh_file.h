@@ -25,7 +25,7 @@ struct ExportEstimate {
     std::size_t vertices = 0;  ///< exact; of curves, their points
     std::size_t triangles = 0; ///< exact; 0 of curves
     double bytes = 0;          ///< of all files: exact for binary formats that are streamed, else within a quarter
-    double memory = 0;         ///< bytes that the whole scene takes, for formats that are not streamed
+    double memory = 0;         ///< bytes: of the whole scene, or of the pieces in the making for formats that are streamed
     std::string refusal;       ///< why it cannot be written, a sentence; empty when it can
 };
 
@@ -56,6 +56,8 @@ constexpr Color undyed{233, 228, 218};
 /// From dry to deep blue.
 Color water_color(double saturation);
 
-constexpr double largest_scene_memory = 400e6; ///< bytes, of formats that are not streamed
+constexpr double most_crossings = 1e9;          ///< of one piece
+constexpr double largest_stream_memory = 450e6; ///< bytes, of the pieces that are made at the same time
+constexpr double largest_scene_memory = 400e6;  ///< bytes, of formats that are not streamed
 
 } // namespace hygroloom

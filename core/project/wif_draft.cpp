@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace hygroloom {
 

@@ -210,7 +210,7 @@ private Q_SLOTS:
     void coverOfStraightYarnsIsTheTextbooks()
     {
         Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
-        fabric.weave = Weave(1, 1, {1}); // nothing interlaces
+        fabric.weave = Weave(1, 1, {1});                                       // nothing interlaces
         QVERIFY(near(derive_quantities({}, fabric).cover_factor, 0.64, 1e-9)); // 0.4 + 0.4 - 0.16
         fabric.ends_per_cm = fabric.picks_per_cm = 0.5;
         QVERIFY(near(derive_quantities({}, fabric).cover_factor, 0.0199, 1e-9));

@@ -44,8 +44,10 @@ private Q_SLOTS:
         if (sett > 0) fabric.ends_per_cm = fabric.picks_per_cm = sett;
         const FabricQuantities q = derive_quantities(design, fabric);
         const MeasuredGeometry m = measure_geometry(design, fabric);
-        QVERIFY2(std::abs(m.warp.crimp_percent - q.warp.crimp_percent) < 0.02 * q.warp.crimp_percent + 0.1, qPrintable(QString::number(m.warp.crimp_percent)));
-        QVERIFY2(std::abs(m.weft.crimp_percent - q.weft.crimp_percent) < 0.02 * q.weft.crimp_percent + 0.1, qPrintable(QString::number(m.weft.crimp_percent)));
+        QVERIFY2(std::abs(m.warp.crimp_percent - q.warp.crimp_percent) < 0.02 * q.warp.crimp_percent + 0.1,
+                 qPrintable(QString::number(m.warp.crimp_percent)));
+        QVERIFY2(std::abs(m.weft.crimp_percent - q.weft.crimp_percent) < 0.02 * q.weft.crimp_percent + 0.1,
+                 qPrintable(QString::number(m.weft.crimp_percent)));
         AGREES(m.areal_density_g_m2, q.areal_density_g_m2);
         AGREES(m.yarn_layer_thickness_mm, q.yarn_layer_thickness_mm);
         AGREES(1 - m.porosity, 1 - q.porosity);

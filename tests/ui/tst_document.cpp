@@ -38,14 +38,10 @@ private Q_SLOTS:
         QStringList seen;
         for (QWidget* panel : {static_cast<QWidget*>(&fabric), static_cast<QWidget*>(&experiment)}) {
             for (QuantityEdit* edit : panel->findChildren<QuantityEdit*>()) {
-                if (!edit->isEnabled() || (!edit->value() && edit->placeholderText() == "auto")) {
-                    continue;
-                }
+                if (!edit->isEnabled() || (!edit->value() && edit->placeholderText() == "auto")) { continue; }
                 const std::string before = text();
                 QTest::keyClick(edit, Qt::Key_Up);
-                if (text() == before) {
-                    QTest::keyClick(edit, Qt::Key_Down);
-                }
+                if (text() == before) { QTest::keyClick(edit, Qt::Key_Down); }
                 QVERIFY2(text() != before, qPrintable(edit->accessibleName()));
                 document_->endStroke();
                 checkUndoAndRedo(before);
@@ -58,8 +54,8 @@ private Q_SLOTS:
     void editsOfThePanelsCanBeUndone_data()
     {
         QTest::addColumn<QString>("edit");
-        for (const char* edit : {"weave pattern", "weave crossing", "repeat size", "add fabric", "duplicate fabric", "delete fabric", "add droplet",
-                                 "remove droplet", "add experiment", "finish", "fibre", "weft apart"}) {
+        for (const char* edit : {"weave pattern", "weave crossing", "repeat size", "add fabric", "duplicate fabric", "delete fabric",
+                                 "add droplet", "remove droplet", "add experiment", "finish", "fibre", "weft apart"}) {
             QTest::newRow(edit) << QString(edit);
         }
     }
@@ -113,9 +109,7 @@ private Q_SLOTS:
         QuantityEdit* ends = field(fabric, "Ends");
         const std::string before = text();
 
-        for (int i = 0; i < 5; ++i) {
-            QTest::keyClick(ends, Qt::Key_Up);
-        }
+        for (int i = 0; i < 5; ++i) { QTest::keyClick(ends, Qt::Key_Up); }
 
         QCOMPARE(document_->history()->count(), 1);
         QCOMPARE(document_->history()->undoText(), QString("ends per cm"));
@@ -238,9 +232,7 @@ private:
     static QuantityEdit* field(QWidget& panel, const QString& name)
     {
         for (QuantityEdit* edit : panel.findChildren<QuantityEdit*>()) {
-            if (edit->accessibleName() == name) {
-                return edit;
-            }
+            if (edit->accessibleName() == name) { return edit; }
         }
         return nullptr;
     }

@@ -85,9 +85,7 @@ private Q_SLOTS:
         QTest::mouseRelease(at, Qt::LeftButton, {}, to);
         QCOMPARE(document_->history()->count(), 2);
         QCOMPARE(document_->history()->undoText(), QString("threading"));
-        for (int end = 1; end < 4; ++end) {
-            QCOMPARE(editor_->draft().threading[static_cast<std::size_t>(end)], std::vector<int>{0});
-        }
+        for (int end = 1; end < 4; ++end) { QCOMPARE(editor_->draft().threading[static_cast<std::size_t>(end)], std::vector<int>{0}); }
         Q_UNUSED(from)
     }
 
@@ -127,13 +125,9 @@ private Q_SLOTS:
     {
         DraftPaper* paper = editor_->paper();
         QTest::keyClick(paper, Qt::Key_Left);
-        for (int i = 0; i < 4; ++i) {
-            QTest::keyClick(paper, Qt::Key_Up);
-        }
+        for (int i = 0; i < 4; ++i) { QTest::keyClick(paper, Qt::Key_Up); }
         QCOMPARE(paper->cursorPart(), DraftPart::threading);
-        for (int i = 0; i < 4; ++i) {
-            QTest::keyClick(paper, Qt::Key_Right);
-        }
+        for (int i = 0; i < 4; ++i) { QTest::keyClick(paper, Qt::Key_Right); }
         QCOMPARE(paper->cursorPart(), DraftPart::tieUp);
         QTest::keyClick(paper, Qt::Key_Down);
         QCOMPARE(paper->cursorPart(), DraftPart::treadling);
@@ -155,14 +149,13 @@ private Q_SLOTS:
         QCOMPARE(document_->fabric()->warp_order, expected);
         QCOMPARE(document_->history()->count(), 2);
         order->setColor(Qt::red);
-        QCOMPARE(clothPicture(*document_->fabric(), 4, 4).pixelColor(1, 3 - 0), QColor(weave().warp_up(1, 0) ? QColor(Qt::red) : yarnColor(document_->fabric()->weft, false)));
+        QCOMPARE(clothPicture(*document_->fabric(), 4, 4).pixelColor(1, 3 - 0),
+                 QColor(weave().warp_up(1, 0) ? QColor(Qt::red) : yarnColor(document_->fabric()->weft, false)));
         order->chooseYarn(1);
         order->removeYarn();
         QVERIFY(document_->fabric()->extra_yarns.empty());
         QVERIFY(document_->fabric()->warp_order.empty());
-        while (document_->history()->canUndo()) {
-            document_->history()->undo();
-        }
+        while (document_->history()->canUndo()) { document_->history()->undo(); }
         QVERIFY(document_->fabric()->extra_yarns.empty());
     }
 
@@ -184,13 +177,14 @@ private Q_SLOTS:
 private:
     const Weave& weave() const { return document_->fabric()->weave; }
     QPoint middle(DraftPart part, const QPoint& cell) { return editor_->paper()->squareOf(part, cell).center().toPoint(); }
-    void click(DraftPart part, const QPoint& cell) { QTest::mouseClick(editor_->paper()->viewport(), Qt::LeftButton, {}, middle(part, cell)); }
+    void click(DraftPart part, const QPoint& cell)
+    {
+        QTest::mouseClick(editor_->paper()->viewport(), Qt::LeftButton, {}, middle(part, cell));
+    }
     template <typename Widget> Widget* named(const QString& name)
     {
         for (Widget* widget : editor_->findChildren<Widget*>()) {
-            if (widget->accessibleName() == name) {
-                return widget;
-            }
+            if (widget->accessibleName() == name) { return widget; }
         }
         return nullptr;
     }

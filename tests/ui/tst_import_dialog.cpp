@@ -7,9 +7,9 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QPushButton>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QTest>
 
 using namespace hygroloom;
@@ -34,7 +34,8 @@ private Q_SLOTS:
             QCOMPARE(report->count(), static_cast<int>(draft->report.size()));
             for (int row = 0; row < report->count(); ++row) {
                 const bool repaired = draft->report[static_cast<std::size_t>(row)].severity == Severity::warning;
-                QVERIFY2(report->item(row)->text().startsWith(repaired ? "Repaired: " : "Understood: "), qPrintable(report->item(row)->text()));
+                QVERIFY2(report->item(row)->text().startsWith(repaired ? "Repaired: " : "Understood: "),
+                         qPrintable(report->item(row)->text()));
                 QVERIFY(!report->item(row)->icon().isNull());
             }
             QCOMPARE(dialog.fabric().name, draft->fabric.name);

@@ -38,11 +38,16 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("tool");
         QTest::addColumn<QString>("grid");
-        QTest::newRow("brush") << "brush" << "0000\n0100\n1000\n0000\n"; // from the first to the last crossing of the drag
-        QTest::newRow("line") << "line" << "0000\n0010\n0100\n1000\n";
-        QTest::newRow("rectangle") << "rectangle" << "0000\n1110\n1110\n1110\n";
-        QTest::newRow("fill") << "fill" << "1111\n1111\n1111\n1111\n";
-        QTest::newRow("select") << "select" << "0000\n0000\n0000\n0000\n";
+        QTest::newRow("brush") << "brush"
+                               << "0000\n0100\n1000\n0000\n"; // from the first to the last crossing of the drag
+        QTest::newRow("line") << "line"
+                              << "0000\n0010\n0100\n1000\n";
+        QTest::newRow("rectangle") << "rectangle"
+                                   << "0000\n1110\n1110\n1110\n";
+        QTest::newRow("fill") << "fill"
+                              << "1111\n1111\n1111\n1111\n";
+        QTest::newRow("select") << "select"
+                                << "0000\n0000\n0000\n0000\n";
     }
     void aToolDrawsWhatItIsNamedFor()
     {
@@ -144,7 +149,8 @@ private Q_SLOTS:
     {
         QStringList keys;
         for (QAction* action : editor_->paper()->actions()) {
-            QVERIFY2(!action->text().isEmpty() && !action->shortcut().isEmpty() && !action->icon().isNull(), qPrintable(action->objectName()));
+            QVERIFY2(!action->text().isEmpty() && !action->shortcut().isEmpty() && !action->icon().isNull(),
+                     qPrintable(action->objectName()));
             QVERIFY(!keys.contains(action->shortcut().toString()));
             keys << action->shortcut().toString();
         }
