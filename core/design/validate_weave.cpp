@@ -12,8 +12,8 @@ void warn_of_unbound(const char* name, const std::vector<int>& unbound, int thre
 {
     if (unbound.empty()) return;
     list.add(Severity::warning, "unbound_thread", where,
-             fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is {} {}.", unbound.size(), threads, name,
-                         name, unbound.front() + 1));
+             fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is number {}.", unbound.size(), threads, name,
+                         unbound.front() + 1));
 }
 
 void warn_of_floats(const char* name, const Floats& face, const Floats& back, double crossed_per_cm, const std::string& where,

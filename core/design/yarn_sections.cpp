@@ -57,7 +57,6 @@ double rise_of_crimp(const FittedYarns& fitted, double span, const Section& own,
 
 /// What fit_yarns() works on.
 struct Loom {
-    const Fabric& fabric;
     FittedYarns& fitted;
     double warp_pitch, weft_pitch;
     double warp_crimp = -1, weft_crimp = -1; // of one change of sides; negative: not set
@@ -222,7 +221,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }
-    Loom loom{fabric, fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm};
+    Loom loom{fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm};
     const double warp_changes = share_of_changes(fabric.weave, true), weft_changes = share_of_changes(fabric.weave, false);
     loom.warp_changes = warp_changes > 0;
     loom.weft_changes = weft_changes > 0;
