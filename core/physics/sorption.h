@@ -40,6 +40,19 @@ HL_FN double regain_at_reference(const Isotherm& isotherm, double humidity)
     return regain < isotherm.saturation_regain ? regain : isotherm.saturation_regain;
 }
 
+/// Heat released from dry to saturated at 20 C by heat_of_sorption(), J per kg of dry fibre.
+inline double heat_of_wetting(const Isotherm& isotherm)
+{
+    constexpr int steps = 2000;
+    double heat = 0, before = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double after = regain_at_reference(isotherm, (i + 1.0) / steps);
+        heat += heat_of_sorption((i + 0.5) / steps) * (after - before);
+        before = after;
+    }
+    return heat;
+}
+
 /// The humidity at 20 C that holds the same water as this humidity does at this temperature (Clausius and Clapeyron with the
 /// heat of sorption): the least root of ln r - q(r) M/R (1/T - 1/T0) = ln a, by Newton's steps kept in a bracket.
 HL_FN double reference_humidity(double humidity, double temperature)
