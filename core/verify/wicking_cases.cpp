@@ -25,7 +25,8 @@ std::vector<double> front_distances(Backend& backend, double temperature, double
     scene.wicking = true;
     scene.yarns[0].exponent = tube_exponent;
     scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
-    scene.fed_segments = 1;
+    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    scene.fed[0] = 1;
     scene.network_step = time / 4000;
     const double capacity = scene.climate.density * scene.yarns[0].pore_area;
     std::vector<double> distances;

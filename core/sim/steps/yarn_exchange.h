@@ -23,11 +23,12 @@ struct ExchangeAtCrossing {
         const YarnParameters& warp = s.parameters[s.type_of_end(end)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
         const CrossingParameters& crossing = s.crossing_at(end, pick);
-        const double capacity_a = heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a));
-        const double capacity_b = heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b));
+        const bool warm = move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0);
+        const double capacity_a = warm ? heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a)) : 0.0;
+        const double capacity_b = warm ? heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b)) : 0.0;
         double moved = 0;
         if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
-        if (move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0)) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
+        if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
         if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
     }
 
@@ -36,8 +37,8 @@ struct ExchangeAtCrossing {
     HL_FN double wick(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double liquid_conductance) const
     {
         if (liquid_conductance <= 0) return 0;
-        const double cap_a = climate.density * warp.pore_area * s.length[a];
-        const double cap_b = climate.density * weft.pore_area * s.length[b];
+        const double cap_a = climate.density * s.pores[a];
+        const double cap_b = climate.density * s.pores[b];
         const double finest = warp.suction_radius < weft.suction_radius ? warp.suction_radius : weft.suction_radius;
         const double ratio_a = warp.suction_radius / finest, ratio_b = weft.suction_radius / finest;
         const double scale_a = ratio_a * ratio_a * ratio_a / cap_a, scale_b = ratio_b * ratio_b * ratio_b / cap_b;
@@ -80,8 +81,8 @@ struct ExchangeAtCrossing {
 
     HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
     {
-        const double air_a = pore_air(warp, s.length[a], s.liquid[a], climate.density);
-        const double air_b = pore_air(weft, s.length[b], s.liquid[b], climate.density);
+        const double air_a = pore_air(s.pores[a], s.liquid[a], climate.density);
+        const double air_b = pore_air(s.pores[b], s.liquid[b], climate.density);
         const double conductance = dt * vapour_conductance;
         const double passed = conductance * (s.vapour[a] / air_a - s.vapour[b] / air_b) / (1.0 + conductance * (1.0 / air_a + 1.0 / air_b));
         s.vapour[a] -= passed;
@@ -113,13 +114,13 @@ struct ExchangeInSegment {
     HL_FN void operator()(int i) const
     {
         const YarnParameters& yarn = s.yarn_of(i);
-        const double air = pore_air(yarn, s.length[i], s.liquid[i], climate.density);
+        const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;
         if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
 
         double base[largest_shell_count], response[largest_shell_count];
         const Fibre fibre = prepare_fibre(i, yarn, base, response);
-        const double wet = s.liquid[i] / (climate.density * yarn.pore_area * s.length[i]);
+        const double wet = s.liquid[i] / (climate.density * s.pores[i]);
         const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound);
 
         double warmth = s.warmth[i];
@@ -129,14 +130,25 @@ struct ExchangeInSegment {
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
         accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
+        if (vapour) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth);
+    }
+
+    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature) const
+    {
+        double taken = dt * climate.mass_transfer * face_area;
+        const double more = 1e-3 * saturation_concentration(temperature);
+        if (sorption)
+            taken += fibre.slope * (skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature)) / more;
+        return taken > 0 ? taken : 0.0;
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
-        const double background = climate.humidity * saturation_concentration(climate.temperature);
+        const double background = climate.vapour;
         const double off = s.vapour[i] / air - background;
+        const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
-        return s.liquid[i] <= 0 && s.warmth[i] < 1e-7 && s.warmth[i] > -1e-7 && off < 1e-8 * (background + 1e-6) &&
+        return s.liquid[i] <= 0 && warmer < 1e-7 && warmer > -1e-7 && off < 1e-8 * (background + 1e-6) &&
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }
 
@@ -196,7 +208,7 @@ struct ExchangeInSegment {
         Outcome o{pore_vapour, 0, fibre.base, 0, 0};
         if (sorption) o.bound = fibre.base + fibre.slope * skin_regain(yarn, wet, pore_vapour, temperature);
         const double taken = o.bound - fibre.bound;
-        const double room = climate.density * yarn.pore_area * s.length[i] - s.liquid[i];
+        const double room = climate.density * s.pores[i] - s.liquid[i];
         o.from_liquid = fmax_(fmin_(vapour ? wet * taken : taken, s.liquid[i]), -room);
         if (vapour) {
             const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
@@ -255,7 +267,8 @@ struct ExchangeInSegment {
     {
         const double taken = o.bound - fibre.bound;
         double released = 0;
-        if (taken != 0) released += taken * heat_of_sorption(humidity_of(yarn.isotherm, o.bound / fibre.dry_mass));
+        if (taken != 0)
+            released += taken * yarn.sorption_heat_scale * heat_of_sorption(humidity_of(yarn.isotherm, o.bound / fibre.dry_mass));
         released += heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
         return released;
     }
@@ -273,7 +286,7 @@ struct ExchangeInSegment {
     HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double warmth) const
     {
         const Outcome o = pore_balance(i, yarn, fibre, air, wet, warmth);
-        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
         return capacity * (warmth - s.warmth[i]) + lost - phase_heat(yarn, fibre, o, climate.temperature + warmth);
     }
 
@@ -357,7 +370,7 @@ struct ExchangeInSegment {
         final.from_liquid = from_liquid;
         final.evaporated = evaporated;
         const double released = phase_heat(yarn, fibre, final, temperature);
-        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
         const double reached = s.warmth[i] + (released - lost) / capacity;
         const double water_change = taken - from_liquid - evaporated; // of liquid and bound water together
         s.released[i] += released;
