@@ -28,8 +28,8 @@ struct TextileShape : Yarns {
     /// Of a yarn's centreline at a crossing.
     HL_FN Real height(bool is_warp, int end, int pick) const
     {
-        const CrossingParameters& crossing = crossing_at(end, pick);
-        const Real rise = static_cast<Real>(is_warp ? crossing.warp_rise : crossing.weft_rise);
+        const CrossingParameters& here = crossing_at(end, pick);
+        const Real rise = static_cast<Real>(is_warp ? here.warp_rise : here.weft_rise);
         return is_warp_up(end, pick) == is_warp ? rise : -rise;
     }
     HL_FN const YarnShape& warp_shape(int end) const { return shapes[type_of_end(end)]; }

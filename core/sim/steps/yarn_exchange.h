@@ -29,7 +29,7 @@ struct ExchangeAtCrossing {
         double moved = 0;
         if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
         if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
-        if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
+        if (move_vapour) diffuse(a, b, crossing.vapour_conductance);
     }
 
     /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
@@ -79,7 +79,7 @@ struct ExchangeAtCrossing {
         s.warmth[b] = (heat_b + passed) / new_b;
     }
 
-    HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
+    HL_FN void diffuse(int a, int b, double vapour_conductance) const
     {
         const double air_a = pore_air(s.pores[a], s.liquid[a], climate.density);
         const double air_b = pore_air(s.pores[b], s.liquid[b], climate.density);
