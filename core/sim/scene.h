@@ -102,6 +102,7 @@ struct Scene {
     int ends = 0;
     int picks = 0;
     std::vector<double> length;           ///< m, one per segment
+    std::vector<double> pores;            ///< m3, one per segment; empty: its yarn's pore area times its length
     std::vector<float> shift;             ///< m, of each segment's middle beside its yarn's place; empty: none
     std::vector<std::uint8_t> warp_up;    ///< one per crossing, end x picks + pick
     double cell_area = 0;                 ///< m2 of fabric per crossing
@@ -126,6 +127,7 @@ struct Scene {
     std::vector<std::uint8_t> fed;        ///< per segment, whether it hangs in liquid and stays full; empty: none does
     double gravity_along_warp = 0;        ///< m/s2 towards pick 0
     double gravity_along_weft = 0;        ///< m/s2 towards end 0
+    bool face_only = false;               ///< the sample's edge is closed to vapour and heat
     double swelling = 0;                  ///< m3 of pore lost per kg of water that fibres bind
     int particles_per_droplet = 0;
     int fibre_shells = 1;

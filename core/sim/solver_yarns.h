@@ -9,8 +9,6 @@
 
 namespace hygroloom {
 
-constexpr double exchange_steps = 4.0; // network steps of full length between exchanges with fibres and air, which are slower
-
 /// The largest change of saturation since before[], as bits of a float; before[] is brought up to date.
 struct TrackChange {
     Segments s;
@@ -50,7 +48,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     fed_.upload(scene_.fed);
     supplied_.resize(scene_.fed.size());
     supplied_.fill(0.0);
-    for (auto* b : {&liquid_value_, &liquid_rate_, &bound_value_, &bound_rate_, &heat_value_, &heat_rate_}) {
+    for (auto* b : {&liquid_rate_, &bound_, &bound_rate_, &heat_, &heat_rate_}) {
         b->resize(scene_.step_error > 0 ? n : 0);
         b->fill(0.0);
     }
@@ -61,7 +59,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     contact_.fill(no_particle);
     sums_.resize(2);
     sums_.fill(0);
-    supply_.resize(4);
+    supply_.resize(5);
     supply_.fill(0);
     maxima_.resize(2);
     maxima_.fill(0);
@@ -76,16 +74,32 @@ template <typename Executor> void Solver<Executor>::load_segments()
         const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
         const double liquid = scene_.initial_liquid.empty() ? 0.0 : scene_.initial_liquid[i];
         const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
-        pores[i] = std::max({0.05 * yarn.pore_area * scene_.length[i], liquid / climate.density,
-                             yarn.pore_area * scene_.length[i] - scene_.swelling * yarn.initial_regain * fibres});
+        const double dry = scene_.pores.empty() ? yarn.pore_area * scene_.length[i] : scene_.pores[i];
+        pores[i] = std::max({0.05 * dry, liquid / climate.density, dry - scene_.swelling * yarn.initial_regain * fibres});
         vapour[i] = pore_vapour * pore_air(pores[i], liquid, climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
         water_scale_ += liquid + (scene_.sorption ? std::abs(yarn.initial_regain - yarn.resting_regain) * fibres : 0.0);
-        heat_scale_ += heat_capacity(yarn, scene_.length[i], liquid); // a kelvin
+        heat_scale_ += 10.0 * heat_capacity(yarn, scene_.length[i], liquid); // 10 K
     }
     pores_.upload(pores);
     vapour_.upload(vapour);
     regain_.upload(regain);
+    if (scene_.step_error > 0) note_start(regain);
+}
+
+/// Water and heat of the fibres, from which the first changes count.
+template <typename Executor> void Solver<Executor>::note_start(std::vector<double>& regain)
+{
+    const Segments s = fibres_on_host(regain);
+    const std::vector<double> liquid = liquid_.download();
+    std::vector<double> bound(liquid.size()), heat(liquid.size());
+    for (std::size_t i = 0; i < liquid.size(); ++i) {
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
+        bound[i] = bound_water(s, yarn, static_cast<int>(i));
+        heat[i] = heat_capacity(yarn, s.length[i], liquid[i] + bound[i]) * scene_.initial_warmth;
+    }
+    bound_.upload(bound);
+    heat_.upload(heat);
 }
 
 /// The air of this moment, and the regain it leaves fibres alone with.
@@ -189,48 +203,58 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
         const int lines = yarns().lines();
         if (scene_.wicking)
             exec_.for_each("wick", lines, WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
-        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), dt, climate.density});
+        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), climate, dt, scene_.face_only});
         exec_.for_each("cross", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
-        each_segment("change", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     }
-    const bool exchange_due = frame_due || time_ - exchange_time_ >= 0.999 * exchange_steps * scene_.network_step;
-    if (exchange_due) exchange(time_ - exchange_time_);
     choose_network_step(dt);
+    if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
+    if (next_event() <= time_ + 1e-12) begin_anew();
 }
 
-/// From the change of saturation while drops or pools are about, and from the error of the last step.
+template <typename Executor> double Solver<Executor>::water_at_stake() const
+{
+    return std::max(1e-30, water_scale_ + delivered_ + static_cast<double>(pumped_) * water_quantum);
+}
+
+/// From the error of the last step, and from the change of saturation while drops or pools are about.
 template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
 {
+    const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
     const bool watched = scene_.step_error > 0 && count_ == 0;
-    double growth = 2.0;
-    if (watched) {
+    double grow = 1.5;
+    if (watched && scene_.wicking) {
         supply_.write(2, 0);
-        supply_.write(3, 0);
-        using History = EstimateError::History;
-        exec_.for_each("error", yarns().lines(),
-                       EstimateError{segments(), History{liquid_value_.data(), liquid_rate_.data()}, History{bound_value_.data(), bound_rate_.data()},
-                                     History{heat_value_.data(), heat_rate_.data()}, dt, dt_before_, watched_, supply_.data() + 2});
-        const double water = static_cast<double>(supply_.read(2)) * water_quantum / std::max(1e-30, water_scale_ + delivered_ + static_cast<double>(pumped_) * water_quantum);
-        const double heat = static_cast<double>(supply_.read(3)) * EstimateError::heat_quantum / std::max(1e-30, heat_scale_);
-        const double error = std::max(water, heat) / scene_.step_error;
-        growth = watched_ < 2 ? 1.0 : std::clamp(0.9 / std::sqrt(std::max(1e-12, error)), 0.3, 1.5);
-        watched_ = std::min(watched_ + 1, 2);
-        dt_before_ = dt;
-    } else {
-        watched_ = 0;
+        exec_.for_each("wicking error", yarns().lines(),
+                       EstimateWicking{segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
+        grow = growth(static_cast<double>(supply_.read(2)) * water_quantum / water_at_stake());
     }
-    const bool fed = count_ > 0 || std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
-    if (!watched || fed) {
+    wicking_watch_ = {dt, watched};
+    if (!watched || standing) {
+        each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), maxima_.data() + 1});
         union {
             float value;
             int bits;
         } change;
         change.bits = maxima_.read(1);
         const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
-        growth = std::min(growth, std::clamp(wanted, 0.5, 1.3));
+        grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
     }
-    network_dt_ = std::clamp(network_dt_ * growth, std::min(1e-4, scene_.network_step), step_limit());
-    if (next_event() <= time_ + 1e-12) begin_anew();
+    network_dt_ = std::clamp(network_dt_ * grow, std::min(1e-4, scene_.network_step), step_limit());
+}
+
+template <typename Executor> void Solver<Executor>::choose_exchange_step(double dt)
+{
+    if (scene_.step_error <= 0) return;
+    supply_.write(3, 0);
+    supply_.write(4, 0);
+    const Watch& watch = exchange_watch_;
+    exec_.for_each("exchange error", yarns().lines(),
+                   EstimateExchange{segments(), {bound_rate_.data(), dt, watch.dt, watch.known}, {heat_rate_.data(), dt, watch.dt, watch.known},
+                                    bound_.data(), heat_.data(), supply_.data() + 3});
+    const double water = static_cast<double>(supply_.read(3)) * water_quantum / water_at_stake();
+    const double heat = static_cast<double>(supply_.read(4)) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
+    exchange_watch_ = {dt, true};
+    exchange_dt_ = std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
 }
 
 template <typename Executor> void Solver<Executor>::exchange(double dt)
@@ -239,11 +263,12 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
     if (scene_.vapour) {
-        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, climate.vapour, scene_.heat});
+        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, climate.vapour, scene_.heat, scene_.face_only});
         exec_.for_each("cross vapour", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, false, false, true});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
     if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
+    choose_exchange_step(dt);
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()

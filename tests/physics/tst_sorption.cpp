@@ -103,6 +103,22 @@ private Q_SLOTS:
         QVERIFY2(std::abs(found - joules) < 0.2 * joules, qPrintable(QString::number(found)));
         QCOMPARE(find_library_material(QTest::currentDataTag())->heat_of_wetting_j_g, joules);
     }
+    void isothermsHaveTheirInverseAndSlope()
+    {
+        for (const char* name : {"cotton", "polyester", "acrylic"}) { // fitted, and by the master curve
+            const Isotherm isotherm = isotherm_of(name);
+            for (double humidity : {0.001, 0.05, 0.3, 0.65, 0.8, 0.9}) {
+                const double regain = regain_at_reference(isotherm, humidity);
+                if (regain >= isotherm.saturation_regain) continue;
+                QVERIFY(std::abs(humidity_at_reference(isotherm, regain) - humidity) < 1e-9);
+                const double slope = (regain_at_reference(isotherm, humidity + 1e-6) - regain_at_reference(isotherm, humidity - 1e-6)) / 2e-6;
+                QVERIFY(std::abs(regain_slope_at_reference(isotherm, humidity) - slope) < 1e-5 * slope);
+            }
+            QCOMPARE(humidity_at_reference(isotherm, 0), 0.0);
+            QVERIFY(humidity_at_reference(isotherm, 10) <= 1.0);
+        }
+        QVERIFY(std::abs(heat_of_sorption_slope(0.4) - (heat_of_sorption(0.4 + 1e-6) - heat_of_sorption(0.4 - 1e-6)) / 2e-6) < 1.0);
+    }
     void twoStageDiffusionIsNeverNegativeAndNeverJumps()
     {
         for (DiffusionLaw law : {DiffusionLaw::cotton_two_stage, DiffusionLaw::wool_two_stage}) {

@@ -155,7 +155,7 @@ private Q_SLOTS:
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 21, 21});
         const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
                                           {{"liquid", false}, {"wicking", true}, {"sorption", true}, {"vapour", true}, {"heat", true}});
-        Scene scene = build_scene(textile, design.experiments[0], plan, 1);
+        Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
         for (int e = 6; e < 15; ++e)
             for (int p = 6; p < 15; ++p) scene.initial_liquid[static_cast<std::size_t>(textile.segment(YarnKind::warp, e, p))] = 2e-9;

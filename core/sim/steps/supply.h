@@ -98,42 +98,62 @@ struct Swell {
     }
 };
 
-/// How much the rates of change differ from those of the step before: the leading error of an implicit Euler step, summed up in quanta
-/// of water and of heat, yarn by yarn.
-struct EstimateError {
-    struct History {
-        double* value;   ///< at the end of the step before
-        double* rate;    ///< of the step before
-    };
-    Segments s;
-    History liquid, bound, heat;
+/// How much rates of change differ from those of the step before: the leading error of an implicit Euler step.
+struct RateHistory {
+    double* rate;        ///< of the step before, per segment
     double dt, dt_before;
-    int noted;           ///< 0: nothing is known of the step before, 1: only the values, 2: their rates too
-    std::int64_t* errors;
+    bool known;          ///< whether there was a step before
 
-    HL_FN double error(const History& h, int i, double now) const
+    HL_FN double error(int i, double change) const
     {
-        const double rate = noted > 0 ? (now - h.value[i]) / dt : 0.0;
-        const double difference = rate > h.rate[i] ? rate - h.rate[i] : h.rate[i] - rate;
-        h.value[i] = now;
-        h.rate[i] = rate;
-        return noted < 2 ? 0.0 : difference * dt * dt / (dt + dt_before);
+        const double now = change / dt;
+        const double difference = now > rate[i] ? now - rate[i] : rate[i] - now;
+        rate[i] = now;
+        return known ? difference * dt * dt / (dt + dt_before) : 0.0;
     }
+};
+
+/// Error of the liquid that wicking moved since before[], summed up in quanta, yarn by yarn.
+struct EstimateWicking {
+    Segments s;
+    RateHistory history;
+    const double* before;
+    std::int64_t* sum;
+
+    HL_FN void operator()(int index) const
+    {
+        const YarnLine line = s.line(index);
+        std::int64_t quanta = 0;
+        for (int i = line.first; i < line.last; ++i) quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
+        if (quanta > 0) atomic_add(sum, quanta);
+    }
+};
+
+/// Error of the fibres' water and of the heat since the last exchange, in quanta of each, yarn by yarn. What there was then stands in
+/// bound and heat, which are brought up to date.
+struct EstimateExchange {
+    Segments s;
+    RateHistory bound_history, heat_history;
+    double* bound;
+    double* heat;
+    std::int64_t* sums; ///< of water and of heat
+
+    static constexpr double heat_quantum = 0x1.0p-50; ///< J
     HL_FN void operator()(int index) const
     {
         const YarnLine line = s.line(index);
         std::int64_t water = 0, joules = 0;
         for (int i = line.first; i < line.last; ++i) {
             const double bound_now = bound_water(s, line.yarn, i);
-            const double moved = error(liquid, i, s.liquid[i]) + error(bound, i, bound_now);
-            const double warmed = error(heat, i, heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i]);
-            water += static_cast<std::int64_t>(moved / water_quantum);
-            joules += static_cast<std::int64_t>(warmed / heat_quantum);
+            const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
+            water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
+            joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
+            bound[i] = bound_now;
+            heat[i] = heat_now;
         }
-        if (water > 0) atomic_add(errors, water);
-        if (joules > 0) atomic_add(errors + 1, joules);
+        if (water > 0) atomic_add(sums, water);
+        if (joules > 0) atomic_add(sums + 1, joules);
     }
-    static constexpr double heat_quantum = 0x1.0p-50; ///< J
 };
 
 } // namespace hygroloom

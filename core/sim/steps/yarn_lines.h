@@ -120,15 +120,17 @@ struct WickAlongYarn {
     /// Passes on what rounding, or a full place below, left outside 0..capacity, so that neither bound nor the total is touched.
     HL_FN void carry_rounding(const YarnLine& line) const
     {
-        for (int i = line.first; i < line.last - 1; ++i) pass(i, i + 1);
-        for (int i = line.last - 1; i > line.first; --i) pass(i, i - 1);
+        for (int i = line.first; i < line.last - 1; ++i) s.flux[i] += pass(i, i + 1);
+        for (int i = line.last - 1; i > line.first; --i) s.flux[i - 1] -= pass(i, i - 1);
     }
-    HL_FN void pass(int from, int to) const
+    HL_FN double pass(int from, int to) const
     {
         const double cap = capacity(from);
         const double bounded = s.liquid[from] < 0 ? 0.0 : s.liquid[from] > cap ? cap : s.liquid[from];
-        s.liquid[to] += s.liquid[from] - bounded;
+        const double moved = s.liquid[from] - bounded;
+        s.liquid[to] += moved;
         s.liquid[from] = bounded;
+        return moved;
     }
 };
 
@@ -150,14 +152,15 @@ HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segm
 /// Heat along each yarn, by conduction and with the liquid that has just moved (flux).
 struct ConductAlongYarn {
     Segments s;
+    ClimateParameters climate;
     double dt;
-    double density;
+    bool face_only = false; ///< cut ends are closed
 
     HL_FN double joint(const YarnParameters& yarn, int i) const // W/K x s
     {
         const double area = yarn.fibre_area + yarn.pore_area;
         const double distance = 0.5 * (s.length[i] + s.length[i + 1]);
-        const double liquid = (s.liquid[i] + s.liquid[i + 1]) / (density * 2.0 * distance * area);
+        const double liquid = (s.liquid[i] + s.liquid[i + 1]) / (climate.density * 2.0 * distance * area);
         return dt * parallel_conductivity(yarn.fibre_area / area, yarn.fibre_conductivity, liquid) * area / distance;
     }
 
@@ -166,10 +169,11 @@ struct ConductAlongYarn {
         const YarnLine line = s.line(index);
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
-        bool any = false;
+        bool any = climate.air_warmth != 0;
         for (int i = a; i < b && !any; ++i) any = s.warmth[i] != 0;
         if (!any) return;
 
+        const double end = face_only ? 0.0 : dt * climate.heat_transfer * (yarn.fibre_area + yarn.pore_area); // W/K x s, of a cut end in the air
         double before_joint = 0;
         for (int i = a; i < b; ++i) {
             if (s.fed != nullptr && s.fed[i] != 0) { // has the liquid's temperature that it hangs in
@@ -185,12 +189,15 @@ struct ConductAlongYarn {
             const double then = now - water_specific_heat * (in - out);
             const double lower = -before_joint - water_specific_heat * (in > 0 ? in : 0.0);
             const double higher = -next_joint + water_specific_heat * (out < 0 ? out : 0.0);
-            const double pivot = then + water_specific_heat * came + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
+            const double ends = (i == a ? end : 0.0) + (i == b - 1 ? end : 0.0);
+            const double pivot = then + water_specific_heat * came + before_joint + next_joint + ends - (i > a ? lower * s.work1[i - 1] : 0.0);
             s.work1[i] = higher / pivot;
-            s.work2[i] = (then * s.warmth[i] - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
+            s.work2[i] = (then * s.warmth[i] + ends * climate.air_warmth - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
             before_joint = next_joint;
         }
         for (int i = b - 1; i >= a; --i) s.warmth[i] = s.work2[i] - (i < b - 1 ? s.work1[i] * s.warmth[i + 1] : 0.0);
+        for (int i : {a, b - 1})
+            if (s.fed == nullptr || s.fed[i] == 0) s.lost[i] += end * (s.warmth[i] - climate.air_warmth);
         if (s.fed == nullptr) return;
         for (int i = a; i < b - 1; ++i) {
             const double passed = joint(yarn, i) * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
@@ -215,6 +222,7 @@ struct DiffuseVapourAlongYarn {
     double dt;
     double background; ///< kg/m3, of undisturbed pores
     bool heat;         ///< whether evaporation cools
+    bool face_only = false; ///< cut ends are closed
 
     HL_FN double air(int i) const { return pore_air(s.pores[i], s.liquid[i], climate.density); }
     HL_FN double joint(const YarnParameters& yarn, int i, double own_air, double next_air) const // m3
@@ -225,6 +233,7 @@ struct DiffuseVapourAlongYarn {
     }
     HL_FN double cut_end(const YarnParameters& yarn, int i, double own_air) const // m3, through the end of the yarn to the air
     {
+        if (face_only) return 0;
         const double inside = 2.0 * (yarn.vapour_diffusivity * own_air / s.length[i] + yarn.open_vapour) / s.length[i];
         const double outside = climate.mass_transfer * (yarn.fibre_area + yarn.pore_area);
         return inside > 0 && outside > 0 ? dt * inside * outside / (inside + outside) : 0.0;
