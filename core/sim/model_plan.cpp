@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -43,7 +44,7 @@ Level level_of(Fidelity fidelity)
 struct Bounds {
     double delivered = 0;        // kg that come as liquid
     double at_stake = 0;         // kg that what is left out is compared with
-    double capacity = 0;         // kg/m2 that the fabric's pores hold
+    double capacity = 0;         // kg/m2 that the wicking yarns' pores hold, at least, where liquid is
     double wet_area = 0;         // m2 that can get wet, or that the air works on
     double sorbable = 0;         // kg the fibres of that area can take or give
     double evaporated = 0;       // kg from both its faces in the duration
@@ -105,10 +106,11 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const double density = find_liquid(design, experiment.liquid)->density_kg_m3;
     const bool conditioning = experiment.type == ExperimentType::conditioning;
 
-    double sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
-    const auto add = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
-        b.capacity += along * type.area * (1.0 - type.packing) * density;
-        const double fibres = along * type.area * type.packing * type.fibre.density_kg_m3;
+    double sorbable = 0, everything = 0; // kg/m2 of fabric: that fibres take, that all pores hold
+    double thirst = 0;                   // kg that fibres take per kg of liquid, where liquid barely moves, of the thirstiest wicking yarn
+    const auto look_at = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
+        const double pores = type.area * (1.0 - type.packing) * density, fibres = type.area * type.packing * type.fibre.density_kg_m3;
+        const bool wicks = std::cos(type.contact_angle) > 1e-12;
         const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
                                 type.fibre.gab.c, type.fibre.gab.k};
         const auto regain = [&](const Climate& climate) {
@@ -117,26 +119,36 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
         double gain = equilibrium_regain(isotherm, 1.0, temperature) - regain(air);
         if (conditioning) gain = std::abs(regain(experiment.initial) - regain(experiment.climate));
         for (const ClimateMoment& moment : experiment.climates) gain = std::max(gain, std::abs(regain(moment.climate) - regain(experiment.climate)));
-        sorbable += fibres * gain;
-        heat += fibres * gain * (heat_of_sorption(std::min(humidity, conditioning ? experiment.initial.relative_humidity : 1.0)) +
-                                 (conditioning ? heat_of_evaporation(temperature) : 0.0));
-        thermal += fibres * type.fibre.specific_heat_j_kgk;
+        everything += along * pores;
+        sorbable += along * fibres * gain;
+        const double liquid = conditioning ? 0.0 : least_mobile_saturation * pores;
+        if (wicks && liquid > 0) thirst = std::max(thirst, fibres * gain / liquid);
+        const double heat = heat_of_sorption(std::min(humidity, conditioning ? experiment.initial.relative_humidity : 1.0)) +
+                            (conditioning ? heat_of_evaporation(temperature) : 0.0);
+        b.temperature_rise = std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
-        b.wicks = b.wicks || std::cos(type.contact_angle) > 1e-12;
+        b.wicks = b.wicks || wicks;
+        return wicks ? along * pores : 0.0;
     };
+    // Liquid may run along the yarns of one type alone, whichever holds least: bounds are those of the worst type, not of the mean.
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         const YarnSystem& system = textile.system(kind);
         const std::vector<double> shares = shares_of_types(textile, kind);
-        for (std::size_t type = 0; type < shares.size(); ++type)
-            if (shares[type] > 0) add(system.types[type], shares[type] / system.pitch);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t type = 0; type < shares.size(); ++type) {
+            if (shares[type] <= 0) continue;
+            const double holds = look_at(system.types[type], shares[type] / system.pitch) / shares[type];
+            if (holds > 0) least = std::min(least, holds);
+        }
+        if (std::isfinite(least)) b.capacity += least;
     }
     const auto [width, height] = sample_extent_mm(experiment);
     const double sample = metre_from_mm(width) * metre_from_mm(height);
-    b.delivered = delivered_water(experiment, sample, b.capacity, density);
+    b.delivered = delivered_water(experiment, sample, everything, density);
     const bool spot = experiment.type == ExperimentType::droplet || experiment.type == ExperimentType::moisture_management ||
                       experiment.type == ExperimentType::horizontal_wicking;
-    b.wet_area = spot ? std::min(sample, b.delivered / (least_mobile_saturation * b.capacity)) : sample;
-    b.sorbable = sorbable * b.wet_area;
+    b.wet_area = spot && b.capacity > 0 ? std::min(sample, b.delivered / (least_mobile_saturation * b.capacity)) : sample;
+    b.sorbable = spot ? std::min(sorbable * sample, thirst * b.delivered) : sorbable * sample;
     b.at_stake = std::max(b.delivered, conditioning ? b.sorbable : 0.0);
     const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
@@ -146,7 +158,6 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const double latent = mass_transfer(convection, temperature) * heat_of_evaporation(temperature);
     const double dry_transfer = convection + radiative_heat_transfer(temperature);
     b.wet_bulb_depression = latent * (1.0 - humidity) * saturation_concentration(temperature) / (dry_transfer + latent * slope);
-    b.temperature_rise = heat / (thermal + (b.wet_area > 0 ? b.delivered / b.wet_area : 0.0) * water_specific_heat);
     return b;
 }
 
@@ -248,7 +259,11 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
 {
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and network step.
     constexpr double particle_step = 1.5e-6, segment_step = 0.7e-6;
-    constexpr double moving_time = 0.3, resting_time = 6.0, liquid_step = 5e-5; // s: till a drop rests, till a wetting cloth has drunk it
+    constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
+    const double drops = static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
+    const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
+    const double liquid_step = 0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
     const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(experiment.droplets.size());
     const double rests = std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
     const double resting_steps = plan.burst_steps > 0 ? rests / plan.network_step_limit * plan.burst_steps : rests / liquid_step;

@@ -78,9 +78,14 @@ template <typename Executor> void Solver<Executor>::load_segments()
         pores[i] = std::max({0.05 * dry, liquid / climate.density, dry - scene_.swelling * yarn.initial_regain * fibres});
         vapour[i] = pore_vapour * pore_air(pores[i], liquid, climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
-        water_scale_ += liquid + (scene_.sorption ? std::abs(yarn.initial_regain - yarn.resting_regain) * fibres : 0.0);
-        heat_scale_ += 10.0 * heat_capacity(yarn, scene_.length[i], liquid); // 10 K
+        water_scale_ += (scene_.sorption ? std::abs(yarn.initial_regain - yarn.resting_regain) * fibres : 0.0);
+        heat_scale_ += 50.0 * heat_capacity(yarn, scene_.length[i], liquid); // K: temperatures settle at once, so errors of steps do not add up
     }
+    // What is still to come counts too, or the first drops would have to be followed exactly.
+    constexpr double filled = 0.2; // of the pores, by a bath
+    if (!scene_.fed.empty()) water_scale_ += filled * climate.density * std::accumulate(pores.begin(), pores.end(), 0.0);
+    for (const ScenePool& pool : scene_.pools) water_scale_ += pool.rate * (pool.end - pool.start) * climate.density;
+    water_scale_ += scene_.sweat * scene_.cell_area * scene_.crossings() * climate.density * scene_.calm_network_step;
     pores_.upload(pores);
     vapour_.upload(vapour);
     regain_.upload(regain);
@@ -213,7 +218,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
 
 template <typename Executor> double Solver<Executor>::water_at_stake() const
 {
-    return std::max(1e-30, water_scale_ + delivered_ + static_cast<double>(pumped_) * water_quantum);
+    return std::max(1e-30, water_scale_ + delivered_);
 }
 
 /// From the error of the last step, and from the change of saturation while drops or pools are about.
