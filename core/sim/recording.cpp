@@ -65,7 +65,8 @@ void write_textile(hid_t file, const Textile& textile)
 std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
 {
     std::vector<float> shares;
-    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
+    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
+        shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
     return shares;
 }
 

@@ -121,8 +121,8 @@ YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure cl
 }
 
 /// A prism between the two axes, as wide as the yarns overlap: liquid and vapour pass across the fibres of each, half the way in each.
-CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft_type, const YarnParameters& warp, const YarnParameters& weft,
-                                 const ClimateParameters& climate)
+CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft_type, const YarnParameters& warp,
+                                 const YarnParameters& weft, const ClimateParameters& climate)
 {
     const double area = warp_type.section.width * weft_type.section.width;
     const double half_warp = 0.5 * warp_type.section.height, half_weft = 0.5 * weft_type.section.height;
@@ -173,7 +173,8 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
             scene.yarns.push_back(make_yarn(system.types[type], textile.system(other_kind(kind)).pitch, experiment.closure, scene.climate));
             scene.shapes.push_back(make_shape(system, type));
         }
-        for (int yarn = 0; yarn < system.count; ++yarn) scene.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
+        for (int yarn = 0; yarn < system.count; ++yarn)
+            scene.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
     }
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
     scene.warp_types = static_cast<int>(warps);

@@ -109,11 +109,11 @@ struct Scene {
     double half_thickness = 0;            ///< m
     double warp_pitch = 0, weft_pitch = 0; ///< m, from end to end and from pick to pick
     int warp_types = 1;
-    std::vector<YarnParameters> yarns;    ///< per type: the warp's, then the weft's
-    std::vector<ContactShape> shapes;     ///< of the same types
-    int profile_samples = 0;              ///< of each of their profiles
+    std::vector<YarnParameters> yarns;        ///< per type: the warp's, then the weft's
+    std::vector<ContactShape> shapes;         ///< of the same types
+    int profile_samples = 0;                  ///< of each of their profiles
     std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
-    std::vector<std::uint8_t> type;       ///< place in yarns of each end, then of each pick
+    std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
     ClimateParameters climate;
     std::vector<SceneDroplet> droplets;   ///< in order of time
     std::vector<SceneClimate> course;     ///< of the climate, the first at 0 s; empty: constant

@@ -283,7 +283,8 @@ template <typename Executor> Yarns Solver<Executor>::yarns()
 
 template <typename Executor> Yarns Solver<Executor>::yarns_on_host() const
 {
-    return {scene_.ends, scene_.picks, scene_.warp_types, scene_.weft_types(), scene_.type.data(), scene_.yarns.data(), scene_.crossing.data()};
+    return {scene_.ends,        scene_.picks,        scene_.warp_types,     scene_.weft_types(),
+            scene_.type.data(), scene_.yarns.data(), scene_.crossing.data()};
 }
 
 template <typename Executor> Segments Solver<Executor>::segments()

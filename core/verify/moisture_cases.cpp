@@ -41,7 +41,8 @@ std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend
     scene.network_step = time / 8000;
     const Frame frame = frames_at(backend, scene, {time}).front();
     const double expected = crank_uptake(fourier);
-    return {{"uptake", static_cast<double>(frame.regain[0]) / regain_at_reference(scene.yarns[0].isotherm, 1.0), expected, 0.005 * expected}};
+    return {
+        {"uptake", static_cast<double>(frame.regain[0]) / regain_at_reference(scene.yarns[0].isotherm, 1.0), expected, 0.005 * expected}};
 }
 
 struct AirExchange {
@@ -141,7 +142,8 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
     scene.climate.vapour = humidity * saturation_concentration(temperature);
     scene.climate.mass_transfer = 0.01;
     for (YarnParameters& yarn : scene.yarns) {
-        yarn.isotherm = {material->standard_regain, material->saturation_regain, material->gab.monolayer_regain, material->gab.c, material->gab.k};
+        yarn.isotherm = {material->standard_regain, material->saturation_regain, material->gab.monolayer_regain, material->gab.c,
+                         material->gab.k};
         yarn.diffusivity.constant = 1e-12; // only the end matters here
         yarn.initial_regain = 0;
         yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, temperature);

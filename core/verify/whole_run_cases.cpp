@@ -171,9 +171,13 @@ std::vector<VerifyResult> backends_agree(const VerifyValues&, Backend& backend)
 std::vector<VerifyCase> whole_run_cases()
 {
     return {
-        {"conservation", "A drop on Textile F with all physics: drift of mass over the water delivered, and of energy over the heat released.",
-         {{"volume_ul", 3, 1e-3, 100, ""}, {"duration_s", 1, 1e-3, 1e3, ""}, {"contact_angle_deg", 35, 0, 180, ""}}, conservation},
-        {"mixed_yarns", "A wet spot on stripes of two yarns that pass nothing to each other: every yarn against a cloth of its own kind, exactly.", {},
+        {"conservation",
+         "A drop on Textile F with all physics: drift of mass over the water delivered, and of energy over the heat released.",
+         {{"volume_ul", 3, 1e-3, 100, ""}, {"duration_s", 1, 1e-3, 1e3, ""}, {"contact_angle_deg", 35, 0, 180, ""}},
+         conservation},
+        {"mixed_yarns",
+         "A wet spot on stripes of two yarns that pass nothing to each other: every yarn against a cloth of its own kind, exactly.",
+         {},
          mixed_yarns},
         {"backends_agree", "The yarn network and a drop in the air on this backend against one thread of the CPU.", {}, backends_agree},
     };

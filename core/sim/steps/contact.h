@@ -186,7 +186,8 @@ template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t,
                 return interval_gap(across, half, place + Real(t.shift[t.segment(is_warp, e, k)]), yarn.half_width) <= 0 &&
                        interval_gap(x.z, half, t.height(is_warp, e, k), yarn.half_height) <= nearly;
             };
-            if (interval_gap(x.y, half, yk, Real(0.5) * t.weft_pitch) <= 0 && touches(true, t.warp_shape(e), x.x, xe)) visit(t.segment(true, e, k));
+            if (interval_gap(x.y, half, yk, Real(0.5) * t.weft_pitch) <= 0 && touches(true, t.warp_shape(e), x.x, xe))
+                visit(t.segment(true, e, k));
             if (in_column && touches(false, t.weft_shape(k), x.y, yk)) visit(t.segment(false, e, k));
         }
     }

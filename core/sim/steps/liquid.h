@@ -117,7 +117,8 @@ struct FindForces {
             a += (drag + push) * d;
         });
         if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
-            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) * p.wall_normal[i];
+            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
+                 p.wall_normal[i];
         p.force[i] = a;
         p.pressure[i] = 0;
         p.pressure_force[i] = Vec3{};
