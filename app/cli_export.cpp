@@ -171,13 +171,15 @@ int export_piece(const ExportVerbOptions& options)
                        export_options.mesh.samples_per_crossing, smooth);
     }
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
-    if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
-    if (!options.quiet)
+    if (!options.quiet || (options.estimate && !options.json))
         fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
                    size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
                    size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
-    nlohmann::ordered_json json{{"file", options.output},         {"detail", options.detail},  {"ends", piece.textile.ends()},
-                                {"picks", piece.textile.picks()}, {"vertices", size.vertices}, {"faces", size.triangles},
+    if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
+    nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
+                                {"file", options.output},       {"detail", options.detail},
+                                {"ends", piece.textile.ends()}, {"picks", piece.textile.picks()},
+                                {"vertices", size.vertices},    {"faces", size.triangles},
                                 {"curves", size.curves}};
     if (options.estimate) {
         json["bytes"] = std::round(size.bytes);
@@ -243,7 +245,7 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");
     export_verb.add_option("--seed", options->seed, "Seed of the fibres' random numbers");
     export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours the piece that was simulated");
-    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(CLI::NonNegativeNumber);
+    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(moment());
     export_verb.add_flag("--estimate", options->estimate, "Only say how large it would be");
     export_verb.add_option("-o,--output", options->output, "The file; its ending says the format")->required();
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });

@@ -88,19 +88,36 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
     return {};
 }
 
+/// FNV-1a.
+std::uint32_t fingerprint(const std::string& text)
+{
+    std::uint32_t hash = 2166136261u;
+    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
 /// The files beside the main one.
 std::vector<std::filesystem::path> companions(const ExportJob& job, const std::filesystem::path& path, std::size_t buffers)
 {
     std::vector<std::filesystem::path> files;
     // Names without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of glTF decodes a URI.
-    std::string stem = path.stem().string();
+    const std::string name = path.stem().string();
+    std::string stem = name;
     for (char& c : stem)
         if (static_cast<unsigned char>(c) <= ' ' || std::strchr("%#?&<>\"\\", c)) c = '_';
+    if (stem != name) stem += fmt::format("-{:08x}", fingerprint(name)); // "a b" and "a_b" have files of their own
     if (job.format == MeshFormat::obj && !job.wet()) files.push_back(path.parent_path() / (stem + ".mtl"));
     if (job.format == MeshFormat::gltf)
         for (std::size_t i = 0; i < buffers; ++i)
             files.push_back(path.parent_path() / (stem + (i == 0 ? std::string() : fmt::format("-{}", i + 1)) + ".bin"));
     return files;
+}
+
+/// Whose size is known within a quarter only.
+bool is_text(MeshFormat format)
+{
+    return format != MeshFormat::ply && format != MeshFormat::stl && format != MeshFormat::glb && format != MeshFormat::gltf &&
+           format != MeshFormat::bcc;
 }
 
 } // namespace
@@ -271,8 +288,9 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
     if (!size.refusal.empty()) throw Error(size.refusal);
     std::error_code failure;
     const auto space = std::filesystem::space(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failure);
-    if (!failure && size.bytes > static_cast<double>(space.available))
-        throw FileError(fmt::format("{}: The file would have {}, and the disk has {} left.", path.string(), human(size.bytes),
+    const double most_bytes = is_text(format) ? 1.25 * size.bytes : size.bytes;
+    if (!failure && most_bytes > static_cast<double>(space.available))
+        throw FileError(fmt::format("{}: The file would have up to {}, and the disk has {} left.", path.string(), human(most_bytes),
                                     human(static_cast<double>(space.available))));
 
     const std::size_t buffers = format == MeshFormat::gltf ? gltf_layout(job).buffers.size() : 0;
