@@ -97,6 +97,8 @@ void MainWindow::buildFileMenu()
             &QAction::triggered, this, &MainWindow::chooseDraft);
     connect(addCommand(menu, {}, tr("E&xport Draft (WIF)…"), {}, tr("Write the chosen fabric's draft for other weaving programs.")), &QAction::triggered,
             this, &MainWindow::exportDraft);
+    connect(addCommand(menu, {}, tr("Export &Mesh…"), QKeySequence("Ctrl+E"), tr("Write yarns or fibres for modelling and rendering programs.")),
+            &QAction::triggered, this, &MainWindow::exportMesh);
     menu->addSeparator();
     save_recording_ = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
     connect(save_recording_, &QAction::triggered, this, &MainWindow::saveRecordingAs);

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
@@ -104,6 +105,16 @@ void make(const Textile& textile, const MeshRequest& request, const Piece& piece
 }
 
 } // namespace
+
+MeshRequest smooth_request(const Textile& textile, MeshDetail detail)
+{
+    MeshRequest request;
+    const bool fibre = detail == MeshDetail::fibre;
+    request.detail = detail;
+    request.samples_per_crossing = fibre ? std::min(smooth_samples(textile), most_samples) : 12;
+    request.sides = fibre ? 6 : 12;
+    return request;
+}
 
 MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn)
 {
