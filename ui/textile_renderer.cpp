@@ -2,6 +2,7 @@
 #include "ui/textile_renderer.h"
 
 #include "core/base/units.h"
+#include "ui/appearance.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -36,6 +37,16 @@ const void* at(std::size_t offset)
 }
 
 } // namespace
+
+PictureColors pictureColors(const QPalette& palette)
+{
+    PictureColors colors;
+    colors.background = isDark(palette) ? QColor("#191c1f") : QColor("#e9ecee");
+    colors.warp = QColor("#f0e8d8");
+    colors.weft = QColor("#e2d5bb");
+    colors.marked = palette.color(QPalette::Highlight);
+    return colors;
+}
 
 bool TextileRenderer::initialize()
 {
@@ -443,6 +454,24 @@ void TextileRenderer::drawLiquid(const SceneView& view, const PictureColors& col
     gl_->glDisable(GL_CULL_FACE);
     drop_array_.release();
     drops_.release();
+}
+
+void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view)
+{
+    const auto available = [&](const MeshKey& key) { return renderer.has(key); };
+    scene.update(view, 0, available);
+    for (int round = 0; round < 2 && scene.fabric(); ++round) { // the second: what lies under a belt
+        for (const WantedMesh& wish : scene.wanted()) {
+            if (wish.key.level == 0) {
+                renderer.setPicture(picture_of_repeat(*scene.fabric()));
+            } else {
+                renderer.addMesh(mesh_cell(*scene.fabric(), wish.cell, wish.key.level));
+            }
+        }
+        scene.settle();
+        scene.update(view, 0, available);
+        scene.settle();
+    }
 }
 
 } // namespace hygroloom

@@ -11,6 +11,7 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
+#include <QPalette>
 
 namespace hygroloom {
 
@@ -29,6 +30,9 @@ struct PictureColors {
     QColor marked;
     WaterColors water = WaterColors::blue;
 };
+
+/// For a widget with this palette.
+PictureColors pictureColors(const QPalette& palette);
 
 /// All members need the same current context.
 class TextileRenderer {
@@ -96,5 +100,8 @@ private:
     QOpenGLBuffer drop_indices_{QOpenGLBuffer::IndexBuffer};
     int drop_index_count_ = 0;
 };
+
+/// Makes all meshes that the picture would like to have, however long that takes, and ends all fading. Needs the renderer's context.
+void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view);
 
 } // namespace hygroloom
