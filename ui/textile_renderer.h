@@ -7,6 +7,7 @@
 #include "ui/liquid_surface.h"
 
 #include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
@@ -56,7 +57,6 @@ public:
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
 private:
-    enum class Pass { whole, fading, over };
     struct TubeMesh {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer};
@@ -69,7 +69,11 @@ private:
     void setColors(const PictureColors& colors);
     void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
     void placeInstances(const std::vector<CellInstance>& instances);
-    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass);
+    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role, bool in_belt);
+    /// belt: which of the two the cells in the belt show; their share then stands in the picture's alpha.
+    void drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, std::optional<CellRole> belt);
+    /// Draws the fabric twice, and one picture over the other.
+    void blendBelt(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
     void drawLiquid(const SceneView& view, const PictureColors& colors);
     void dropUnused();
 
@@ -82,6 +86,8 @@ private:
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram drops_;
+    QOpenGLShaderProgram blend_;
+    std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer instances_{QOpenGLBuffer::VertexBuffer};
