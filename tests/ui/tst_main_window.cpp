@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The whole window, driven as a designer would. Needs a display: xvfb-run.
+#include "core/design/draft.h"
 #include "core/project/project_file.h"
 #include "ui/appearance.h"
 #include "ui/chart.h"
+#include "ui/export_dialog.h"
+#include "ui/import_dialog.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
 #include "ui/simulation_panel.h"
@@ -13,6 +16,7 @@
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
@@ -247,6 +251,61 @@ private Q_SLOTS:
         QVERIFY(QSettings().value("recent").toStringList().first().endsWith("textile-A.hygro"));
     }
 
+    void aDroppedDraftAsksAndBecomesACandidate()
+    {
+        const QString path = QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/wif/desired_basic_wif__two_color_liftplan.wif";
+        const std::size_t before = window_->document().design()->fabrics.size();
+        for (const bool agreed : {false, true}) {
+            bool asked = false;
+            QTimer::singleShot(200, this, [&] {
+                if (auto* page = qobject_cast<ImportDialog*>(QApplication::activeModalWidget())) {
+                    asked = true;
+                    agreed ? page->accept() : page->reject();
+                }
+            });
+            QMimeData data;
+            data.setUrls({QUrl::fromLocalFile(path)});
+            QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(window_.get(), &enter);
+            QVERIFY(enter.isAccepted());
+            QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(window_.get(), &drop);
+            QVERIFY(asked);
+            QCOMPARE(window_->document().design()->fabrics.size(), before + (agreed ? 1 : 0));
+        }
+        QVERIFY(window_->document().fabric()->weave.draft());
+        window_->document().history()->undo();
+        QCOMPARE(window_->document().design()->fabrics.size(), before);
+    }
+
+    void exportDraftWritesTheChosenFabricsDraft()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("chosen.wif");
+        QTimer::singleShot(200, this, [&] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                dialog->findChild<QLineEdit*>()->setText(path);
+                QMetaObject::invokeMethod(dialog, "accept");
+            }
+        });
+        trigger("Export Draft");
+        const DraftImport read = import_draft(path.toStdString());
+        QVERIFY(read.fabric.weave.same_matrix(window_->document().fabric()->weave));
+        QCOMPARE(read.fabric.ends_per_cm, window_->document().fabric()->ends_per_cm);
+    }
+
+    void exportMeshOpensOneDialogBesideTheWindow()
+    {
+        trigger("Export Mesh");
+        trigger("Export Mesh");
+        const auto dialogs = window_->findChildren<ExportDialog*>();
+        QCOMPARE(dialogs.size(), 1);
+        QVERIFY(dialogs.first()->isVisible());
+        QVERIFY(!dialogs.first()->isModal());
+        dialogs.first()->close();
+        QTRY_VERIFY(window_->findChildren<ExportDialog*>().isEmpty());
+    }
+
     void closingAsksAboutUnsavedChanges()
     {
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });
@@ -263,6 +322,17 @@ private Q_SLOTS:
     }
 
 private:
+    void trigger(const QString& words)
+    {
+        for (QAction* action : window_->findChildren<QAction*>()) {
+            if (action->text().remove('&').startsWith(words)) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable("There is no action " + words));
+    }
+
     QImage settled()
     {
         QTest::qWait(300);
