@@ -89,6 +89,7 @@ private:
     void buildHelpMenu();
     void buildToolBar();
     void refreshActions();
+    void findCommand();
     void about();
     // main_window_files.cpp
     void newProject();

@@ -221,10 +221,12 @@ void PresetGallery::showPicture(int preset, const QImage& picture)
 {
     QPixmap pixmap = QPixmap::fromImage(picture);
     pixmap.setDevicePixelRatio(devicePixelRatioF());
-    pictures_[preset] = pixmap;
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // its own colours, chosen or not
+    pictures_[preset] = icon;
     for (int row = 0; row < list_->count(); ++row) {
         if (list_->item(row)->data(Qt::UserRole).toInt() == preset) {
-            list_->item(row)->setIcon(pixmap);
+            list_->item(row)->setIcon(icon);
         }
     }
 }

@@ -6,7 +6,7 @@
 #include "ui/newest_job.h"
 
 #include <QDialog>
-#include <QPixmap>
+#include <QIcon>
 
 #include <map>
 
@@ -59,7 +59,7 @@ private:
     QPushButton* remove_ = nullptr;
     QString problem_;
     std::unique_ptr<QOffscreenSurface> surface_;
-    std::map<int, QPixmap> pictures_; ///< by number of the preset
+    std::map<int, QIcon> pictures_; ///< by number of the preset
     NewestJob painter_; // last: its deliveries use the rest
 };
 

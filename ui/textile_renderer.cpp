@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
+#include <QSurfaceFormat>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,15 @@ const void* at(std::size_t offset)
 }
 
 } // namespace
+
+void requestOpenGL()
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+}
 
 PictureColors pictureColors(const QPalette& palette)
 {

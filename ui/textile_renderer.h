@@ -32,6 +32,9 @@ struct PictureColors {
     WaterColors water = WaterColors::blue;
 };
 
+/// Asks for contexts that the renderer can use. To be called before the application begins.
+void requestOpenGL();
+
 /// For a widget with this palette.
 PictureColors pictureColors(const QPalette& palette);
 

@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "ui/appearance.h"
 #include "ui/chart.h"
+#include "ui/command_palette.h"
 #include "ui/export_dialog.h"
 #include "ui/import_dialog.h"
 #include "ui/main_window.h"
@@ -18,12 +19,12 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -34,14 +35,7 @@ class TestMainWindow : public QObject {
     Q_OBJECT
 
 public:
-    static void initMain()
-    {
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        QSurfaceFormat::setDefaultFormat(format);
-    }
+    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
@@ -304,6 +298,44 @@ private Q_SLOTS:
         QVERIFY(!dialogs.first()->isModal());
         dialogs.first()->close();
         QTRY_VERIFY(window_->findChildren<ExportDialog*>().isEmpty());
+    }
+
+    void anyCommandIsFoundByAFewLetters()
+    {
+        CommandPalette palette(*window_->menuBar());
+        QVERIFY(palette.shown() > 40);
+        palette.search("mesh exp");
+        QCOMPARE(palette.shown(), 1);
+        QCOMPARE(palette.chosen()->text(), QString("Export &Mesh…"));
+        palette.search("stop"); // nothing runs
+        QVERIFY(palette.shown() >= 1);
+        QVERIFY(!palette.chosen());
+        palette.search("no command has this name");
+        QCOMPARE(palette.shown(), 0);
+        QVERIFY(!palette.chosen());
+    }
+
+    void ctrlKDoesWhatIsChosen()
+    {
+        window_->setWorkspace(Workspace::design);
+        QTimer::singleShot(200, this, [] {
+            if (auto* palette = qobject_cast<CommandPalette*>(QApplication::activeModalWidget())) {
+                QTest::keyClicks(palette->findChild<QLineEdit*>(), "view simulate");
+                QTest::keyClick(palette->findChild<QLineEdit*>(), Qt::Key_Return);
+            }
+        });
+        trigger("Find Command");
+        QCOMPARE(window_->workspace(), Workspace::simulate);
+    }
+
+    void everyLookCanBeChosenAndIsKept()
+    {
+        for (const Appearance look : {Appearance::contrast, Appearance::dark, Appearance::light}) {
+            saveAppearance(look);
+            QCOMPARE(savedAppearance(), look);
+            applyAppearance(look);
+            QCOMPARE(isDark(QApplication::palette()), look != Appearance::light);
+        }
     }
 
     void closingAsksAboutUnsavedChanges()

@@ -4,7 +4,6 @@
 #include "ui/swatch_painter.h"
 
 #include <QDir>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -45,14 +44,7 @@ class TestSwatchPainter : public QObject {
     Q_OBJECT
 
 public:
-    static void initMain()
-    {
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        QSurfaceFormat::setDefaultFormat(format);
-    }
+    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void init()

@@ -11,7 +11,6 @@
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -67,14 +66,7 @@ class TestView : public QObject {
     Q_OBJECT
 
 public:
-    static void initMain()
-    {
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        QSurfaceFormat::setDefaultFormat(format);
-    }
+    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
