@@ -17,6 +17,7 @@
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -298,6 +299,39 @@ private Q_SLOTS:
         QVERIFY(!dialogs.first()->isModal());
         dialogs.first()->close();
         QTRY_VERIFY(window_->findChildren<ExportDialog*>().isEmpty());
+    }
+
+    void closingAsksAboutAnExport()
+    {
+        QTemporaryDir folder;
+        trigger("Export Mesh");
+        auto* dialog = window_->findChild<ExportDialog*>();
+        for (QComboBox* box : dialog->findChildren<QComboBox*>()) {
+            box->setCurrentIndex(box->accessibleName() == "Detail" ? 2 : 1); // PLY, fibres, a size
+        }
+        for (QuantityEdit* edit : dialog->findChildren<QuantityEdit*>()) {
+            if (edit->accessibleName() == "Width along the weft" || edit->accessibleName() == "Height along the warp") {
+                edit->setText("20 mm");
+            }
+        }
+        dialog->setFile(folder.filePath("large.ply"));
+        QSignalSpy ended(dialog, &ExportDialog::ended);
+        dialog->start();
+        QVERIFY(dialog->writing());
+        bool asked = false;
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked = true;
+                QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+            }
+        });
+        QVERIFY(!window_->close());
+        QVERIFY(asked);
+        QVERIFY(dialog->writing());
+        dialog->cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 10000);
+        dialog->close();
+        QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
     }
 
     void anyCommandIsFoundByAFewLetters()
