@@ -125,6 +125,16 @@ std::size_t pieces_at_once(double largest)
 
 } // namespace
 
+MeshRequest smooth_request(const Textile& textile, MeshDetail detail)
+{
+    MeshRequest request;
+    const bool fibre = detail == MeshDetail::fibre;
+    request.detail = detail;
+    request.samples_per_crossing = fibre ? std::min(smooth_samples(textile), most_samples) : 12;
+    request.sides = fibre ? 6 : 12;
+    return request;
+}
+
 MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn)
 {
     const auto rings = static_cast<std::size_t>(crossings_of(textile, kind)) * static_cast<std::size_t>(request.samples_per_crossing) + 1;

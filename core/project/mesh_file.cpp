@@ -17,16 +17,7 @@
 namespace hygroloom {
 namespace {
 
-struct FormatTraits {
-    MeshFormat format;
-    const char* ending;
-    const char* name;
-    bool curves; ///< only
-    bool lines;  ///< centrelines
-    bool colors; ///< of vertices
-    bool streamed;
-};
-constexpr FormatTraits all_formats[] = {
+constexpr MeshFormatTraits all_formats[] = {
     {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},         {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
     {MeshFormat::stl, ".stl", "STL", false, false, false, true},       {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
     {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},      {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
@@ -34,9 +25,9 @@ constexpr FormatTraits all_formats[] = {
     {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},       {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
     {MeshFormat::usda, ".usda", "USD", true, true, true, true},
 };
-const FormatTraits& traits(MeshFormat format)
+const MeshFormatTraits& traits(MeshFormat format)
 {
-    return *std::find_if(std::begin(all_formats), std::end(all_formats), [&](const FormatTraits& f) { return f.format == format; });
+    return *std::find_if(std::begin(all_formats), std::end(all_formats), [&](const MeshFormatTraits& f) { return f.format == format; });
 }
 
 std::string lower(std::string text)
@@ -50,7 +41,7 @@ std::string human(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 
 
 std::string refusal(const ExportJob& job, const ExportEstimate& size, const GltfLayout& layout)
 {
-    const FormatTraits& format = traits(job.format);
+    const MeshFormatTraits& format = traits(job.format);
     const MeshDetail detail = job.options.mesh.detail;
     if (format.curves && detail == MeshDetail::yarn)
         return fmt::format("{} files hold curves, no skins of yarns; choose the detail centreline or fibre.", format.name);
@@ -122,11 +113,13 @@ bool is_text(MeshFormat format)
 
 } // namespace
 
+std::span<const MeshFormatTraits> mesh_formats() { return all_formats; }
+
 MeshFormat mesh_format_of(const std::filesystem::path& path)
 {
     const std::string ending = lower(path.extension().string());
     std::string known;
-    for (const FormatTraits& format : all_formats) {
+    for (const MeshFormatTraits& format : all_formats) {
         if (ending == format.ending) return format.format;
         known += fmt::format("{}{}", known.empty() ? "" : &format == std::end(all_formats) - 1 ? " or " : ", ", format.ending);
     }
