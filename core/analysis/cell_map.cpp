@@ -32,13 +32,13 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
     map.water.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 0.0);
 
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-        const YarnType& type = textile.system(kind).types[0];
-        const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {
                 const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
                 if (side != MapSide::total && on_top != (side == MapSide::top)) continue;
                 const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
+                const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
+                const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
                 const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
                                      textile.segment_length(kind, end, pick);
                 const auto cell = static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n);

@@ -47,32 +47,49 @@ struct Bounds {
     double evaporated = 0;       // kg from both its faces in the duration
     double temperature_rise = 0; // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
+    double finest = 0;              // m, height of the thinnest yarn
     bool wicks = false;
 };
 
 constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
 
+/// Share of the sample's ends or picks that each type of yarn has.
+std::vector<double> shares_of_types(const Textile& textile, YarnKind kind)
+{
+    const YarnSystem& system = textile.system(kind);
+    std::vector<double> shares(system.types.size(), 0.0);
+    for (int yarn = 0; yarn < system.count; ++yarn) shares[static_cast<std::size_t>(textile.type_of(kind, yarn))] += 1;
+    for (double& share : shares) share /= system.count;
+    return shares;
+}
+
 Bounds find_bounds(const Textile& textile, const Experiment& experiment)
 {
     Bounds b;
+    b.finest = textile.thickness;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     const double humidity = experiment.climate.relative_humidity;
     for (const Droplet& d : experiment.droplets) b.delivered += cubic_metre_from_ul(d.volume_ul) * water_density(temperature);
 
-    double dry = 0, sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
-    for (const YarnSystem* system : {&textile.warp, &textile.weft}) {
-        const YarnType& type = system->types[0];
-        const double along = 1.0 / system->pitch; // m of yarn per m2, crimp left out
+    double sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
+    const auto add = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
         b.capacity += along * type.area * (1.0 - type.packing) * water_density(temperature);
         const double fibres = along * type.area * type.packing * type.fibre.density_kg_m3;
         const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
                                 type.fibre.gab.c, type.fibre.gab.k};
-        const double gain = std::max(0.0, equilibrium_regain(isotherm, 1.0, temperature) - equilibrium_regain(isotherm, humidity, temperature));
-        dry += fibres;
+        const double gain =
+            std::max(0.0, equilibrium_regain(isotherm, 1.0, temperature) - equilibrium_regain(isotherm, humidity, temperature));
         sorbable += fibres * gain;
         heat += fibres * gain * heat_of_sorption(humidity);
         thermal += fibres * type.fibre.specific_heat_j_kgk;
+        b.finest = std::min(b.finest, type.section.height);
         b.wicks = b.wicks || std::cos(type.contact_angle) > 1e-12;
+    };
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        const std::vector<double> shares = shares_of_types(textile, kind);
+        for (std::size_t type = 0; type < shares.size(); ++type)
+            if (shares[type] > 0) add(system.types[type], shares[type] / system.pitch);
     }
     const double sample = metre_from_mm(experiment.sample_mm[0]) * metre_from_mm(experiment.sample_mm[1]);
     b.wet_area = std::min(sample, b.delivered / (least_mobile_saturation * b.capacity));
@@ -90,9 +107,9 @@ Bounds find_bounds(const Textile& textile, const Experiment& experiment)
 }
 
 /// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show.
-int particles_for(const Level& level, const Experiment& experiment, const Bounds& b, const Textile& textile)
+int particles_for(const Level& level, const Experiment& experiment, const Bounds& b)
 {
-    const double finest = 0.1 * std::min(textile.warp.types[0].section.height, textile.weft.types[0].section.height);
+    const double finest = 0.1 * b.finest;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
@@ -120,7 +137,7 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool liquid = plan.parts.back().on;
     plan.parts.push_back(decide("wicking", liquid && b.wicks,
                                 b.wicks ? "At least one yarn's contact angle is below 90 degrees."
-                                        : "Both yarns' contact angles are 90 degrees or more: their pores draw no liquid.",
+                                        : "All yarns' contact angles are 90 degrees or more: their pores draw no liquid.",
                                 forced));
     const bool wicking = plan.parts.back().on;
     const double delivered = std::max(b.delivered, 1e-30);
@@ -213,9 +230,6 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     const Level level = level_of(fidelity);
     const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
     const Textile textile = build_textile(design, fabric, sample);
-    if (textile.warp.types.size() > 1 || textile.weft.types.size() > 1)
-        throw Error("\"" + fabric.name + "\" has ends or picks of different yarns; this version simulates cloths of one warp and one weft "
-                    "yarn (colours may differ).");
     const Bounds bounds = find_bounds(textile, experiment);
 
     ModelPlan plan;
@@ -223,7 +237,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     decide_parts(plan, bounds, experiment, level, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet = plan.on("liquid") ? particles_for(level, experiment, bounds, textile) : 0;
+    plan.particles_per_droplet = plan.on("liquid") ? particles_for(level, experiment, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? level.shells : 1;
     plan.network_step_limit = level.network_step;
     plan.saturation_change = level.saturation_change;

@@ -62,6 +62,14 @@ void write_textile(hid_t file, const Textile& textile)
     h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
 }
 
+std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
+{
+    std::vector<float> shares;
+    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
+        shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
+    return shares;
+}
+
 std::string frame_name(int index) { return fmt::format("frames/{:06d}", index); }
 
 } // namespace
@@ -70,7 +78,7 @@ struct RecordingWriter::File {
     h5::Handle file;
     h5::Handle ledger;
     int frames = 0;
-    std::vector<float> pore_share; ///< pore volume / yarn volume, per yarn system
+    std::vector<float> warp_pores, weft_pores; ///< pore volume / yarn volume of each end and of each pick
 };
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>())
@@ -100,7 +108,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
     }
     write_textile(file, run.textile);
     h5::create_group(file, "frames");
-    file_->pore_share = {static_cast<float>(1.0 - run.textile.warp.types[0].packing), static_cast<float>(1.0 - run.textile.weft.types[0].packing)};
+    file_->warp_pores = pore_shares(run.textile, YarnKind::warp);
+    file_->weft_pores = pore_shares(run.textile, YarnKind::weft);
     file_->ledger = h5::create_table(file, "ledger", 13, ledger_columns);
     H5Fflush(file, H5F_SCOPE_GLOBAL);
 }
@@ -117,8 +126,14 @@ void RecordingWriter::append(const Frame& frame)
         h5::write_number(g, "water_top_kg", frame.water_top);
         h5::write_number(g, "water_bottom_kg", frame.water_bottom);
         const auto n = frame.saturation.size();
-        std::vector<float> fraction(n);
-        for (std::size_t i = 0; i < n; ++i) fraction[i] = frame.saturation[i] * file_->pore_share[i < n / 2 ? 0 : 1];
+        std::vector<float> fraction;
+        fraction.reserve(n);
+        const auto along = [&](const std::vector<float>& pores, std::size_t crossed) { // segments are numbered along the yarns
+            for (float share : pores)
+                for (std::size_t i = 0; i < crossed; ++i) fraction.push_back(frame.saturation[fraction.size()] * share);
+        };
+        along(file_->warp_pores, file_->weft_pores.size());
+        along(file_->weft_pores, file_->warp_pores.size());
         h5::write_floats(g, "liquid_volume_fraction", fraction.data(), n, 1, "1");
         h5::write_floats(g, "saturation", frame.saturation.data(), n, 1, "1");
         h5::write_floats(g, "liquid", frame.liquid.data(), n, 1, "kg");

@@ -62,9 +62,9 @@ YarnParameters make_yarn(const YarnType& type, double crossing_pitch, const Clim
 }
 
 /// A prism between the two axes, as wide as the yarns overlap: liquid and vapour pass across the fibres of each, half the way in each.
-CrossingParameters make_crossing(const Textile& textile, const YarnParameters& warp, const YarnParameters& weft, const ClimateParameters& climate)
+CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft_type, const YarnParameters& warp,
+                                 const YarnParameters& weft, const ClimateParameters& climate)
 {
-    const YarnType &warp_type = textile.warp.types[0], &weft_type = textile.weft.types[0];
     const double area = warp_type.section.width * weft_type.section.width;
     const double half_warp = 0.5 * warp_type.section.height, half_weft = 0.5 * weft_type.section.height;
     const auto in_series = [&](double a, double b) { return a > 0 && b > 0 ? area / (half_warp / a + half_weft / b) : 0.0; };
@@ -82,15 +82,45 @@ CrossingParameters make_crossing(const Textile& textile, const YarnParameters& w
     return crossing;
 }
 
-ContactShape make_shape(const YarnSystem& system)
+ContactShape make_shape(const YarnSystem& system, std::size_t own)
 {
-    const YarnType& type = system.types[0];
-    const YarnPath& path = system.paths[1]; // the one that changes sides
-    ContactShape shape{system.pitch, type.rise[0], 0.5 * type.section.height, 0.5 * type.section.width, static_cast<int>(path.height.size()), {}};
-    for (std::size_t i = 0; i < path.height.size(); ++i)
-        for (double value : {path.height[i], path.slope[i], path.half_height[i], path.half_width[i]})
-            shape.profile.push_back(static_cast<float>(value));
+    const YarnType& type = system.types[own];
+    ContactShape shape{0.5 * type.section.height, 0.5 * type.section.width, {}};
+    const std::size_t paths = system.paths.size() / system.types.size();
+    for (std::size_t p = own * paths; p < (own + 1) * paths; ++p) {
+        const YarnPath& path = system.paths[p];
+        for (std::size_t i = 0; i < path.height.size(); ++i)
+            for (double value : {path.height[i], path.slope[i], path.half_height[i], path.half_width[i]})
+                shape.profiles.push_back(static_cast<float>(value));
+    }
     return shape;
+}
+
+/// The types of yarn, what they are like where they cross, and which each end and pick is of.
+void add_yarns(Scene& scene, const Textile& textile)
+{
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        const auto before = static_cast<int>(scene.yarns.size());
+        for (std::size_t type = 0; type < system.types.size(); ++type) {
+            scene.yarns.push_back(make_yarn(system.types[type], textile.system(other_kind(kind)).pitch, scene.climate));
+            scene.shapes.push_back(make_shape(system, type));
+        }
+        for (int yarn = 0; yarn < system.count; ++yarn)
+            scene.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
+    }
+    const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
+    scene.warp_types = static_cast<int>(warps);
+    for (std::size_t warp = 0; warp < warps; ++warp)
+        for (std::size_t weft = 0; weft < wefts; ++weft) {
+            const YarnType &over = textile.warp.types[warp], &under = textile.weft.types[weft];
+            scene.crossing.push_back(make_crossing(over, under, scene.yarns[warp], scene.yarns[warps + weft], scene.climate));
+            scene.crossing.back().warp_rise = over.rise[weft];
+            scene.crossing.back().weft_rise = under.rise[warp];
+        }
+    scene.warp_pitch = textile.warp.pitch;
+    scene.weft_pitch = textile.weft.pitch;
+    scene.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
 }
 
 std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
@@ -131,11 +161,7 @@ Scene build_scene(const Textile& textile, const Experiment& experiment, const Mo
     scene.cell_area = textile.warp.pitch * textile.weft.pitch;
     scene.half_thickness = textile.half_thickness();
     scene.climate = make_climate(experiment);
-    scene.warp = make_yarn(textile.warp.types[0], textile.weft.pitch, scene.climate);
-    scene.weft = make_yarn(textile.weft.types[0], textile.warp.pitch, scene.climate);
-    scene.crossing = make_crossing(textile, scene.warp, scene.weft, scene.climate);
-    scene.warp_shape = make_shape(textile.warp);
-    scene.weft_shape = make_shape(textile.weft);
+    add_yarns(scene, textile);
     if (plan.on("liquid")) scene.droplets = make_droplets(textile, experiment);
     scene.particles_per_droplet = plan.particles_per_droplet;
     scene.fibre_shells = plan.fibre_shells;

@@ -11,7 +11,7 @@ namespace hygroloom {
 constexpr int largest_shell_count = 32;
 constexpr double water_quantum = 0x1.0p-64; ///< kg; liquid passes from particles to yarns in whole quanta, so nothing is lost to rounding
 
-/// What the moisture model needs to know of one yarn system.
+/// What the moisture model needs to know of one type of yarn.
 struct YarnParameters {
     double pore_area = 0;            ///< m2, of the section
     double fibre_area = 0;           ///< m2
@@ -32,11 +32,13 @@ struct YarnParameters {
     double resting_regain = 0;       ///< in equilibrium with the climate: a segment that has it and no liquid is not visited
 };
 
-/// How warp and weft touch at a crossing.
+/// How a warp and a weft yarn touch at a crossing.
 struct CrossingParameters {
     double liquid_conductance = 0;   ///< kg/s for a unit difference of spreading potential
     double heat_conductance = 0;     ///< W/K
     double vapour_conductance = 0;   ///< m3/s
+    double warp_rise = 0;            ///< m, of the warp's centreline over the middle plane where it is up, or under it
+    double weft_rise = 0;
 };
 
 /// Air and liquid of a run, constant in time.
@@ -51,14 +53,13 @@ struct ClimateParameters {
     double density = 0;              ///< kg/m3
 };
 
-/// A yarn system's shape as the liquid meets it.
+/// The shape of one type of yarn as the liquid meets it.
 struct ContactShape {
-    double pitch = 0;                ///< m, between its yarns
-    double amplitude = 0;            ///< m
     double half_height = 0;          ///< m, at a crossing
     double half_width = 0;           ///< m
-    int samples = 0;                 ///< of the profile, from crossing to crossing
-    std::vector<float> profile;      ///< height, slope, half height, half width of every sample
+    /// Per type it crosses before, type it crosses after and whether it changes sides between them (the order of YarnSystem::paths):
+    /// height, slope, half height, half width of every sample from crossing to crossing.
+    std::vector<float> profiles;
 };
 
 struct SceneDroplet {
@@ -76,9 +77,13 @@ struct Scene {
     std::vector<std::uint8_t> warp_up;    ///< one per crossing, end x picks + pick
     double cell_area = 0;                 ///< m2 of fabric per crossing
     double half_thickness = 0;            ///< m
-    YarnParameters warp, weft;
-    CrossingParameters crossing;
-    ContactShape warp_shape, weft_shape;
+    double warp_pitch = 0, weft_pitch = 0; ///< m, from end to end and from pick to pick
+    int warp_types = 1;
+    std::vector<YarnParameters> yarns;        ///< per type: the warp's, then the weft's
+    std::vector<ContactShape> shapes;         ///< of the same types
+    int profile_samples = 0;                  ///< of each of their profiles
+    std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
+    std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
     ClimateParameters climate;
     std::vector<SceneDroplet> droplets;   ///< in order of time
     std::vector<double> initial_liquid;   ///< kg per segment; empty: dry
@@ -94,9 +99,10 @@ struct Scene {
 
     int crossings() const { return ends * picks; }
     int segments() const { return 2 * crossings(); }
+    int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
 };
 
-/// Precondition: plan_model() made the plan for these, so that each system has yarns of one type.
+/// Precondition: plan_model() made the plan for these.
 Scene build_scene(const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);
 
 } // namespace hygroloom

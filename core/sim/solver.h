@@ -103,7 +103,10 @@ private:
     void choose_liquid_step();
     double advective_step(double speed) const;
     Ledger ledger();
+    Yarns yarns();
+    Yarns yarns_on_host() const;
     Segments segments();
+    Segments fibres_on_host(std::vector<double>& regain) const;
     Particles particle_views();
     CellGrid grid();
     TextileShape shape();
@@ -122,10 +125,13 @@ private:
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
-    Buffer<std::uint8_t> warp_up_;
+    Buffer<std::uint8_t> warp_up_, type_;
+    Buffer<YarnParameters> yarns_;
+    Buffer<CrossingParameters> crossing_;
     Buffer<std::int64_t> absorbed_;
     Buffer<int> contact_;
-    Buffer<float> warp_profile_, weft_profile_, shift_;
+    Buffer<YarnShape> shapes_;
+    Buffer<float> profiles_, shift_;
 
     // Liquid.
     int count_ = 0;

@@ -15,6 +15,17 @@ constexpr double most_cells = 2e5;                // of the grid that finds neig
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
+/// Shapes of the scene's types of yarn; their profiles go to one array.
+inline std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles)
+{
+    std::vector<YarnShape> shapes;
+    for (const ContactShape& shape : scene.shapes) {
+        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<int>(profiles.size())});
+        profiles.insert(profiles.end(), shape.profiles.begin(), shape.profiles.end());
+    }
+    return shapes;
+}
+
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
     double volume = 0, smallest = 1, highest = scene_.half_thickness;
@@ -25,6 +36,9 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     }
     const std::size_t drops = scene_.droplets.size();
     if (drops == 0) return;
+    std::vector<float> profiles;
+    shapes_.upload(yarn_shapes(scene_, profiles));
+    profiles_.upload(profiles);
     // All particles weigh the same; a drop's number of them goes with its volume.
     const double particle_volume = volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
     particle_mass_ = static_cast<Real>(particle_volume * scene_.climate.density);
@@ -46,7 +60,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     neighbours_.resize(capacity * largest_neighbour_count);
     alive_.resize(capacity);
 
-    const double width = scene_.ends * 1.0 * scene_.warp_shape.pitch, height = scene_.picks * 1.0 * scene_.weft_shape.pitch;
+    const double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
     const double lowest = -scene_.half_thickness - drip_distance;
     // Cells of one support, or wider where a small drop falls on a large sample: they are gone through at every step.
     const double depth = highest - lowest;
@@ -138,7 +152,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
     each_particle("neighbours", FindNeighbours{particle_views(), grid()});
-    each_particle("forces", FindForces{particle_views(), liquid()});
+    each_particle("forces", FindForces{particle_views(), liquid(), yarns()});
     correct_pressure(step);
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
@@ -154,7 +168,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 {
     each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
-    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.warp, scene_.weft, scene_.climate.density, dt});
+    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt});
     each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
@@ -173,7 +187,8 @@ template <typename Executor> void Solver<Executor>::choose_liquid_step()
 
 template <typename Executor> double Solver<Executor>::advective_step(double speed) const
 {
-    const double thin = std::min(scene_.warp_shape.half_height, scene_.weft_shape.half_height);
+    double thin = scene_.shapes[0].half_height;
+    for (const ContactShape& shape : scene_.shapes) thin = std::min(thin, shape.half_height);
     return 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, speed);
 }
 
@@ -210,12 +225,15 @@ template <typename Executor> CellGrid Solver<Executor>::grid()
 
 template <typename Executor> TextileShape Solver<Executor>::shape()
 {
-    const auto yarn = [](const ContactShape& c, const float* profile) {
-        return YarnShape{static_cast<Real>(c.pitch), static_cast<Real>(c.amplitude), static_cast<Real>(c.half_height),
-                         static_cast<Real>(c.half_width), c.samples, profile};
-    };
-    return {scene_.ends, scene_.picks, static_cast<Real>(scene_.half_thickness), yarn(scene_.warp_shape, warp_profile_.data()),
-            yarn(scene_.weft_shape, weft_profile_.data()), warp_up_.data(), shift_.data()};
+    return {yarns(),
+            static_cast<Real>(scene_.half_thickness),
+            static_cast<Real>(scene_.warp_pitch),
+            static_cast<Real>(scene_.weft_pitch),
+            scene_.profile_samples,
+            shapes_.data(),
+            profiles_.data(),
+            warp_up_.data(),
+            shift_.data()};
 }
 
 template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
@@ -226,9 +244,6 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
                                               grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(gravity_acceleration);
-    l.adhesion_warp = static_cast<Real>(scene_.warp.adhesion);
-    l.adhesion_weft = static_cast<Real>(scene_.weft.adhesion);
-    l.crossings = scene_.crossings();
     return l;
 }
 

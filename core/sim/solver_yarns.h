@@ -13,15 +13,14 @@ constexpr double exchange_steps = 4.0; // network steps of full length between e
 /// The largest change of saturation since before[], as bits of a float; before[] is brought up to date.
 struct TrackChange {
     Segments s;
-    YarnParameters warp;
-    YarnParameters weft;
     double density;
     double* before;
     int* largest;
     HL_FN void operator()(int i) const
     {
-        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
         const double change = s.liquid[i] - before[i];
+        if (change == 0) return;
+        const YarnParameters& yarn = s.yarn_of(i);
         union {
             float value;
             int bits;
@@ -39,8 +38,9 @@ template <typename Executor> void Solver<Executor>::load_segments()
     length_.upload(scene_.length);
     warp_up_.upload(scene_.warp_up);
     shift_.upload(scene_.shift.empty() ? std::vector<float>(n, 0.0f) : scene_.shift);
-    warp_profile_.upload(scene_.warp_shape.profile);
-    weft_profile_.upload(scene_.weft_shape.profile);
+    type_.upload(scene_.type);
+    yarns_.upload(scene_.yarns);
+    crossing_.upload(scene_.crossing);
     for (auto* b : {&liquid_, &warmth_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_}) {
         b->resize(n);
         b->fill(0.0);
@@ -57,8 +57,9 @@ template <typename Executor> void Solver<Executor>::load_segments()
 
     std::vector<double> vapour(n), regain(n * shells);
     const double background = scene_.climate.humidity * saturation_concentration(scene_.climate.temperature);
+    const Yarns yarns = yarns_on_host();
     for (std::size_t i = 0; i < n; ++i) {
-        const YarnParameters& yarn = i < n / 2 ? scene_.warp : scene_.weft;
+        const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
         const double liquid = scene_.initial_liquid.empty() ? 0.0 : scene_.initial_liquid[i];
         vapour[i] = background * pore_air(yarn, scene_.length[i], liquid, scene_.climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
@@ -70,20 +71,16 @@ template <typename Executor> void Solver<Executor>::load_segments()
 template <typename Executor> void Solver<Executor>::step_network(double dt, bool frame_due)
 {
     const ClimateParameters& climate = scene_.climate;
-    each_segment("take absorbed", TakeAbsorbed{segments(), scene_.warp, scene_.weft});
+    each_segment("take absorbed", TakeAbsorbed{segments()});
     maxima_.write(1, 0);
-    each_segment("remember", TrackChange{segments(), scene_.warp, scene_.weft, climate.density, before_.data(), maxima_.data() + 1});
+    each_segment("remember", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     if (scene_.wicking || scene_.heat) {
         maxima_.write(1, 0);
-        const auto along = [&](const YarnParameters& yarn, int first, int count, int lines, int fed) {
-            if (scene_.wicking) exec_.for_each("wick", lines, WickAlongYarn{segments(), yarn, first, count, dt, climate.density, fed});
-            if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), yarn, first, count, dt, climate.density});
-        };
-        along(scene_.warp, 0, scene_.picks, scene_.ends, scene_.fed_segments);
-        along(scene_.weft, scene_.crossings(), scene_.ends, scene_.picks, 0);
-        exec_.for_each("cross", scene_.crossings(),
-                       ExchangeAtCrossing{segments(), scene_.warp, scene_.weft, scene_.crossing, climate, dt, scene_.wicking, scene_.heat, false});
-        each_segment("change", TrackChange{segments(), scene_.warp, scene_.weft, climate.density, before_.data(), maxima_.data() + 1});
+        const int lines = yarns().lines();
+        if (scene_.wicking) exec_.for_each("wick", lines, WickAlongYarn{segments(), dt, climate.density, scene_.fed_segments});
+        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), dt, climate.density});
+        exec_.for_each("cross", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
+        each_segment("change", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     }
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_steps * scene_.network_step) exchange(time_ - exchange_time_);
 
@@ -103,21 +100,27 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     const ClimateParameters& climate = scene_.climate;
     if (scene_.vapour) {
         const double background = climate.humidity * saturation_concentration(climate.temperature);
-        exec_.for_each("vapour", scene_.ends, DiffuseVapourAlongYarn{segments(), scene_.warp, climate, 0, scene_.picks, dt, background, scene_.heat});
-        exec_.for_each("vapour", scene_.picks,
-                       DiffuseVapourAlongYarn{segments(), scene_.weft, climate, scene_.crossings(), scene_.ends, dt, background, scene_.heat});
-        exec_.for_each("cross vapour", scene_.crossings(),
-                       ExchangeAtCrossing{segments(), scene_.warp, scene_.weft, scene_.crossing, climate, dt, false, false, true});
+        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, background, scene_.heat});
+        exec_.for_each("cross vapour", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, false, false, true});
     }
-    each_segment("exchange", ExchangeInSegment{segments(), scene_.warp, scene_.weft, climate, scene_.cell_area, dt, scene_.sorption,
-                                               scene_.vapour, scene_.heat});
+    each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
+}
+
+template <typename Executor> Yarns Solver<Executor>::yarns()
+{
+    return {scene_.ends, scene_.picks, scene_.warp_types, scene_.weft_types(), type_.data(), yarns_.data(), crossing_.data()};
+}
+
+template <typename Executor> Yarns Solver<Executor>::yarns_on_host() const
+{
+    return {scene_.ends,        scene_.picks,        scene_.warp_types,     scene_.weft_types(),
+            scene_.type.data(), scene_.yarns.data(), scene_.crossing.data()};
 }
 
 template <typename Executor> Segments Solver<Executor>::segments()
 {
     Segments s;
-    s.ends = scene_.ends;
-    s.picks = scene_.picks;
+    static_cast<Yarns&>(s) = yarns();
     s.shells = scene_.fibre_shells;
     s.length = length_.data();
     s.warp_up = warp_up_.data();
@@ -137,6 +140,17 @@ template <typename Executor> Segments Solver<Executor>::segments()
     return s;
 }
 
+/// Views for bound_water() on the host; of the segments' arrays only these are there.
+template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vector<double>& regain) const
+{
+    Segments s;
+    static_cast<Yarns&>(s) = yarns_on_host();
+    s.shells = scene_.fibre_shells;
+    s.length = scene_.length.data();
+    s.regain = regain.data();
+    return s;
+}
+
 /// Summed on the host in segment order: the same on every machine.
 template <typename Executor> Ledger Solver<Executor>::ledger()
 {
@@ -145,11 +159,9 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
         for (double v : values) total += v;
         return static_cast<double>(total);
     };
-    const std::vector<double> liquid = liquid_.download(), warmth = warmth_.download(), length = length_.download();
+    const std::vector<double> liquid = liquid_.download(), warmth = warmth_.download();
     std::vector<double> regain = regain_.download();
-    Segments s = segments();
-    s.length = length.data();
-    s.regain = regain.data();
+    const Segments s = fibres_on_host(regain);
     Ledger l;
     l.time = time_;
     l.water_initial = initial_;
@@ -158,10 +170,10 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, std::int64_t(0))) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
-        const YarnParameters& yarn = i < liquid.size() / 2 ? scene_.warp : scene_.weft;
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double here = bound_water(s, yarn, static_cast<int>(i));
         bound += here;
-        stored += heat_capacity(yarn, length[i], liquid[i] + here) * warmth[i];
+        stored += heat_capacity(yarn, s.length[i], liquid[i] + here) * warmth[i];
     }
     l.water_liquid = sum(liquid);
     l.water_bound = static_cast<double>(bound);
@@ -182,14 +194,12 @@ template <typename Executor> Frame Solver<Executor>::frame()
     f.ledger = ledger();
     const std::vector<double> liquid = liquid_.download(), vapour = vapour_.download(), warmth = warmth_.download();
     std::vector<double> regain = regain_.download();
-    Segments s = segments();
-    s.regain = regain.data();
-    s.length = scene_.length.data();
+    const Segments s = fibres_on_host(regain);
     const auto n = liquid.size();
     for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const bool is_warp = i < n / 2;
-        const YarnParameters& yarn = is_warp ? scene_.warp : scene_.weft;
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
         const double bound = bound_water(s, yarn, static_cast<int>(i));
         const double air = pore_air(yarn, scene_.length[i], liquid[i], scene_.climate.density);

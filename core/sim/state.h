@@ -6,10 +6,43 @@
 
 namespace hygroloom {
 
-/// One value per segment unless said. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
-struct Segments {
+/// One yarn's segments: first to last - 1.
+struct YarnLine {
+    const YarnParameters& yarn;
+    int first;
+    int last;
+};
+
+/// The cloth's yarns: lines of segments, all ends, then all picks. A yarn is of one type along its whole length.
+struct Yarns {
     int ends = 0;
     int picks = 0;
+    int warp_types = 1;
+    int weft_types = 1;
+    const std::uint8_t* type = nullptr;           ///< of each line
+    const YarnParameters* parameters = nullptr;   ///< per type: the warp's, then the weft's
+    const CrossingParameters* crossing = nullptr; ///< warp type x weft_types + weft type
+
+    HL_FN int crossings() const { return ends * picks; }
+    HL_FN int lines() const { return ends + picks; }
+    HL_FN bool is_warp(int segment) const { return segment < crossings(); }
+    HL_FN int line_of(int segment) const { return is_warp(segment) ? segment / picks : ends + (segment - crossings()) / ends; }
+    HL_FN int type_of_end(int end) const { return type[end]; }
+    HL_FN int type_of_pick(int pick) const { return type[ends + pick]; }
+    HL_FN const YarnParameters& yarn_of(int segment) const { return parameters[type[line_of(segment)]]; }
+    HL_FN const CrossingParameters& crossing_at(int end, int pick) const
+    {
+        return crossing[type_of_end(end) * weft_types + type_of_pick(pick) - warp_types];
+    }
+    HL_FN YarnLine line(int index) const
+    {
+        const int first = index < ends ? index * picks : crossings() + (index - ends) * ends;
+        return {parameters[type[index]], first, first + (index < ends ? picks : ends)};
+    }
+};
+
+/// One value per segment unless said. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
+struct Segments : Yarns {
     int shells = 0;
     const double* length = nullptr;
     const std::uint8_t* warp_up = nullptr; ///< per crossing
@@ -27,8 +60,6 @@ struct Segments {
     double* work2 = nullptr;
     double* flux = nullptr;          ///< kg that crossed to the next segment along the yarn in this step
 
-    HL_FN int crossings() const { return ends * picks; }
-    HL_FN bool is_warp(int segment) const { return segment < crossings(); }
     HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
     HL_FN int crossing_of(int segment) const
     {

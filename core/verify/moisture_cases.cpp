@@ -34,14 +34,15 @@ std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend
     Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
     scene.sorption = true;
     scene.fibre_shells = static_cast<int>(value(v, "shells"));
-    scene.warp.fibre_area = 1e-6 * scene.warp.pore_area; // the liquid outlasts what the fibre takes
-    const double full = scene.climate.density * scene.warp.pore_area * scene.length[0];
+    scene.yarns[0].fibre_area = 1e-6 * scene.yarns[0].pore_area; // the liquid outlasts what the fibre takes
+    const double full = scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
     scene.initial_liquid = {full, full};
-    const double time = fourier * scene.warp.fibre_radius * scene.warp.fibre_radius / scene.warp.diffusivity.constant;
+    const double time = fourier * scene.yarns[0].fibre_radius * scene.yarns[0].fibre_radius / scene.yarns[0].diffusivity.constant;
     scene.network_step = time / 8000;
     const Frame frame = frames_at(backend, scene, {time}).front();
     const double expected = crank_uptake(fourier);
-    return {{"uptake", static_cast<double>(frame.regain[0]) / regain_at_reference(scene.warp.isotherm, 1.0), expected, 0.005 * expected}};
+    return {
+        {"uptake", static_cast<double>(frame.regain[0]) / regain_at_reference(scene.yarns[0].isotherm, 1.0), expected, 0.005 * expected}};
 }
 
 struct AirExchange {
@@ -70,7 +71,7 @@ Scene drying_scene(const AirExchange& air, double humidity)
     scene.climate.vapour = air.vapour;
     scene.climate.heat_transfer = air.heat_transfer;
     scene.climate.mass_transfer = air.mass_transfer;
-    const double full = scene.climate.density * scene.warp.pore_area * scene.length[0];
+    const double full = scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
     scene.initial_liquid = {full, full};
     return scene;
 }
@@ -89,7 +90,7 @@ std::vector<VerifyResult> wet_bulb(const VerifyValues& v, Backend& backend)
     AirExchange air = air_of(v, 5.0);
     air.heat_transfer = value(v, "radiation") > 0.5 ? 10.0 : 5.0;
     Scene scene = drying_scene(air, value(v, "relative_humidity"));
-    const double capacity = scene.warp.fibre_area * scene.length[0] * 1550 * 1250 + scene.initial_liquid[0] * water_specific_heat;
+    const double capacity = scene.yarns[0].fibre_area * scene.length[0] * 1550 * 1250 + scene.initial_liquid[0] * water_specific_heat;
     const double settle = 12.0 * capacity / (air.heat_transfer * scene.cell_area);
     scene.network_step = settle / 400;
     const Frame frame = frames_at(backend, scene, {settle}).front();
@@ -100,7 +101,7 @@ std::vector<VerifyResult> drying_rate(const VerifyValues& v, Backend& backend)
 {
     const AirExchange air = air_of(v, convective_heat_transfer(value(v, "air_speed_m_s"), 1e-3 * value(v, "length_mm")));
     Scene scene = drying_scene(air, value(v, "relative_humidity"));
-    const double capacity = scene.warp.fibre_area * scene.length[0] * 1550 * 1250 + scene.initial_liquid[0] * water_specific_heat;
+    const double capacity = scene.yarns[0].fibre_area * scene.length[0] * 1550 * 1250 + scene.initial_liquid[0] * water_specific_heat;
     const double settle = 8.0 * capacity / (air.heat_transfer * scene.cell_area);
     scene.network_step = settle / 800;
     const std::vector<Frame> frames = frames_at(backend, scene, {settle, 1.25 * settle});
@@ -139,11 +140,12 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
     scene.climate.humidity = humidity;
     scene.climate.vapour = humidity * saturation_concentration(temperature);
     scene.climate.mass_transfer = 0.01;
-    for (YarnParameters* yarn : {&scene.warp, &scene.weft}) {
-        yarn->isotherm = {material->standard_regain, material->saturation_regain, material->gab.monolayer_regain, material->gab.c, material->gab.k};
-        yarn->diffusivity.constant = 1e-12; // only the end matters here
-        yarn->initial_regain = 0;
-        yarn->resting_regain = equilibrium_regain(yarn->isotherm, humidity, temperature);
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.isotherm = {material->standard_regain, material->saturation_regain, material->gab.monolayer_regain, material->gab.c,
+                         material->gab.k};
+        yarn.diffusivity.constant = 1e-12; // only the end matters here
+        yarn.initial_regain = 0;
+        yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, temperature);
     }
     scene.network_step = 5.0;
     const Frame frame = frames_at(backend, scene, {40000.0}).front();
@@ -155,7 +157,7 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
         const double here = middle * std::exp(-heat_of_sorption(middle) * water_molar_mass / gas_constant * (1.0 / temperature - 1.0 / 293.15));
         (here < humidity ? low : high) = middle;
     }
-    const double expected = regain_at_reference(scene.warp.isotherm, 0.5 * (low + high));
+    const double expected = regain_at_reference(scene.yarns[0].isotherm, 0.5 * (low + high));
     return {{"regain", frame.regain[0], expected, 0.03 * expected}};
 }
 

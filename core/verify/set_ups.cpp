@@ -16,19 +16,23 @@ Scene bare_scene(int ends, int picks, double pitch, double temperature)
         for (int pick = 0; pick < picks; ++pick) scene.warp_up[static_cast<std::size_t>(end * picks + pick)] = (end + pick) % 2 == 0;
     scene.cell_area = pitch * pitch;
     scene.half_thickness = 0.25 * pitch;
-    for (YarnParameters* yarn : {&scene.warp, &scene.weft}) {
-        yarn->pore_area = 0.1 * pitch * pitch;
-        yarn->fibre_area = 0.1 * pitch * pitch;
-        yarn->fibre_radius = 8e-6;
-        yarn->fibre_density = 1550;
-        yarn->fibre_specific_heat = 1250;
-        yarn->fibre_conductivity = 0.35;
-        yarn->isotherm = {0.07, 0.24, 0, 0, 0};
-        yarn->diffusivity = {DiffusionLaw::constant, 5e-14};
-        yarn->vapour_diffusivity = vapour_diffusivity(temperature);
-    }
-    for (ContactShape* shape : {&scene.warp_shape, &scene.weft_shape})
-        *shape = {pitch, 0.125 * pitch, 0.125 * pitch, 0.25 * pitch, 2, std::vector<float>(8, 0.0f)};
+    YarnParameters yarn;
+    yarn.pore_area = 0.1 * pitch * pitch;
+    yarn.fibre_area = 0.1 * pitch * pitch;
+    yarn.fibre_radius = 8e-6;
+    yarn.fibre_density = 1550;
+    yarn.fibre_specific_heat = 1250;
+    yarn.fibre_conductivity = 0.35;
+    yarn.isotherm = {0.07, 0.24, 0, 0, 0};
+    yarn.diffusivity = {DiffusionLaw::constant, 5e-14};
+    yarn.vapour_diffusivity = vapour_diffusivity(temperature);
+    scene.yarns = {yarn, yarn};
+    scene.type.assign(static_cast<std::size_t>(ends), 0);
+    scene.type.resize(static_cast<std::size_t>(ends + picks), 1);
+    scene.crossing = {{0, 0, 0, 0.125 * pitch, 0.125 * pitch}};
+    scene.warp_pitch = scene.weft_pitch = pitch;
+    scene.profile_samples = 2;
+    scene.shapes.assign(2, {0.125 * pitch, 0.25 * pitch, std::vector<float>(16, 0.0f)});
     ClimateParameters& climate = scene.climate;
     climate.temperature = temperature;
     climate.surface_tension = water_surface_tension(temperature);

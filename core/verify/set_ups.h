@@ -8,6 +8,7 @@
 namespace hygroloom {
 
 /// ends x picks crossings of plain weave, pitch apart; climate of water at a temperature, everything else off.
+/// Yarn 0 is the warp's, 1 the weft's.
 Scene bare_scene(int ends, int picks, double pitch, double temperature);
 
 /// Loads, advances and returns the frame at each time, in order.

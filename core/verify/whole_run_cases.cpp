@@ -75,9 +75,62 @@ Scene wet_spot()
     for (int end = 12; end < 25; ++end)
         for (int pick = 14; pick < 27; ++pick) {
             const auto i = static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick));
-            scene.initial_liquid[i] = 0.9 * scene.climate.density * scene.warp.pore_area * scene.length[i];
+            scene.initial_liquid[i] = 0.9 * scene.climate.density * scene.yarns[0].pore_area * scene.length[i];
         }
     return scene;
+}
+
+/// The wet spot on yarns that pass nothing to each other, in steps of the same length whatever they are.
+Scene wet_spot_on_lone_yarns()
+{
+    Scene scene = wet_spot();
+    scene.crossing.assign(1, {});
+    scene.saturation_change = 1e3;
+    return scene;
+}
+
+/// The same on coarser, slower yarns that take up more.
+Scene wet_spot_on_coarse_yarns()
+{
+    Scene scene = wet_spot_on_lone_yarns();
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.pore_area *= 1.5;
+        yarn.fibre_radius *= 2;
+        yarn.fibre_specific_heat *= 0.8;
+        yarn.liquid_diffusivity *= 0.3;
+        yarn.vapour_diffusivity *= 0.6;
+        yarn.isotherm.saturation_regain *= 1.2;
+    }
+    return scene;
+}
+
+/// Stripes of two yarns, three ends or two picks wide: every yarn must do what it does among its own kind.
+std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
+{
+    const Scene fine = wet_spot_on_lone_yarns(), coarse = wet_spot_on_coarse_yarns();
+    Scene mixed = fine;
+    mixed.warp_types = 2;
+    mixed.yarns = {fine.yarns[0], coarse.yarns[0], fine.yarns[1], coarse.yarns[1]};
+    mixed.shapes = {fine.shapes[0], fine.shapes[0], fine.shapes[1], fine.shapes[1]};
+    mixed.crossing.assign(4, {});
+    for (int end = 0; end < mixed.ends; ++end) mixed.type[static_cast<std::size_t>(end)] = end / 3 % 2 == 1;
+    for (int pick = 0; pick < mixed.picks; ++pick) mixed.type[static_cast<std::size_t>(mixed.ends + pick)] = pick / 2 % 2 == 1 ? 3 : 2;
+
+    const std::vector<double> times{0.2};
+    const Frame of_fine = frames_at(backend, fine, times).back(), of_coarse = frames_at(backend, coarse, times).back();
+    const Frame here = frames_at(backend, mixed, times).back();
+    std::vector<VerifyResult> results;
+    for (const auto& [name, field] : {std::pair{"saturation", &Frame::saturation}, std::pair{"regain", &Frame::regain},
+                                      std::pair{"vapour", &Frame::vapour}, std::pair{"temperature", &Frame::temperature}}) {
+        std::vector<float> expected = of_fine.*field;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            const int segment = static_cast<int>(i), weft = segment - mixed.crossings();
+            const int line = weft < 0 ? segment / mixed.picks : mixed.ends + weft / mixed.ends;
+            if (mixed.type[static_cast<std::size_t>(line)] % 2 == 1) expected[i] = (of_coarse.*field)[i];
+        }
+        results.push_back({name, difference(here.*field, expected), 0, 0});
+    }
+    return results;
 }
 
 /// The liquid alone: a drop in the air falls and settles into its shape for a few steps.
@@ -118,8 +171,14 @@ std::vector<VerifyResult> backends_agree(const VerifyValues&, Backend& backend)
 std::vector<VerifyCase> whole_run_cases()
 {
     return {
-        {"conservation", "A drop on Textile F with all physics: drift of mass over the water delivered, and of energy over the heat released.",
-         {{"volume_ul", 3, 1e-3, 100, ""}, {"duration_s", 1, 1e-3, 1e3, ""}, {"contact_angle_deg", 35, 0, 180, ""}}, conservation},
+        {"conservation",
+         "A drop on Textile F with all physics: drift of mass over the water delivered, and of energy over the heat released.",
+         {{"volume_ul", 3, 1e-3, 100, ""}, {"duration_s", 1, 1e-3, 1e3, ""}, {"contact_angle_deg", 35, 0, 180, ""}},
+         conservation},
+        {"mixed_yarns",
+         "A wet spot on stripes of two yarns that pass nothing to each other: every yarn against a cloth of its own kind, exactly.",
+         {},
+         mixed_yarns},
         {"backends_agree", "The yarn network and a drop in the air on this backend against one thread of the CPU.", {}, backends_agree},
     };
 }

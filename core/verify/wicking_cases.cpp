@@ -23,11 +23,11 @@ std::vector<double> front_distances(Backend& backend, double temperature, double
     constexpr int cells = 1200;
     Scene scene = bare_scene(1, cells, 1.2 * farthest / cells, temperature);
     scene.wicking = true;
-    scene.warp.exponent = tube_exponent;
-    scene.warp.liquid_diffusivity = mobility * (tube_exponent + 1);
+    scene.yarns[0].exponent = tube_exponent;
+    scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
     scene.fed_segments = 1;
     scene.network_step = time / 4000;
-    const double capacity = scene.climate.density * scene.warp.pore_area;
+    const double capacity = scene.climate.density * scene.yarns[0].pore_area;
     std::vector<double> distances;
     for (const Frame& frame : frames_at(backend, scene, {time / 64, time / 16, time / 4, time})) {
         // The water that ran in, as length of full tube from the middle of the fed segment.
@@ -93,20 +93,20 @@ std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
     const double pitch = 2.3 * exact.radius(time) / cells, temperature = kelvin_from_celsius(value(v, "temperature_c"));
     Scene scene = bare_scene(cells, cells, pitch, temperature);
     scene.wicking = true;
-    for (YarnParameters* yarn : {&scene.warp, &scene.weft}) {
-        yarn->pore_area = 0.5 * thickness * porosity * pitch; // each system holds half of the plane's liquid
-        yarn->exponent = exact.p;
-        yarn->liquid_diffusivity = 2.0 * exact.d0; // and carries all of one direction's flow
-        yarn->suction_radius = 1e-5;
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.pore_area = 0.5 * thickness * porosity * pitch; // each system holds half of the plane's liquid
+        yarn.exponent = exact.p;
+        yarn.liquid_diffusivity = 2.0 * exact.d0; // and carries all of one direction's flow
+        yarn.suction_radius = 1e-5;
     }
-    scene.crossing.liquid_conductance = 1e3 * scene.climate.density * scene.warp.pore_area * exact.d0 / pitch;
+    scene.crossing[0].liquid_conductance = 1e3 * scene.climate.density * scene.yarns[0].pore_area * exact.d0 / pitch;
 
     // From the exact profile of an earlier time, once the centre is no longer over-full.
     const double full_until = std::pow(std::pow(exact.constant(), 1.0 / exact.p), exact.p + 1) * (exact.p + 1) / exact.d0;
     const double start = std::max(time / 16, 1.01 * full_until);
     scene.initial_liquid.resize(static_cast<std::size_t>(scene.segments()));
     const auto radius_of = [&](int end, int pick) { return pitch * std::hypot(end - cells / 2, pick - cells / 2); };
-    const double capacity = scene.climate.density * scene.warp.pore_area * pitch;
+    const double capacity = scene.climate.density * scene.yarns[0].pore_area * pitch;
     for (int end = 0; end < cells; ++end)
         for (int pick = 0; pick < cells; ++pick) {
             const double liquid = capacity * exact.saturation(radius_of(end, pick), start);

@@ -4,6 +4,7 @@
 #include "core/sim/cpu_executor.h"
 #include "core/sim/solver.h"
 #include "core/verify/set_ups.h"
+#include "tests/support/drop_design.h"
 
 #include <QTest>
 
@@ -11,20 +12,78 @@ using namespace hygroloom;
 
 namespace {
 
-Scene drop_over_plate(double volume, double height, double speed, int particles)
+/// Gives the cloth closed yarns of these half heights, the same types in warp and weft, one after the other; they touch half-way.
+void set_heights(Scene& scene, const std::vector<double>& half_heights)
+{
+    const std::size_t n = half_heights.size();
+    scene.warp_types = static_cast<int>(n);
+    scene.yarns.resize(2 * n, scene.yarns[0]);
+    scene.shapes.clear();
+    scene.crossing.clear();
+    scene.half_thickness = 0;
+    for (int line = 0; line < scene.ends + scene.picks; ++line) {
+        const auto yarn = static_cast<std::size_t>(line < scene.ends ? line : line - scene.ends);
+        scene.type[static_cast<std::size_t>(line)] = static_cast<std::uint8_t>(yarn % n + (line < scene.ends ? 0 : n));
+    }
+    for (double own : half_heights) {
+        ContactShape shape{own, 1.47e-4, {}};
+        for (double before : half_heights)
+            for (double after : half_heights)
+                for (double side : {1.0, -1.0})
+                    for (double rise : {0.5 * (own + before), side * 0.5 * (own + after)})
+                        for (double value : {rise, 0.0, own, shape.half_width}) shape.profiles.push_back(static_cast<float>(value));
+        scene.shapes.push_back(shape);
+        for (double other : half_heights) {
+            scene.crossing.push_back({0, 0, 0, 0.5 * (own + other), 0.5 * (own + other)});
+            scene.half_thickness = std::max(scene.half_thickness, 0.5 * (own + other) + own);
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) scene.shapes.push_back(scene.shapes[i]);
+}
+
+Scene drop_over_plate(double volume, double height, double speed, int particles, const std::vector<double>& half_heights = {5e-5})
 {
     Scene scene = bare_scene(24, 24, 3e-4, 293.15);
-    scene.half_thickness = 1e-4;
-    for (ContactShape* shape : {&scene.warp_shape, &scene.weft_shape}) {
-        shape->amplitude = 5e-5;
-        shape->half_height = 5e-5;
-        shape->half_width = 1.47e-4;
-        shape->profile = {5e-5f, 0, 5e-5f, 1.47e-4f, -5e-5f, 0, 5e-5f, 1.47e-4f};
-    }
+    scene.shift.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
+    set_heights(scene, half_heights);
     const double radius = std::cbrt(3 * volume / (4 * pi));
     scene.droplets.push_back({0, volume, {0, 0, scene.half_thickness + height + radius}, speed});
     scene.particles_per_droplet = particles;
     return scene;
+}
+
+/// The scene's cloth as stages see it, and what that points to.
+struct HostShape {
+    std::vector<float> profiles;
+    std::vector<YarnShape> shapes;
+    TextileShape view;
+
+    explicit HostShape(const Scene& scene) : shapes(yarn_shapes(scene, profiles))
+    {
+        view = {
+            {scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data()},
+            static_cast<Real>(scene.half_thickness),
+            static_cast<Real>(scene.warp_pitch),
+            static_cast<Real>(scene.weft_pitch),
+            scene.profile_samples,
+            shapes.data(),
+            profiles.data(),
+            scene.warp_up.data(),
+            scene.shift.data()};
+    }
+};
+
+/// Ends and picks thick, thin and thick again in a 2/2 twill, which has level paths and changes of side between all of them.
+Design thick_and_thin()
+{
+    Design design = drop_design();
+    Fabric& fabric = design.fabrics[0];
+    fabric.weave = weave_from_pattern("twill 2/2 Z");
+    fabric.extra_yarns.push_back(fabric.warp);
+    fabric.extra_yarns[0].diameter_mm = 0.12;
+    fabric.warp_order = {{0, 3}, {1, 2}};
+    fabric.weft_order = {{0, 2}, {1, 1}};
+    return design;
 }
 
 } // namespace
@@ -112,13 +171,18 @@ private Q_SLOTS:
     void noParticlePassesThroughClosedCloth_data()
     {
         QTest::addColumn<double>("speed");
-        for (double speed : {0.0, 1.0, 5.0, 10.0}) QTest::addRow("%g m/s", speed) << speed;
+        QTest::addColumn<std::vector<double>>("half_heights");
+        for (double speed : {0.0, 1.0, 5.0, 10.0}) {
+            QTest::addRow("%g m/s", speed) << speed << std::vector<double>{5e-5};
+            QTest::addRow("%g m/s, thick and thin yarns", speed) << speed << std::vector<double>{5e-5, 2.5e-5, 4e-5};
+        }
     }
     void noParticlePassesThroughClosedCloth()
     {
         QFETCH(double, speed);
+        QFETCH(std::vector<double>, half_heights);
         const auto backend = make_cpu_backend();
-        const Frame frame = frames_at(*backend, drop_over_plate(1e-9, 0.5e-3, speed, 300), {0.01}).back();
+        const Frame frame = frames_at(*backend, drop_over_plate(1e-9, 0.5e-3, speed, 300, half_heights), {0.01}).back();
         for (const auto& x : frame.positions) // those over the cloth; thrown sideways they may fall past its edge
             if (std::abs(x[0]) < 3.3e-3f && std::abs(x[1]) < 3.3e-3f) QVERIFY2(x[2] > 0, qPrintable(QString::number(double(x[2]))));
         QCOMPARE(frame.ledger.water_delivered, frame.ledger.water_free + frame.ledger.water_dripped);
@@ -126,16 +190,34 @@ private Q_SLOTS:
     void skinIsFoundOnTheSideOneIsOn()
     {
         const Scene scene = drop_over_plate(1e-9, 1e-3, 0, 10);
-        const std::vector<float> unshifted(static_cast<std::size_t>(scene.segments()), 0.0f);
-        TextileShape shape{scene.ends, scene.picks, Real(1e-4), {}, {}, scene.warp_up.data(), unshifted.data()};
-        for (auto [from, to] : {std::pair{&scene.warp_shape, &shape.warp}, std::pair{&scene.weft_shape, &shape.weft}})
-            *to = {Real(from->pitch), Real(from->amplitude), Real(from->half_height), Real(from->half_width), from->samples, from->profile.data()};
+        const HostShape host(scene);
+        const TextileShape& shape = host.view;
         const NearestSkin above = nearest_skin(shape, {Real(1.5e-4), Real(1.5e-4), Real(1.8e-4)}, Real(2e-4));
         QVERIFY(above.segment >= 0);
         QVERIFY(above.normal.z > Real(0.9));
         QVERIFY(std::abs(above.distance - Real(0.8e-4)) < Real(1e-6));
         QCOMPARE(nearest_skin(shape, {0, 0, Real(1e-2)}, Real(2e-4)).segment, -1);
         QCOMPARE(nearest_skin(shape, {Real(1), 0, 0}, Real(2e-4)).segment, -1);
+    }
+    void skinOfThickAndThinYarnsLiesWhereTheTextileHasThem()
+    {
+        const Design design = thick_and_thin();
+        const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
+        QCOMPARE(int(textile.warp.types.size()), 2);
+        const Scene scene =
+            build_scene(textile, design.experiments[0], plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+        const HostShape host(scene);
+        for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+            for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
+                for (int at = 1; at + 1 < textile.system(other_kind(kind)).count; ++at)
+                    for (double offset : {-0.49, -0.31, -0.12, 0.0, 0.2, 0.37, 0.48}) {
+                        const YarnPoint point = yarn_point(textile, kind, yarn, at, offset);
+                        const Vec3 middle{Real(point.centre.x), Real(point.centre.y), Real(point.centre.z)};
+                        const NearestSkin skin = nearest_skin(host.view, middle, Real(1e-4));
+                        QCOMPARE(skin.segment, kind == YarnKind::warp ? textile.segment(kind, yarn, at) : textile.segment(kind, at, yarn));
+                        QVERIFY2(std::abs(double(skin.distance) + point.half_height) < 1e-3 * point.half_height,
+                                 qPrintable(QString("%1 instead of %2").arg(double(skin.distance)).arg(-point.half_height)));
+                    }
     }
 };
 

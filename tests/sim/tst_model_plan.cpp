@@ -4,6 +4,7 @@
 #include "core/sim/plan_json.h"
 #include "tests/support/drop_design.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace hygroloom;
@@ -12,6 +13,28 @@ namespace {
 ModelPlan plan_of(const Design& d, Fidelity fidelity = Fidelity::standard, const ForcedParts& forced = {})
 {
     return plan_model(d, d.fabrics[0], d.experiments[0], fidelity, forced);
+}
+
+/// The number after some words of a reason.
+double number_after(const std::string& reason, const QString& words)
+{
+    const QRegularExpressionMatch match = QRegularExpression(words + " ([0-9.e+-]+)").match(QString::fromStdString(reason));
+    return match.hasMatch() ? match.captured(1).toDouble() : std::nan("");
+}
+
+/// Ends in stripes of cotton and polyester, the picks of cotton.
+Design striped(int cotton, int polyester)
+{
+    Design design = drop_design();
+    Fabric& fabric = design.fabrics[0];
+    fabric.contact_angle_deg.reset();
+    fabric.extra_yarns.push_back(fabric.warp);
+    fabric.extra_yarns[0].material = {{"polyester", 1.0}};
+    fabric.extra_yarns[0].diameter_mm = 0.15;
+    design.experiments[0].sample_mm = {20, 20}; // more than the drop can wet
+    if (cotton > 0) fabric.warp_order.push_back({0, cotton});
+    if (polyester > 0) fabric.warp_order.push_back({1, polyester});
+    return design;
 }
 } // namespace
 
@@ -37,6 +60,43 @@ private Q_SLOTS:
         design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"polyester", 1.0}};
         QVERIFY(!plan_of(design, Fidelity::draft).on("vapour"));
         QVERIFY(plan_of(design, Fidelity::reference).on("sorption"));
+    }
+    void boundsOfStripesLieBetweenThoseOfTheirYarns()
+    {
+        std::vector<double> wet, sorbed, evaporated;
+        for (const Design& design : {striped(1, 0), striped(3, 1), striped(1, 3), striped(0, 1)}) {
+            const ModelPlan plan = plan_of(design);
+            wet.push_back(number_after(plan.region_reason, "can wet"));
+            sorbed.push_back(number_after(plan.parts[2].reason, "at most"));
+            evaporated.push_back(number_after(plan.parts[3].reason, "takes at most"));
+        }
+        for (std::size_t i = 1; i < 4; ++i) { // polyester of a finer yarn: less room in the pores, less in the fibres
+            QVERIFY2(wet[i] > wet[i - 1], qPrintable(QString("%1 %2").arg(wet[i]).arg(wet[i - 1])));
+            QVERIFY2(sorbed[i] < sorbed[i - 1], qPrintable(QString("%1 %2").arg(sorbed[i]).arg(sorbed[i - 1])));
+            QVERIFY2(evaporated[i] > evaporated[i - 1], qPrintable(QString("%1 %2").arg(evaporated[i]).arg(evaporated[i - 1])));
+        }
+    }
+    void theThinnestYarnSetsHowFinelyATinyDropIsResolved()
+    {
+        Design thick = striped(1, 0), mixed = striped(9, 1);
+        for (Design* design : {&thick, &mixed}) design->experiments[0].droplets[0].volume_ul = 1e-3;
+        QVERIFY(plan_of(mixed).particles_per_droplet > 1.5 * plan_of(thick).particles_per_droplet);
+    }
+    void oneYarnThatWicksIsEnough()
+    {
+        Design design = drop_design();
+        Fabric& fabric = design.fabrics[0];
+        fabric.contact_angle_deg.reset();
+        Material waxed = *find_library_material("cotton");
+        waxed.name = "waxed cotton";
+        waxed.based_on = "cotton";
+        waxed.contact_angle_deg = 110;
+        design.materials.push_back(waxed);
+        fabric.warp.material = fabric.weft.material = {{"waxed cotton", 1.0}};
+        QVERIFY(!plan_of(design).on("wicking"));
+        fabric.extra_yarns.push_back(drop_design().fabrics[0].warp);
+        fabric.warp_order = {{0, 13}, {1, 2}};
+        QVERIFY(plan_of(design).on("wicking"));
     }
     void saturatedAirDriesNothing()
     {

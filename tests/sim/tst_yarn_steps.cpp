@@ -14,12 +14,17 @@ namespace {
 struct Network {
     int ends, picks, shells;
     std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux;
-    std::vector<std::uint8_t> warp_up;
+    std::vector<std::uint8_t> warp_up, type;
+    std::vector<YarnParameters> yarns;
+    CrossingParameters crossing;
     std::vector<std::int64_t> absorbed;
     std::vector<int> contact;
 
-    Network(int ends_, int picks_, int shells_ = 4) : ends(ends_), picks(picks_), shells(shells_)
+    Network(int ends_, int picks_, const YarnParameters& warp, const YarnParameters& weft, int shells_ = 4)
+        : ends(ends_), picks(picks_), shells(shells_), yarns{warp, weft}
     {
+        type.assign(static_cast<std::size_t>(ends), 0);
+        type.resize(static_cast<std::size_t>(ends + picks), 1);
         const auto n = static_cast<std::size_t>(2 * ends * picks);
         for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux}) v->assign(n, 0.0);
         length.assign(n, 3e-4);
@@ -33,6 +38,9 @@ struct Network {
         Segments s;
         s.ends = ends;
         s.picks = picks;
+        s.type = type.data();
+        s.parameters = yarns.data();
+        s.crossing = &crossing;
         s.shells = shells;
         s.length = length.data();
         s.warp_up = warp_up.data();
@@ -92,6 +100,28 @@ double total(const std::vector<double>& v) { return std::accumulate(v.begin(), v
 class TestYarnSteps : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void segmentsFindTheirYarns()
+    {
+        const std::vector<std::uint8_t> type{0, 1, 0, 2, 4, 3, 2}; // three ends of two types, four picks of three
+        std::vector<YarnParameters> yarns(5);
+        for (std::size_t i = 0; i < 5; ++i) yarns[i].pore_area = static_cast<double>(i);
+        std::vector<CrossingParameters> crossings(6);
+        for (std::size_t i = 0; i < 6; ++i) crossings[i].heat_conductance = static_cast<double>(10 * (i / 3) + i % 3 + 2);
+        const Yarns y{3, 4, 2, 3, type.data(), yarns.data(), crossings.data()};
+        for (int end = 0; end < 3; ++end)
+            for (int pick = 0; pick < 4; ++pick) {
+                const double warp = type[static_cast<std::size_t>(end)], weft = type[static_cast<std::size_t>(3 + pick)];
+                QCOMPARE(y.yarn_of(end * 4 + pick).pore_area, warp);
+                QCOMPARE(y.yarn_of(12 + pick * 3 + end).pore_area, weft);
+                QCOMPARE(y.crossing_at(end, pick).heat_conductance, 10 * warp + weft);
+            }
+        for (int line = 0; line < y.lines(); ++line) {
+            const YarnLine found = y.line(line);
+            QCOMPARE(found.yarn.pore_area, double(type[static_cast<std::size_t>(line)]));
+            QCOMPARE(found.last - found.first, line < 3 ? 4 : 3);
+            for (int i = found.first; i < found.last; ++i) QCOMPARE(y.line_of(i), line);
+        }
+    }
     void wickingKeepsTheLiquidAndItsBounds_data()
     {
         QTest::addColumn<double>("dt");
@@ -103,13 +133,13 @@ private Q_SLOTS:
     {
         QFETCH(double, dt);
         QFETCH(double, exponent);
-        Network n(1, 97);
         YarnParameters yarn = cotton();
         yarn.exponent = exponent;
+        Network n(1, 97, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 97; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity * (i % 7 == 0 ? 1.0 : i % 3 == 0 ? 0.4 : 0.0);
         const double before = total(n.liquid);
-        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), yarn, 0, 97, dt, 997, 0}(0);
+        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), dt, 997}(0);
         QVERIFY(std::abs(total(n.liquid) - before) < 1e-14 * before);
         for (int i = 0; i < 97; ++i) {
             QVERIFY(n.liquid[static_cast<std::size_t>(i)] >= 0);
@@ -118,17 +148,17 @@ private Q_SLOTS:
     }
     void wickingEvensOutInTheEnd()
     {
-        Network n(1, 30);
         const YarnParameters yarn = cotton();
+        Network n(1, 30, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 15; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity;
-        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), yarn, 0, 30, 10, 997, 0}(0);
+        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), 10, 997}(0);
         for (int i = 0; i < 30; ++i) QVERIFY(std::abs(n.liquid[static_cast<std::size_t>(i)] / capacity - 0.5) < 1e-3);
     }
     void wickingAgreesWithTinyExplicitSteps()
     {
-        Network n(1, 40);
         const YarnParameters yarn = cotton();
+        Network n(1, 40, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0], h = n.length[0];
         std::vector<double> s(40, 0.0);
         for (std::size_t i = 15; i < 25; ++i) s[i] = 0.9;
@@ -140,13 +170,13 @@ private Q_SLOTS:
                 flux[i + 1] = yarn.liquid_diffusivity * (std::pow(s[i], 3) - std::pow(s[i + 1], 3)) / 3.0 / (h * h);
             for (std::size_t i = 0; i < 40; ++i) s[i] += dt * (flux[i] - flux[i + 1]);
         }
-        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), yarn, 0, 40, time / 1000, 997, 0}(0);
+        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), time / 1000, 997}(0);
         for (std::size_t i = 0; i < 40; ++i) QVERIFY(std::abs(n.liquid[i] / capacity - s[i]) < 2e-3);
     }
     void heatAlongAYarnIsConservedWhileLiquidCarriesIt()
     {
-        Network n(1, 33);
         const YarnParameters yarn = cotton();
+        Network n(1, 33, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (std::size_t i = 0; i < 33; ++i) {
             n.liquid[i] = i < 12 ? capacity : 0;
@@ -160,22 +190,22 @@ private Q_SLOTS:
         };
         const double before = heat();
         for (double dt : {1e-4, 1e-2, 1.0}) {
-            WickAlongYarn{s, yarn, 0, 33, dt, 997, 0}(0);
-            ConductAlongYarn{s, yarn, 0, 33, dt, 997}(0);
+            WickAlongYarn{s, dt, 997}(0);
+            ConductAlongYarn{s, dt, 997}(0);
             QVERIFY(std::abs(heat() - before) < 1e-12 * std::abs(before));
             for (double w : n.warmth) QVERIFY(w <= 5.0 + 1e-12 && w >= -3.0 - 1e-12);
         }
     }
     void finerPoresSuckLiquidOver()
     {
-        Network n(1, 1);
         YarnParameters coarse = cotton(), fine = cotton();
         coarse.suction_radius = 2e-5;
         fine.suction_radius = 1e-5;
+        Network n(1, 1, coarse, fine);
         const double capacity = 997 * coarse.pore_area * n.length[0];
         n.liquid = {0.3 * capacity, 0.3 * capacity};
-        const CrossingParameters crossing{1e-6, 0, 0};
-        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), coarse, fine, crossing, room(), 1.0, true, false, false}(0);
+        n.crossing.liquid_conductance = 1e-6;
+        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), room(), 1.0, true, false, false}(0);
         QVERIFY(n.liquid[1] > 0.5 * capacity);
         QVERIFY(std::abs(n.liquid[0] + n.liquid[1] - 0.6 * capacity) < 1e-14 * capacity);
         // Equal suction: the pore filled is equally wide in both, r ~ s^(1/3).
@@ -183,24 +213,24 @@ private Q_SLOTS:
     }
     void crossingNeverOverfillsOrEmptiesBelowNothing()
     {
-        Network n(1, 1);
         const YarnParameters yarn = cotton();
+        Network n(1, 1, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         n.liquid = {capacity, 0.999 * capacity};
-        const CrossingParameters crossing{1.0, 0, 0};
-        ExchangeAtCrossing{n.views(), yarn, yarn, crossing, room(), 1e3, true, false, false}(0);
+        n.crossing.liquid_conductance = 1.0;
+        ExchangeAtCrossing{n.views(), room(), 1e3, true, false, false}(0);
         for (double m : n.liquid) QVERIFY(m >= 0 && m <= capacity * (1 + 1e-12));
     }
     void segmentInBalanceStaysAsItIs()
     {
-        Network n(1, 1);
         const ClimateParameters climate = room();
         YarnParameters yarn = cotton();
         yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, 0.65, climate.temperature);
+        Network n(1, 1, yarn, yarn);
         std::fill(n.regain.begin(), n.regain.end(), yarn.initial_regain);
         for (std::size_t i = 0; i < 2; ++i) n.vapour[i] = climate.vapour * pore_air(yarn, n.length[i], 0, climate.density);
         const Network before = n;
-        for (int step = 0; step < 100; ++step) ExchangeInSegment{n.views(), yarn, yarn, climate, 8e-8, 10.0, true, true, true}(0);
+        for (int step = 0; step < 100; ++step) ExchangeInSegment{n.views(), climate, 8e-8, 10.0, true, true, true}(0);
         QCOMPARE(n.regain, before.regain);
         QCOMPARE(n.vapour, before.vapour);
         QCOMPARE(n.warmth, before.warmth);
@@ -223,7 +253,6 @@ private Q_SLOTS:
         QFETCH(double, humidity);
         QFETCH(double, saturation);
         QFETCH(double, dt);
-        Network n(1, 1);
         ClimateParameters climate = room();
         climate.temperature = kelvin_from_celsius(celsius);
         climate.humidity = humidity;
@@ -231,6 +260,7 @@ private Q_SLOTS:
         YarnParameters yarn = cotton();
         yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, climate.temperature);
         yarn.initial_regain = 0.03;
+        Network n(1, 1, yarn, yarn);
         std::fill(n.regain.begin(), n.regain.end(), 0.03);
         const double capacity = climate.density * yarn.pore_area * n.length[0];
         n.liquid = {saturation * capacity, 0};
@@ -243,7 +273,7 @@ private Q_SLOTS:
         };
         const double water_before = water(), energy_before = energy();
         for (int step = 0; step < 200; ++step) {
-            ExchangeInSegment{s, yarn, yarn, climate, 8e-8, dt, true, true, true}(0);
+            ExchangeInSegment{s, climate, 8e-8, dt, true, true, true}(0);
             QVERIFY(std::isfinite(s.warmth[0]) && std::isfinite(s.vapour[0]));
             QVERIFY(s.liquid[0] >= 0 && s.liquid[0] <= capacity * (1 + 1e-12) && s.vapour[0] >= 0);
             for (int k = 0; k < s.shells; ++k) QVERIFY(s.regain[k] >= 0 && s.regain[k] <= 0.24);
@@ -255,16 +285,16 @@ private Q_SLOTS:
     }
     void dryFibreInSaturatedAirWarms() // the heat of sorption leaves through the face
     {
-        Network n(1, 1);
         ClimateParameters climate = room();
         climate.humidity = 1.0;
         climate.vapour = saturation_concentration(climate.temperature);
         YarnParameters yarn = cotton();
         yarn.resting_regain = 0.2;
+        Network n(1, 1, yarn, yarn);
         Segments s = n.views();
         double warmest = 0;
         for (int step = 0; step < 2000; ++step) {
-            ExchangeInSegment{s, yarn, yarn, climate, 8e-8, 0.1, true, true, true}(0);
+            ExchangeInSegment{s, climate, 8e-8, 0.1, true, true, true}(0);
             warmest = std::max(warmest, s.warmth[0]);
         }
         QVERIFY(warmest > 3 && warmest < 40);
@@ -272,11 +302,10 @@ private Q_SLOTS:
     }
     void absorbedQuantaBecomeLiquid()
     {
-        Network n(1, 2);
+        Network n(1, 2, cotton(), cotton());
         n.absorbed[1] = 1 << 30;
         n.warmth[1] = 4.0;
-        const YarnParameters yarn = cotton();
-        TakeAbsorbed{n.views(), yarn, yarn}(1);
+        TakeAbsorbed{n.views()}(1);
         QCOMPARE(n.liquid[1], std::ldexp(1.0, 30 - 64));
         QCOMPARE(n.absorbed[1], std::int64_t(0));
         QVERIFY(n.warmth[1] < 4.0);

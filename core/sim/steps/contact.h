@@ -6,27 +6,40 @@
 
 namespace hygroloom {
 
-/// One yarn system as stages see it.
+/// One type of yarn as stages see it.
 struct YarnShape {
-    Real pitch = 0;        ///< between its yarns
-    Real amplitude = 0;
-    Real half_height = 0;
+    Real half_height = 0; ///< at a crossing
     Real half_width = 0;
-    int samples = 0;
-    const float* profile = nullptr; ///< height, slope, half height, half width per sample
+    int profiles = 0;     ///< where its own begin among TextileShape::profiles
 };
 
-struct TextileShape {
-    int ends = 0;
-    int picks = 0;
+struct TextileShape : Yarns {
     Real half_thickness = 0;
-    YarnShape warp;
-    YarnShape weft;
+    Real warp_pitch = 0;               ///< from end to end
+    Real weft_pitch = 0;
+    int samples = 0;                   ///< of a profile, from crossing to crossing
+    const YarnShape* shapes = nullptr; ///< per type, as parameters
+    const float* profiles = nullptr;   ///< height, slope, half height, half width per sample; see ContactShape
     const std::uint8_t* warp_up = nullptr;
-    const float* shift = nullptr; ///< per segment, beside the yarn's place
+    const float* shift = nullptr;      ///< per segment, beside the yarn's place
 
     HL_FN int segment(bool is_warp, int end, int pick) const { return is_warp ? end * picks + pick : ends * picks + pick * ends + end; }
     HL_FN bool is_warp_up(int end, int pick) const { return warp_up[end * picks + pick] != 0; }
+    /// Of a yarn's centreline at a crossing.
+    HL_FN Real height(bool is_warp, int end, int pick) const
+    {
+        const CrossingParameters& here = crossing_at(end, pick);
+        const Real rise = static_cast<Real>(is_warp ? here.warp_rise : here.weft_rise);
+        return is_warp_up(end, pick) == is_warp ? rise : -rise;
+    }
+    HL_FN const YarnShape& warp_shape(int end) const { return shapes[type_of_end(end)]; }
+    HL_FN const YarnShape& weft_shape(int pick) const { return shapes[type_of_pick(pick)]; }
+    /// Of a yarn from over a yarn of one type to over or under the next; the other system's types count from 0.
+    HL_FN const float* profile(const YarnShape& own, int before, int after, bool is_warp, bool changes) const
+    {
+        const int types = is_warp ? weft_types : warp_types;
+        return profiles + own.profiles + 4 * samples * (2 * (before * types + after) + (changes ? 1 : 0));
+    }
 };
 
 /// The skin nearest to a point.
@@ -39,8 +52,8 @@ struct NearestSkin {
 /// Tests one yarn at one of its crossings; keeps the nearer. along and across are measured from the crossing's middle.
 HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach, NearestSkin& nearest)
 {
-    const YarnShape& yarn = is_warp ? t.warp : t.weft;
-    const Real pitch = is_warp ? t.weft.pitch : t.warp.pitch; // from crossing to crossing
+    const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
+    const Real pitch = is_warp ? t.weft_pitch : t.warp_pitch; // from crossing to crossing
     const int segment = t.segment(is_warp, end, pick);
     const Real near = reach < nearest.distance ? reach : nearest.distance;
     if (across > yarn.half_width + near + pitch || -across > yarn.half_width + near + pitch) return;
@@ -55,12 +68,17 @@ HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real
     const Real shift = Real(t.shift[segment]), next_shift = inside ? Real(t.shift[t.segment(is_warp, next_end, next_pick)]) : shift;
     across -= shift + part_way * part_way * (3 - 2 * part_way) * (next_shift - shift);
 
-    Real height = side * yarn.amplitude, slope = 0, half_height = yarn.half_height, half_width = yarn.half_width;
-    if (changes) {
-        const Real position = part_way * Real(yarn.samples - 1);
-        const int low = position >= Real(yarn.samples - 2) ? yarn.samples - 2 : static_cast<int>(position);
+    const int crossed = is_warp ? t.type_of_pick(pick) - t.warp_types : t.type_of_end(end);
+    const int next_crossed = !inside ? crossed : is_warp ? t.type_of_pick(next_pick) - t.warp_types : t.type_of_end(next_end);
+    Real height = 0, slope = 0, half_height = yarn.half_height, half_width = yarn.half_width;
+    if (!changes && next_crossed == crossed) { // it runs level
+        height = t.height(is_warp, end, pick);
+    } else {
+        const float* profile = t.profile(yarn, crossed, next_crossed, is_warp, changes);
+        const Real position = part_way * Real(t.samples - 1);
+        const int low = position >= Real(t.samples - 2) ? t.samples - 2 : static_cast<int>(position);
         const Real part = position - Real(low);
-        const float* a = yarn.profile + 4 * low;
+        const float* a = profile + 4 * low;
         const float* b = a + 4;
         height = side * (Real(a[0]) + part * (Real(b[0]) - Real(a[0])));
         slope = side * Real(step) * (Real(a[1]) + part * (Real(b[1]) - Real(a[1])));
@@ -91,17 +109,17 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     NearestSkin nearest;
     nearest.distance = reach;
     if (p.z > t.half_thickness + reach || p.z < -t.half_thickness - reach) return nearest;
-    const Real u = p.x / t.warp.pitch + Real(0.5) * Real(t.ends - 1);
-    const Real v = p.y / t.weft.pitch + Real(0.5) * Real(t.picks - 1);
+    const Real u = p.x / t.warp_pitch + Real(0.5) * Real(t.ends - 1);
+    const Real v = p.y / t.weft_pitch + Real(0.5) * Real(t.picks - 1);
     const int end = static_cast<int>(std::floor(u + Real(0.5)));
     const int pick = static_cast<int>(std::floor(v + Real(0.5)));
     if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
     for (int beside = -1; beside <= 1; ++beside) {
         const int e = end + beside, k = pick + beside;
         if (e >= 0 && e < t.ends)
-            try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft.pitch, (u - Real(e)) * t.warp.pitch, p.z, reach, nearest);
+            try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft_pitch, (u - Real(e)) * t.warp_pitch, p.z, reach, nearest);
         if (k >= 0 && k < t.picks)
-            try_yarn(t, false, end, k, (u - Real(end)) * t.warp.pitch, (v - Real(k)) * t.weft.pitch, p.z, reach, nearest);
+            try_yarn(t, false, end, k, (u - Real(end)) * t.warp_pitch, (v - Real(k)) * t.weft_pitch, p.z, reach, nearest);
     }
     return nearest;
 }
@@ -155,24 +173,24 @@ HL_FN Real interval_gap(Real a, Real half_a, Real b, Real half_b)
 /// Calls visit(segment) for every segment whose box the particle's cube of liquid touches: the crossing under it and those beside.
 template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t, const Vec3& x, Real spacing, const Visit& visit)
 {
-    const int end = static_cast<int>(std::floor(x.x / t.warp.pitch + Real(0.5) * Real(t.ends)));
-    const int pick = static_cast<int>(std::floor(x.y / t.weft.pitch + Real(0.5) * Real(t.picks)));
+    const int end = static_cast<int>(std::floor(x.x / t.warp_pitch + Real(0.5) * Real(t.ends)));
+    const int pick = static_cast<int>(std::floor(x.y / t.weft_pitch + Real(0.5) * Real(t.picks)));
     const Real half = Real(0.5) * spacing;
     const Real nearly = Real(0.1) * spacing; // a resting particle's middle lies half a spacing from the skin
-    for (int e = end - 1; e <= end + 1; ++e)
-        for (int k = pick - 1; k <= pick + 1; ++k) {
-            if (e < 0 || e >= t.ends || k < 0 || k >= t.picks) continue;
-            const Real xe = (Real(e) - Real(0.5) * Real(t.ends - 1)) * t.warp.pitch;
-            const Real yk = (Real(k) - Real(0.5) * Real(t.picks - 1)) * t.weft.pitch;
-            const Real up = t.is_warp_up(e, k) ? Real(1) : Real(-1);
-            const int warp = t.segment(true, e, k), weft = t.segment(false, e, k);
-            if (interval_gap(x.x, half, xe + Real(t.shift[warp]), t.warp.half_width) <= 0 && interval_gap(x.y, half, yk, Real(0.5) * t.weft.pitch) <= 0 &&
-                interval_gap(x.z, half, up * t.warp.amplitude, t.warp.half_height) <= nearly)
-                visit(warp);
-            if (interval_gap(x.y, half, yk + Real(t.shift[weft]), t.weft.half_width) <= 0 && interval_gap(x.x, half, xe, Real(0.5) * t.warp.pitch) <= 0 &&
-                interval_gap(x.z, half, -up * t.weft.amplitude, t.weft.half_height) <= nearly)
-                visit(weft);
+    for (int e = end > 0 ? end - 1 : 0; e <= end + 1 && e < t.ends; ++e) {
+        const Real xe = (Real(e) - Real(0.5) * Real(t.ends - 1)) * t.warp_pitch;
+        const bool in_column = interval_gap(x.x, half, xe, Real(0.5) * t.warp_pitch) <= 0;
+        for (int k = pick > 0 ? pick - 1 : 0; k <= pick + 1 && k < t.picks; ++k) {
+            const Real yk = (Real(k) - Real(0.5) * Real(t.picks - 1)) * t.weft_pitch;
+            const auto touches = [&](bool is_warp, const YarnShape& yarn, Real across, Real place) {
+                return interval_gap(across, half, place + Real(t.shift[t.segment(is_warp, e, k)]), yarn.half_width) <= 0 &&
+                       interval_gap(x.z, half, t.height(is_warp, e, k), yarn.half_height) <= nearly;
+            };
+            if (interval_gap(x.y, half, yk, Real(0.5) * t.weft_pitch) <= 0 && touches(true, t.warp_shape(e), x.x, xe))
+                visit(t.segment(true, e, k));
+            if (in_column && touches(false, t.weft_shape(k), x.y, yk)) visit(t.segment(false, e, k));
         }
+    }
 }
 
 /// Every segment notes the first particle that touches it.
@@ -195,8 +213,6 @@ struct GiveToSegments {
     Particles p;
     TextileShape textile;
     Segments s;
-    YarnParameters warp;
-    YarnParameters weft;
     double density;
     double dt;
 
@@ -210,7 +226,7 @@ struct GiveToSegments {
     }
     HL_FN void give(int i, int segment) const
     {
-        const YarnParameters& yarn = s.is_warp(segment) ? warp : weft;
+        const YarnParameters& yarn = s.yarn_of(segment);
         const double capacity = density * yarn.pore_area * s.length[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
         if (room <= 0) return;

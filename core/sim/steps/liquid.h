@@ -13,11 +13,6 @@ struct LiquidParameters {
     Real kinematic_viscosity = 0;///< m2/s
     Real surface_tension = 0;    ///< N/m
     Real gravity = 0;            ///< m/s2, downwards
-    Real adhesion_warp = 0;      ///< work of adhesion, J/m2: surface tension x (1 + cos contact angle), Young and Dupre
-    Real adhesion_weft = 0;
-    int crossings = 0;           ///< segments below this are warp
-
-    HL_FN Real adhesion(int segment) const { return segment < 0 ? Real(0) : segment < crossings ? adhesion_warp : adhesion_weft; }
 };
 
 struct FindCell {
@@ -104,6 +99,7 @@ template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
+    Yarns yarns;
     HL_FN void operator()(int i) const
     {
         const Real volume = p.mass / liquid.density;
@@ -121,7 +117,8 @@ struct FindForces {
             a += (drag + push) * d;
         });
         if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
-            a -= (wall_pull(liquid.adhesion(p.wall_segment[i]), p.wall_distance[i], p.support) / liquid.density) * p.wall_normal[i];
+            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
+                 p.wall_normal[i];
         p.force[i] = a;
         p.pressure[i] = 0;
         p.pressure_force[i] = Vec3{};

@@ -9,9 +9,6 @@ namespace hygroloom {
 /// Liquid, heat and vapour between the two segments of a crossing, each an implicit step of its own.
 struct ExchangeAtCrossing {
     Segments s;
-    YarnParameters warp;
-    YarnParameters weft;
-    CrossingParameters crossing;
     ClimateParameters climate;
     double dt;
     bool move_liquid;
@@ -20,27 +17,31 @@ struct ExchangeAtCrossing {
 
     HL_FN void operator()(int index) const
     {
+        const int end = index / s.picks, pick = index % s.picks;
         const int a = index;
-        const int b = s.weft_of(index / s.picks, index % s.picks);
+        const int b = s.weft_of(end, pick);
+        const YarnParameters& warp = s.parameters[s.type_of_end(end)];
+        const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
+        const CrossingParameters& crossing = s.crossing_at(end, pick);
         const double capacity_a = heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a));
         const double capacity_b = heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b));
         double moved = 0;
-        if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b);
-        if (move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0)) conduct(a, b, capacity_a, capacity_b, moved);
-        if (move_vapour) diffuse(a, b);
+        if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
+        if (move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0)) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
+        if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
     }
 
     /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
     /// better wetted pores suck harder: saturations are compared after scaling with the pore a pressure fills (radius ~ s^(1/3)).
-    HL_FN double wick(int a, int b) const
+    HL_FN double wick(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double liquid_conductance) const
     {
-        if (crossing.liquid_conductance <= 0) return 0;
+        if (liquid_conductance <= 0) return 0;
         const double cap_a = climate.density * warp.pore_area * s.length[a];
         const double cap_b = climate.density * weft.pore_area * s.length[b];
         const double finest = warp.suction_radius < weft.suction_radius ? warp.suction_radius : weft.suction_radius;
         const double ratio_a = warp.suction_radius / finest, ratio_b = weft.suction_radius / finest;
         const double scale_a = ratio_a * ratio_a * ratio_a / cap_a, scale_b = ratio_b * ratio_b * ratio_b / cap_b;
-        const double conductance = dt * crossing.liquid_conductance;
+        const double conductance = dt * liquid_conductance;
         const double exponent = warp.exponent;
 
         double low = -(s.liquid[b] < cap_a - s.liquid[a] ? s.liquid[b] : cap_a - s.liquid[a]);
@@ -64,24 +65,24 @@ struct ExchangeAtCrossing {
         return x;
     }
 
-    HL_FN void conduct(int a, int b, double capacity_a, double capacity_b, double moved) const
+    HL_FN void conduct(int a, int b, double capacity_a, double capacity_b, double heat_conductance, double moved) const
     {
         // The liquid carries its warmth, then both sides share heat.
         const double carried = water_specific_heat * moved * (moved > 0 ? s.warmth[a] : s.warmth[b]);
         const double new_a = capacity_a - water_specific_heat * moved, new_b = capacity_b + water_specific_heat * moved;
         double heat_a = capacity_a * s.warmth[a] - carried, heat_b = capacity_b * s.warmth[b] + carried;
-        const double conductance = dt * crossing.heat_conductance;
+        const double conductance = dt * heat_conductance;
         const double passed =
             conductance * (heat_a / new_a - heat_b / new_b) / (1.0 + conductance * (1.0 / new_a + 1.0 / new_b));
         s.warmth[a] = (heat_a - passed) / new_a;
         s.warmth[b] = (heat_b + passed) / new_b;
     }
 
-    HL_FN void diffuse(int a, int b) const
+    HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
     {
         const double air_a = pore_air(warp, s.length[a], s.liquid[a], climate.density);
         const double air_b = pore_air(weft, s.length[b], s.liquid[b], climate.density);
-        const double conductance = dt * crossing.vapour_conductance;
+        const double conductance = dt * vapour_conductance;
         const double passed = conductance * (s.vapour[a] / air_a - s.vapour[b] / air_b) / (1.0 + conductance * (1.0 / air_a + 1.0 / air_b));
         s.vapour[a] -= passed;
         s.vapour[b] += passed;
@@ -93,8 +94,6 @@ struct ExchangeAtCrossing {
 /// bracketed search always ends.
 struct ExchangeInSegment {
     Segments s;
-    YarnParameters warp;
-    YarnParameters weft;
     ClimateParameters climate;
     double face_area; ///< m2 of fabric face that a segment answers for
     double dt;
@@ -113,7 +112,7 @@ struct ExchangeInSegment {
 
     HL_FN void operator()(int i) const
     {
-        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
+        const YarnParameters& yarn = s.yarn_of(i);
         const double air = pore_air(yarn, s.length[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;
         if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
@@ -370,13 +369,11 @@ struct ExchangeInSegment {
 /// Liquid that particles gave since the last step joins the yarn, at the climate's temperature.
 struct TakeAbsorbed {
     Segments s;
-    YarnParameters warp;
-    YarnParameters weft;
 
     HL_FN void operator()(int i) const
     {
         if (s.absorbed[i] == 0) return;
-        const YarnParameters& yarn = s.is_warp(i) ? warp : weft;
+        const YarnParameters& yarn = s.yarn_of(i);
         const double added = static_cast<double>(s.absorbed[i]) * water_quantum;
         const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
         s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
