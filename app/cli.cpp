@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace hygroloom {
@@ -28,6 +29,18 @@ void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_expe
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     add_common_options(verb, options);
+}
+
+CLI::Validator moment()
+{
+    return CLI::Validator(
+        [](std::string& text) {
+            double seconds = -1;
+            const bool number = CLI::detail::lexical_cast(text, seconds);
+            return number && std::isfinite(seconds) && seconds >= 0 ? std::string()
+                                                                    : "Must be a number of seconds from 0; given is \"" + text + "\".";
+        },
+        "SECONDS");
 }
 
 Design load_project(const ProjectOptions& options)

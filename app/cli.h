@@ -53,6 +53,9 @@ const Experiment& chosen_experiment(const Design& design, const ProjectOptions& 
 /// The chosen fabric as a WIF file, for export.
 int export_wif(const ProjectOptions& options, const std::string& output);
 
+/// Accepts a time: a number of seconds, not negative.
+CLI::Validator moment();
+
 /// Each adds its verb to the program; when the command line names it, chosen is set.
 void add_check(CLI::App& app, Verb& chosen);
 void add_plan(CLI::App& app, Verb& chosen);

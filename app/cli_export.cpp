@@ -18,8 +18,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr int most_samples = 100; // per crossing
-
 struct ExportVerbOptions : ProjectOptions {
     std::string detail = "yarn";
     std::string size;
@@ -48,20 +46,19 @@ template <typename Number> std::array<Number, 2> pair_from(const std::string& te
     throw Stop(exit_usage, fmt::format("{}; given is \"{}\".", wanted, text));
 }
 
-MeshRequest request_from(const ExportVerbOptions& options)
+MeshDetail detail_from(const ExportVerbOptions& options)
 {
-    MeshRequest request;
-    if (options.detail == "centreline")
-        request.detail = MeshDetail::centreline;
-    else if (options.detail == "yarn")
-        request.detail = MeshDetail::yarn;
-    else if (options.detail == "fibre")
-        request.detail = MeshDetail::fibre;
-    else
-        throw Stop(exit_usage, "--detail: Must be centreline, yarn or fibre; given is \"" + options.detail + "\".");
-    const bool fibre = request.detail == MeshDetail::fibre;
-    request.samples_per_crossing = options.samples > 0 ? options.samples : fibre ? 8 : 12;
-    request.sides = options.sides > 0 ? options.sides : fibre ? 6 : 12;
+    if (options.detail == "centreline") return MeshDetail::centreline;
+    if (options.detail == "yarn") return MeshDetail::yarn;
+    if (options.detail == "fibre") return MeshDetail::fibre;
+    throw Stop(exit_usage, "--detail: Must be centreline, yarn or fibre; given is \"" + options.detail + "\".");
+}
+
+MeshRequest request_from(const ExportVerbOptions& options, const Textile& textile, MeshDetail detail)
+{
+    MeshRequest request = smooth_request(textile, detail);
+    if (options.samples > 0) request.samples_per_crossing = options.samples;
+    if (options.sides > 0) request.sides = options.sides;
     request.flyaways = !options.no_flyaways;
     request.capped = !options.open_ends;
     request.seed = options.seed;
@@ -153,8 +150,7 @@ int export_piece(const ExportVerbOptions& options)
             throw Stop(exit_usage, "--estimate and --water are for meshes and curves; a draft (.wif) has neither size nor water.");
         return export_wif(options, options.output);
     }
-    ExportOptions export_options;
-    export_options.mesh = request_from(options);
+    const MeshDetail detail = detail_from(options);
     MeshFormat format{};
     try {
         format = mesh_format_of(options.output);
@@ -162,22 +158,23 @@ int export_piece(const ExportVerbOptions& options)
         throw Stop(exit_usage, std::string("-o: ") + error.what());
     }
     const Piece piece = options.water.empty() ? dry_piece(options) : wet_piece(options);
-    export_options.saturation = piece.saturation;
-    if (export_options.mesh.detail == MeshDetail::fibre) {
+    const ExportOptions export_options{request_from(options, piece.textile, detail), piece.saturation};
+    if (detail == MeshDetail::fibre) {
         const int smooth = smooth_samples(piece.textile);
-        if (options.samples == 0) export_options.mesh.samples_per_crossing = std::min(smooth, most_samples);
         if (export_options.mesh.samples_per_crossing < smooth && !options.quiet)
             fmt::print(stderr, "The twist turns the fibres too often for {} samples per crossing; {} draw them smoothly.\n",
                        export_options.mesh.samples_per_crossing, smooth);
     }
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
-    if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
-    if (!options.quiet)
+    if (!options.quiet || (options.estimate && !options.json))
         fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
                    size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
                    size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
-    nlohmann::ordered_json json{{"file", options.output},         {"detail", options.detail},  {"ends", piece.textile.ends()},
-                                {"picks", piece.textile.picks()}, {"vertices", size.vertices}, {"faces", size.triangles},
+    if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
+    nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
+                                {"file", options.output},       {"detail", options.detail},
+                                {"ends", piece.textile.ends()}, {"picks", piece.textile.picks()},
+                                {"vertices", size.vertices},    {"faces", size.triangles},
                                 {"curves", size.curves}};
     if (options.estimate) {
         json["bytes"] = std::round(size.bytes);
@@ -238,12 +235,12 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_option("--repeats", options->repeats, "Repeats of the fabric along the weft x along the warp, in place of a size");
     export_verb.add_option("--samples", options->samples, "Rings per crossing; without it 12, of fibres 8 or what the twist needs")
         ->check(CLI::Range(1, most_samples));
-    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")->check(CLI::Range(3, 200));
+    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")->check(CLI::Range(3, most_sides));
     export_verb.add_flag("--open-ends", options->open_ends, "No caps on the ends of yarns or fibres");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");
     export_verb.add_option("--seed", options->seed, "Seed of the fibres' random numbers");
     export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours the piece that was simulated");
-    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(CLI::NonNegativeNumber);
+    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(moment());
     export_verb.add_flag("--estimate", options->estimate, "Only say how large it would be");
     export_verb.add_option("-o,--output", options->output, "The file; its ending says the format")->required();
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });

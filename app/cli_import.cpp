@@ -103,8 +103,12 @@ int export_wif(const ProjectOptions& options, const std::string& output)
     const Fabric& fabric = chosen_fabric(design, options);
     write_wif(design, fabric, output);
     if (options.json)
-        fmt::print("{}\n", Json{{"file", output}, {"ends", fabric.weave.ends()}, {"picks", fabric.weave.picks()}}.dump(
-                               2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", Json{{"format", "hygroloom-export"},
+                                {"version", 1},
+                                {"file", output},
+                                {"ends", fabric.weave.ends()},
+                                {"picks", fabric.weave.picks()}}
+                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}\n", output);
     return exit_ok;

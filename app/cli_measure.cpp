@@ -192,7 +192,8 @@ void add_measure(CLI::App& app, Verb& verb)
     measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required();
     measure_verb.add_option("--map", options->map, "Write a water map of the side top, bottom or total");
     measure_verb.add_option("--cells", options->cells, "Crossings along each side of a cell of the map")->check(CLI::Range(1, 1000));
-    measure_verb.add_option("--time", options->time, "Take the frame nearest to this time, s, for the map; the last one otherwise");
+    measure_verb.add_option("--time", options->time, "Take the frame nearest to this time, s, for the map; the last one otherwise")
+        ->check(moment());
     measure_verb.add_option("-o,--output", options->output, "Map to write (.csv or .png)");
     add_common_options(measure_verb, *options);
     measure_verb.callback([&verb, options] { verb = [options] { return measure(*options); }; });

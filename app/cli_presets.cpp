@@ -72,6 +72,8 @@ int presets(const PresetOptions& options)
     if (options.names.empty() && options.output.empty()) return list_presets(options, all);
     if (options.names.empty() || options.output.empty())
         throw Stop(exit_usage, "Name one or more presets and give the project to write with -o, or neither to see the list.");
+    if (std::filesystem::path(options.output).extension() != ".hygro")
+        throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
     Design design;
     if (std::filesystem::exists(options.output)) design = read_project(options.output);
     std::vector<std::string> added;
@@ -86,8 +88,8 @@ int presets(const PresetOptions& options)
     }
     write_project(design, options.output);
     if (options.json)
-        fmt::print("{}\n",
-                   Json{{"file", options.output}, {"fabrics", added}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"file", options.output}, {"fabrics", added}}.dump(
+                               2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}\n", options.output);
     return exit_ok;

@@ -5,15 +5,10 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSurfaceFormat>
 
 int main(int argc, char* argv[])
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
+    hygroloom::requestOpenGL();
 
     QApplication application(argc, argv);
     QApplication::setApplicationName("hygroloom");

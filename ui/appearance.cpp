@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/appearance.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QSvgRenderer>
+
+#include <algorithm>
 
 // Q_INIT_RESOURCE works outside of namespaces only.
 static void initializeResources()
@@ -21,6 +27,8 @@ static void initializeResources()
 namespace hygroloom {
 
 namespace {
+
+const QStringList looks{"desktop", "light", "dark", "contrast"}; // as Appearance has them, in the settings
 
 /// Draws an SVG whose strokes are "#000" in a colour of the palette.
 class PaletteIcon : public QIconEngine {
@@ -107,6 +115,54 @@ QPalette darkPalette()
     return palette("#2b3035", "#1d2124", "#363c42", "#e6e9eb", "#98a1a8", "#4aa3df", "#0d1114", "#454c53");
 }
 
+/// White and yellow on black.
+QPalette contrastPalette()
+{
+    return palette("#000000", "#000000", "#1a1a1a", "#ffffff", "#c8c8c8", "#ffd800", "#000000", "#8c8c8c");
+}
+
+/// Outlines whatever can be typed into or pressed in the colour of text; Fusion's own outlines are darker than the window.
+class OutlinedStyle : public QProxyStyle {
+public:
+    OutlinedStyle()
+        : QProxyStyle(QStyleFactory::create("Fusion"))
+    {
+    }
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const QWidget* owner = widget ? widget->parentWidget() : nullptr;
+        if (qobject_cast<const QComboBox*>(owner) || qobject_cast<const QAbstractSpinBox*>(owner)) {
+            return; // has an outline
+        }
+        if (element == PE_FrameLineEdit || element == PE_PanelLineEdit || element == PE_PanelButtonCommand || element == PE_IndicatorCheckBox
+            || element == PE_FrameMenu || element == PE_PanelTipLabel) {
+            outline(option, painter);
+        }
+    }
+
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const override
+    {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_ComboBox || control == CC_SpinBox) {
+            outline(option, painter);
+        }
+    }
+
+private:
+    static void outline(const QStyleOption* option, QPainter* painter)
+    {
+        const bool focus = option->state & State_HasFocus;
+        const auto group = option->state & State_Enabled ? QPalette::Active : QPalette::Disabled;
+        painter->save();
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(QPen(option->palette.color(group, focus ? QPalette::Highlight : QPalette::WindowText), focus ? 2 : 1));
+        painter->drawRect(option->rect.adjusted(focus ? 1 : 0, focus ? 1 : 0, -1, -1));
+        painter->restore();
+    }
+};
+
 bool desktopIsDark()
 {
     if (!QDBusConnection::sessionBus().isConnected()) {
@@ -135,21 +191,21 @@ void useResources()
 
 void applyAppearance(Appearance appearance)
 {
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    const bool contrast = appearance == Appearance::contrast;
     const bool dark = appearance == Appearance::dark || (appearance == Appearance::desktop && desktopIsDark());
-    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    QApplication::setStyle(contrast ? new OutlinedStyle : QStyleFactory::create("Fusion"));
+    QApplication::setPalette(contrast ? contrastPalette() : dark ? darkPalette() : lightPalette());
 }
 
 Appearance savedAppearance()
 {
-    const QString name = QSettings().value("appearance").toString();
-    return name == "light" ? Appearance::light : name == "dark" ? Appearance::dark : Appearance::desktop;
+    const auto found = looks.indexOf(QSettings().value("appearance").toString());
+    return static_cast<Appearance>(std::max<qsizetype>(0, found));
 }
 
 void saveAppearance(Appearance appearance)
 {
-    QSettings().setValue("appearance",
-                         appearance == Appearance::light ? "light" : appearance == Appearance::dark ? "dark" : "desktop");
+    QSettings().setValue("appearance", looks[static_cast<int>(appearance)]);
 }
 
 bool isDark(const QPalette& palette)

@@ -9,7 +9,7 @@
 
 namespace hygroloom {
 
-enum class Appearance { desktop, light, dark };
+enum class Appearance { desktop, light, dark, contrast };
 
 /// Makes icons, shaders and the built-in example available; a static library does not do so by itself.
 void useResources();

@@ -5,6 +5,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -149,6 +150,19 @@ void DesignForm::refresh()
     for (const auto& work : afterwards_) {
         work();
     }
+}
+
+void DesignForm::fill(QScrollArea* panel)
+{
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(this);
+    layout->addStretch();
+    panel->setWidget(content);
+    panel->setWidgetResizable(true);
+    panel->setFrameShape(QFrame::NoFrame);
+    panel->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 int DesignForm::nextRow()

@@ -10,6 +10,7 @@
 
 class QGridLayout;
 class QLabel;
+class QScrollArea;
 
 namespace hygroloom {
 
@@ -44,6 +45,8 @@ public:
     /// Work to do at each refresh, after the fields.
     void onRefresh(std::function<void()> work) { afterwards_.push_back(std::move(work)); }
     void refresh();
+    /// Puts the form into a panel in which it scrolls up and down.
+    void fill(QScrollArea* panel);
 
     Document& document() { return document_; }
 

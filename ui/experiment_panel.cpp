@@ -46,15 +46,7 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     addChoice();
     addConditions();
     addDroplets();
-    auto* content = new QWidget;
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(form_);
-    layout->addStretch();
-    setWidget(content);
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    form_->fill(this);
     form_->onRefresh([this] {
         refreshChoice();
         refreshDroplets();

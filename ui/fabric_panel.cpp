@@ -25,16 +25,7 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent)
     Q_UNUSED(weft)
     addFlyaway();
     addMeasured();
-
-    auto* content = new QWidget;
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addWidget(form_);
-    layout->addStretch();
-    setWidget(content);
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    form_->fill(this);
     form_->refresh();
 }
 

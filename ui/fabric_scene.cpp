@@ -202,7 +202,7 @@ void FabricScene::collect()
     const auto batch = [&](const MeshKey& key) -> CellBatch& {
         const auto [found, added] = number.try_emplace(key, batches_.size());
         if (added) {
-            batches_.push_back({key, {}, {}, {}});
+            batches_.push_back({key, {}});
         }
         return batches_[found->second];
     };
@@ -215,20 +215,18 @@ void FabricScene::collect()
         const QVector3D low = fabric_->low(part), size = fabric_->high(part) - low;
         CellInstance instance{{low.x(), low.y()}, {static_cast<float>(part.first_end), static_cast<float>(part.first_pick)}, {size.x(), size.y()}, 1};
         if (s.level > 0 && s.level < fibre_level && s.belt) {
-            batch({}).over.push_back(instance);
+            batch({}).of(CellRole::over).push_back(instance);
         }
         if (s.level == fibre_level && s.belt && s.from < 0) {
-            instance.fade = 2;
-            batch(fabric_->key(cell, fibre_level)).fading.push_back(instance);
-            instance.fade = -2;
-            batch(fabric_->key(cell, fibre_level - 1)).fading.push_back(instance);
+            batch(fabric_->key(cell, fibre_level)).of(CellRole::fibres).push_back(instance);
+            batch(fabric_->key(cell, fibre_level - 1)).of(CellRole::skins).push_back(instance);
         } else if (s.from < 0) {
-            batch(fabric_->key(cell, s.level)).whole.push_back(instance);
+            batch(fabric_->key(cell, s.level)).of(CellRole::whole).push_back(instance);
         } else {
             instance.fade = s.fade;
-            batch(fabric_->key(cell, s.level)).fading.push_back(instance);
+            batch(fabric_->key(cell, s.level)).of(CellRole::fading).push_back(instance);
             instance.fade = -std::max(s.fade, 1e-6F);
-            batch(fabric_->key(cell, s.from)).fading.push_back(instance);
+            batch(fabric_->key(cell, s.from)).of(CellRole::fading).push_back(instance);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include "ui/cell_mesh.h"
 #include "ui/yarn_field.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,14 +18,23 @@ struct CellInstance {
     float corner[2];   ///< mm
     float crossing[2]; ///< first end and pick
     float size[2];     ///< mm, for the flat picture
-    float fade;        ///< 1 all; 0..1 that share of the pixels; below 0 the pixels that -fade leaves out; 2 or -2 as the belt of fibres has it
+    float fade;        ///< 1 all; 0..1 that share of the pixels; below 0 the pixels that -fade leaves out
+};
+
+/// How a cell is drawn.
+enum class CellRole {
+    whole,  ///< on all pixels
+    fading,
+    over,   ///< the flat picture, laid over tubes
+    skins,  ///< in the belt where skins blend into fibres
+    fibres, ///< the same cells
 };
 
 struct CellBatch {
     MeshKey key;
-    std::vector<CellInstance> whole;  ///< drawn on all pixels
-    std::vector<CellInstance> fading;
-    std::vector<CellInstance> over; ///< the flat picture, laid over tubes
+    std::array<std::vector<CellInstance>, 5> cells; ///< by role
+    std::vector<CellInstance>& of(CellRole role) { return cells[static_cast<std::size_t>(role)]; }
+    const std::vector<CellInstance>& of(CellRole role) const { return cells[static_cast<std::size_t>(role)]; }
 };
 
 /// A mesh that would be drawn if it were there.

@@ -41,9 +41,7 @@ void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const Ya
     const Textile& textile = fabric.textile;
     const QVector3D corner = fabric.low(part);
     FibreOptions options;
-    options.samples_per_crossing = 10;
-    options.sides = 4;
-    options.capped = false;
+    options.samples_per_crossing = std::clamp(smooth_samples(textile), 12, 24);
     const auto add = [&](YarnKind kind, int yarn) {
         const bool is_warp = kind == YarnKind::warp;
         const YarnFibres fibres(textile, options, kind, yarn, is_warp ? part.first_pick : part.first_end, is_warp ? part.picks : part.ends);

@@ -9,6 +9,7 @@
 #include "ui/viewport.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTemporaryDir>
 
 class QActionGroup;
@@ -21,6 +22,7 @@ class CandidatesPanel;
 class Chart;
 class DraftEditor;
 class ExperimentPanel;
+class ExportDialog;
 class FabricPanel;
 class IssuesPanel;
 class SimulationPanel;
@@ -87,6 +89,7 @@ private:
     void buildHelpMenu();
     void buildToolBar();
     void refreshActions();
+    void findCommand();
     void about();
     // main_window_files.cpp
     void newProject();
@@ -97,8 +100,11 @@ private:
     void saveScreenshot();
     void chooseDraft();
     void exportDraft();
+    void exportMesh();
     bool mayDiscard();
+    bool mayStop(const QString& what, const QString& question, const QString& consequence, const QString& button);
     bool mayStopRun();
+    bool mayStopExport();
     void addRecentFile(const QString& path);
     void refreshRecentFiles();
 
@@ -106,6 +112,7 @@ private:
     QTemporaryDir recordings_; // outlives those who read and write in it
     Playback playback_;
     SimulationRun run_;
+    QPointer<ExportDialog> export_;
     NewestJob copier_;
     int runs_ = 0;
     QString run_path_;

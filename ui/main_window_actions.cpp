@@ -2,6 +2,7 @@
 // Menus, shortcuts and the tool bar.
 #include "ui/appearance.h"
 #include "ui/candidates_panel.h"
+#include "ui/command_palette.h"
 #include "ui/examples.h"
 #include "ui/experiment_panel.h"
 #include "ui/main_window.h"
@@ -97,6 +98,8 @@ void MainWindow::buildFileMenu()
             &QAction::triggered, this, &MainWindow::chooseDraft);
     connect(addCommand(menu, {}, tr("E&xport Draft (WIF)…"), {}, tr("Write the chosen fabric's draft for other weaving programs.")), &QAction::triggered,
             this, &MainWindow::exportDraft);
+    connect(addCommand(menu, {}, tr("Export &Mesh…"), QKeySequence("Ctrl+E"), tr("Write yarns or fibres for modelling and rendering programs.")),
+            &QAction::triggered, this, &MainWindow::exportMesh);
     menu->addSeparator();
     save_recording_ = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
     connect(save_recording_, &QAction::triggered, this, &MainWindow::saveRecordingAs);
@@ -143,7 +146,7 @@ void MainWindow::buildViewMenu()
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* group = new QActionGroup(appearance);
     const std::pair<Appearance, QString> looks[] = {
-        {Appearance::desktop, tr("As the &Desktop")}, {Appearance::light, tr("&Light")}, {Appearance::dark, tr("D&ark")}};
+        {Appearance::desktop, tr("As the &Desktop")}, {Appearance::light, tr("&Light")}, {Appearance::dark, tr("D&ark")}, {Appearance::contrast, tr("High &Contrast")}};
     for (const auto& [look, name] : looks) {
         QAction* action = appearance->addAction(name);
         action->setCheckable(true);
@@ -199,6 +202,9 @@ void MainWindow::buildExperimentMenu()
 void MainWindow::buildHelpMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
+    connect(addCommand(menu, {}, tr("&Find Command…"), QKeySequence("Ctrl+K"), tr("Any command by a few letters of its name.")), &QAction::triggered, this,
+            &MainWindow::findCommand);
+    menu->addSeparator();
     connect(addCommand(menu, {}, tr("&About Hygroloom"), {}, tr("Version and licence.")), &QAction::triggered, this, &MainWindow::about);
     connect(addCommand(menu, {}, tr("About &Qt"), {}, tr("The toolkit of this window.")), &QAction::triggered, qApp, &QApplication::aboutQt);
 }
@@ -250,6 +256,14 @@ void MainWindow::refreshActions()
     save_recording_->setEnabled(playback_.run() && !playback_.live() && !playback_.path().isEmpty());
     take_design_->setEnabled(playback_.run() != nullptr);
     play_->setEnabled(playback_.run() != nullptr);
+}
+
+void MainWindow::findCommand()
+{
+    CommandPalette palette(*menuBar(), this);
+    if (palette.exec() == QDialog::Accepted) {
+        palette.chosen()->trigger();
+    }
 }
 
 void MainWindow::about()

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "ui/candidates_panel.h"
 #include "ui/examples.h"
+#include "ui/export_dialog.h"
 #include "ui/import_dialog.h"
 #include "ui/main_window.h"
 
@@ -231,6 +232,18 @@ void MainWindow::exportDraft()
     }
 }
 
+void MainWindow::exportMesh()
+{
+    if (!export_) {
+        export_ = new ExportDialog(document_, playback_, this);
+        export_->setAttribute(Qt::WA_DeleteOnClose);
+        connect(export_, &ExportDialog::written, this, [this](const QString& sentence) { statusBar()->showMessage(sentence, 4000); });
+    }
+    export_->show();
+    export_->raise();
+    export_->activateWindow();
+}
+
 bool MainWindow::mayDiscard()
 {
     if (!document_.modified()) {
@@ -244,25 +257,43 @@ bool MainWindow::mayDiscard()
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
+bool MainWindow::mayStop(const QString& what, const QString& question, const QString& consequence, const QString& button)
+{
+    QMessageBox box(QMessageBox::Question, what, question, QMessageBox::Cancel, this);
+    box.setInformativeText(consequence);
+    box.addButton(button, QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() != box.button(QMessageBox::Cancel);
+}
+
 bool MainWindow::mayStopRun()
 {
-    if (!run_.running()) {
-        return true;
+    if (run_.running()) {
+        if (!mayStop(tr("A run is in progress"), tr("Stop the run?"), tr("What it has simulated so far stays only if you save the recording."),
+                     tr("Stop the Run"))) {
+            return false;
+        }
+        run_.cancel();
     }
-    QMessageBox box(QMessageBox::Question, tr("A run is in progress"), tr("Stop the run?"), QMessageBox::Cancel, this);
-    box.setInformativeText(tr("What it has simulated so far stays only if you save the recording."));
-    box.addButton(tr("Stop the Run"), QMessageBox::AcceptRole);
-    box.exec();
-    if (box.clickedButton() == box.button(QMessageBox::Cancel)) {
-        return false;
+    return true;
+}
+
+bool MainWindow::mayStopExport()
+{
+    if (export_ && export_->writing()) {
+        if (!mayStop(tr("An export is in progress"), tr("Stop the export?"), tr("No file is written then."), tr("Stop the Export"))) {
+            return false;
+        }
+        if (export_) { // it may have ended meanwhile
+            export_->cancel();
+        }
     }
-    run_.cancel();
     return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayStopRun() || !mayDiscard()) {
+    if (!mayStopRun() || !mayStopExport() || !mayDiscard()) {
         event->ignore();
         return;
     }

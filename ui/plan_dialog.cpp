@@ -33,11 +33,6 @@ QString roughDuration(double seconds)
     return PlanDialog::tr("about %1 h").arg(shownNumber(seconds / 3600, 1));
 }
 
-QString roughBytes(double bytes)
-{
-    return bytes < 1e9 ? PlanDialog::tr("%1 MB").arg(shownNumber(bytes / 1e6, 0)) : PlanDialog::tr("%1 GB").arg(shownNumber(bytes / 1e9, 1));
-}
-
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
     : QDialog(parent)
 {
@@ -59,7 +54,7 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
               .arg(plan.particles_per_droplet)
               .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.network_step_limit, 4))
         + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
-        + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), roughBytes(plan.expected_bytes))
+        + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes))
         + " " + text(plan.expectation_source) + "</p>";
     auto* browser = new QTextBrowser;
     browser->setHtml(html);

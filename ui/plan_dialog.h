@@ -17,6 +17,5 @@ public:
 QString fidelityName(Fidelity fidelity);
 /// "about 40 s", "about 3 min".
 QString roughDuration(double seconds);
-QString roughBytes(double bytes);
 
 } // namespace hygroloom

@@ -71,6 +71,7 @@ private:
     void goOn(const QPoint& at);
     void finish();
     void useToolAtCursor();
+    void brush(const Crossings& crossings);
     void drawShape(const QPoint& to);
     /// The squares between these, cell by cell.
     QImage squares(const QPoint& low, const QPoint& high) const;
@@ -84,7 +85,7 @@ private:
     QPoint selected_{-1, -1};
     QPoint last_{-1, -1};
     QPoint anchor_;      ///< where a shape begins
-    Crossings pending_;  ///< of a shape being drawn
+    Crossings pending_;  ///< of a shape being drawn, or of a stroke on a large repeat
     bool drawing_ = false;
     bool anchored_ = false; ///< by the keyboard
     bool paintUp_ = false;

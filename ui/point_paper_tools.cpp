@@ -19,6 +19,9 @@ QRect between(const QPoint& a, const QPoint& b)
     return {QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())), QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))};
 }
 
+/// A larger repeat takes too long to check and to draw anew while the mouse is down; it is painted when the stroke ends.
+constexpr int most_live_crossings = 250000;
+
 } // namespace
 
 void PointPaper::setTool(PaperTool tool)
@@ -36,6 +39,16 @@ void PointPaper::drawShape(const QPoint& to)
     viewport()->update();
 }
 
+void PointPaper::brush(const Crossings& crossings)
+{
+    if (weave_.ends() * weave_.picks() <= most_live_crossings) {
+        Q_EMIT painted(crossings, paintUp_);
+        return;
+    }
+    pending_ += crossings;
+    viewport()->update();
+}
+
 void PointPaper::begin(const QPoint& at)
 {
     anchor_ = last_ = at;
@@ -43,7 +56,7 @@ void PointPaper::begin(const QPoint& at)
     paintUp_ = !weave_.warp_up(at.x(), at.y());
     drawing_ = true;
     switch (tool_) {
-    case PaperTool::brush: Q_EMIT painted({at}, paintUp_); break;
+    case PaperTool::brush: brush({at}); break;
     case PaperTool::fill: Q_EMIT painted(floodOf(weave_, at), paintUp_); break;
     case PaperTool::select:
         anchor_ = nearestInRepeat(at);
@@ -60,7 +73,7 @@ void PointPaper::goOn(const QPoint& at)
     switch (tool_) {
     case PaperTool::brush:
         cursor_ = inRepeat(at);
-        Q_EMIT painted(lineOf(last_, at), paintUp_);
+        brush(lineOf(last_, at));
         break;
     case PaperTool::line:
     case PaperTool::rectangle: drawShape(at); break;

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/design/fabric_quantities.h"
 #include "core/design/validate.h"
-#include "ui/cloth_picture.h"
 #include "ui/quantity.h"
+#include "ui/swatch_painter.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -15,8 +15,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,29 +29,6 @@ namespace hygroloom {
 namespace {
 
 constexpr int picture_side = 112; // pixels
-constexpr double swatch_mm = 5;
-
-/// So many millimetres of the cloth, flat, each yarn as wide as its pitch and shaded like a round one.
-QImage swatchPicture(const Fabric& fabric, int pixels)
-{
-    const int ends = std::clamp(static_cast<int>(std::lround(fabric.ends_per_cm * swatch_mm / 10)), 6, pixels / 3);
-    const int picks = std::clamp(static_cast<int>(std::lround(fabric.picks_per_cm * swatch_mm / 10)), 6, pixels / 3);
-    const QImage flat = clothPicture(fabric, ends, picks);
-    QImage picture(pixels, pixels, QImage::Format_RGB32);
-    for (int y = 0; y < pixels; ++y) {
-        for (int x = 0; x < pixels; ++x) {
-            const double across = static_cast<double>(x) * ends / pixels, along = static_cast<double>(y) * picks / pixels;
-            const int end = static_cast<int>(across), row = static_cast<int>(along);
-            const bool warp = fabric.weave.warp_up(end, picks - 1 - row);
-            const double off = 2 * std::abs((warp ? across - end : along - row) - 0.5);
-            const QColor color = flat.pixelColor(end, row);
-            const double light = 1 - 0.45 * off * off;
-            picture.setPixelColor(x, y, QColor::fromRgbF(static_cast<float>(color.redF() * light), static_cast<float>(color.greenF() * light),
-                                                         static_cast<float>(color.blueF() * light)));
-        }
-    }
-    return picture;
-}
 
 QString yarnText(const Yarn& yarn)
 {
@@ -96,6 +75,7 @@ PresetGallery::PresetGallery(const QString& library, QWidget* parent)
     , words_(new QLineEdit)
     , list_(new QListWidget)
     , about_(new QLabel)
+    , surface_(swatchSurface())
 {
     setWindowTitle(tr("Add a Fabric from the Library"));
     groups_->setAccessibleName(tr("Group of fabrics"));
@@ -107,7 +87,7 @@ PresetGallery::PresetGallery(const QString& library, QWidget* parent)
     list_->setResizeMode(QListView::Adjust);
     list_->setMovement(QListView::Static);
     list_->setIconSize({picture_side, picture_side});
-    list_->setGridSize({picture_side + 24, picture_side + 48});
+    list_->setGridSize({picture_side + 24, picture_side + 40});
     list_->setWordWrap(true);
     list_->setUniformItemSizes(true);
     about_->setWordWrap(true);
@@ -131,7 +111,7 @@ PresetGallery::PresetGallery(const QString& library, QWidget* parent)
     layout->addLayout(top);
     layout->addLayout(middle, 1);
     layout->addWidget(buttons);
-    resize(920, 600);
+    resize(990, 620);
 
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -140,11 +120,17 @@ PresetGallery::PresetGallery(const QString& library, QWidget* parent)
     connect(list_, &QListWidget::currentItemChanged, this, &PresetGallery::describe);
     connect(groups_, &QComboBox::currentIndexChanged, this, &PresetGallery::fill);
     connect(words_, &QLineEdit::textChanged, this, &PresetGallery::fill);
+    connect(list_->verticalScrollBar(), &QScrollBar::valueChanged, this, &PresetGallery::paintVisible);
+    connect(list_->verticalScrollBar(), &QScrollBar::rangeChanged, this, &PresetGallery::paintVisible);
     readUserLibrary();
 }
 
+PresetGallery::~PresetGallery() = default;
+
 void PresetGallery::readUserLibrary()
 {
+    painter_.drop();
+    pictures_.clear();
     presets_ = shipped_presets();
     shipped_ = presets_.size();
     try {
@@ -178,7 +164,6 @@ void PresetGallery::fill()
     const QSignalBlocker quiet(list_);
     list_->clear();
     const QStringList words = words_->text().split(' ', Qt::SkipEmptyParts);
-    std::vector<std::pair<int, Fabric>> missing;
     for (std::size_t i = 0; i < presets_.size(); ++i) {
         const Preset& preset = presets_[i];
         const QString text = searchText(preset);
@@ -188,32 +173,68 @@ void PresetGallery::fill()
         }
         auto* item = new QListWidgetItem(QString::fromStdString(preset.fabric().name), list_);
         item->setData(Qt::UserRole, static_cast<int>(i));
-        QPixmap blank(picture_side, picture_side);
-        blank.fill(palette().color(QPalette::AlternateBase));
-        item->setIcon(blank);
-        missing.emplace_back(static_cast<int>(i), preset.fabric());
+        if (const auto painted = pictures_.find(static_cast<int>(i)); painted != pictures_.end()) {
+            item->setIcon(painted->second);
+        } else {
+            QPixmap blank(picture_side, picture_side);
+            blank.fill(palette().color(QPalette::AlternateBase));
+            item->setIcon(blank);
+        }
     }
     list_->setCurrentRow(list_->count() > 0 ? 0 : -1);
     describe();
-    const int pixels = static_cast<int>(picture_side * devicePixelRatioF());
-    painter_.run([this, missing, pixels](const NewestJob::Turn& turn) {
-        for (const auto& [preset, fabric] : missing) {
+    paintVisible();
+}
+
+void PresetGallery::paintVisible()
+{
+    std::vector<std::pair<int, std::shared_ptr<const Design>>> missing;
+    for (int row = 0; row < list_->count(); ++row) {
+        const int preset = list_->item(row)->data(Qt::UserRole).toInt();
+        if (!pictures_.count(preset) && list_->visualItemRect(list_->item(row)).intersects(list_->viewport()->rect())) {
+            const Design& design = presets_[static_cast<std::size_t>(preset)].design;
+            if (!has_error(validate(design))) {
+                missing.emplace_back(preset, std::make_shared<const Design>(design));
+            }
+        }
+    }
+    if (missing.empty()) {
+        return;
+    }
+    painter_.run([this, missing, surface = surface_.get(), pixels = static_cast<int>(picture_side * devicePixelRatioF()),
+                  colors = pictureColors(palette())](const NewestJob::Turn& turn) {
+        SwatchPainter painter(surface, QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).filePath("swatches"), pixels, colors);
+        for (const auto& [preset, design] : missing) {
+            turn.deliver([this, number = preset, picture = painter.picture(design), turn] {
+                if (!turn.outdated()) {
+                    showPicture(number, picture);
+                }
+            });
             if (turn.outdated()) {
                 return;
             }
-            const QImage picture = swatchPicture(fabric, pixels);
-            turn.deliver([this, number = preset, picture] { showPicture(number, picture); });
         }
     });
 }
 
 void PresetGallery::showPicture(int preset, const QImage& picture)
 {
+    QPixmap pixmap = QPixmap::fromImage(picture);
+    pixmap.setDevicePixelRatio(devicePixelRatioF());
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // its own colours, chosen or not
+    pictures_[preset] = icon;
     for (int row = 0; row < list_->count(); ++row) {
         if (list_->item(row)->data(Qt::UserRole).toInt() == preset) {
-            list_->item(row)->setIcon(QPixmap::fromImage(picture));
+            list_->item(row)->setIcon(icon);
         }
     }
+}
+
+void PresetGallery::resizeEvent(QResizeEvent* event)
+{
+    QDialog::resizeEvent(event);
+    QTimer::singleShot(0, this, &PresetGallery::paintVisible); // when the list has its new size
 }
 
 const Preset* PresetGallery::chosen() const
@@ -259,7 +280,6 @@ void PresetGallery::removeChosen()
     } catch (const Error& error) {
         problem_ = QString::fromStdString(error.what());
     }
-    painter_.drop();
     readUserLibrary();
 }
 

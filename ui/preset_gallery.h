@@ -6,11 +6,15 @@
 #include "ui/newest_job.h"
 
 #include <QDialog>
+#include <QIcon>
+
+#include <map>
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QOffscreenSurface;
 class QPushButton;
 
 namespace hygroloom {
@@ -25,6 +29,7 @@ class PresetGallery : public QDialog {
     Q_OBJECT
 public:
     explicit PresetGallery(const QString& library, QWidget* parent = nullptr);
+    ~PresetGallery() override;
 
     /// nullptr when none is.
     const Preset* chosen() const;
@@ -33,10 +38,14 @@ public:
     /// Takes the chosen preset out of the user's library.
     void removeChosen();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void readUserLibrary();
     void fill();
     void describe();
+    void paintVisible();
     void showPicture(int preset, const QImage& picture);
 
     QString library_;
@@ -49,6 +58,8 @@ private:
     QPushButton* add_ = nullptr;
     QPushButton* remove_ = nullptr;
     QString problem_;
+    std::unique_ptr<QOffscreenSurface> surface_;
+    std::map<int, QIcon> pictures_; ///< by number of the preset
     NewestJob painter_; // last: its deliveries use the rest
 };
 

@@ -32,7 +32,7 @@ constexpr TubeLevel tubes[] = {{3, 6, 13}, {4, 8, 20}, {4, 12, 30}, {6, 16, 52},
 /// After the tubes come single fibres.
 constexpr int fibre_level = static_cast<int>(std::size(tubes)) + 1;
 constexpr double fibre_pixels = 220;
-/// In this belt pixel after pixel goes from skin to fibres, the more the nearer.
+/// In this belt skins blend into fibres, the more the nearer.
 constexpr double fibre_belt_pixels[] = {fibre_pixels, 1.3 * fibre_pixels};
 /// Between the flat picture and the first tubes lies a belt where the picture lies over the tubes, the thinner the nearer.
 constexpr double belt_pixels[] = {13, 20};

@@ -48,6 +48,14 @@ QString shownNumber(double value, int decimals)
     return text == "-0" ? "0" : text;
 }
 
+QString bytesText(double bytes)
+{
+    constexpr std::pair<double, const char*> units[] = {{1e9, "GB"}, {1e6, "MB"}, {1e3, "kB"}};
+    const auto& [size, name] = *std::find_if(std::begin(units), std::end(units) - 1, [&](const auto& unit) { return bytes >= 0.9995 * unit.first; });
+    const double number = bytes / size;
+    return shownNumber(number, number < 9.95 ? 1 : 0) + QChar(0x00a0) + name;
+}
+
 Quantity Quantity::length(double minimum_mm, double maximum_mm)
 {
     return quantity("mm",

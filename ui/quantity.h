@@ -52,4 +52,7 @@ struct Quantity {
 /// A number with at most so many decimals and no trailing zeros, in the user's locale.
 QString shownNumber(double value, int decimals);
 
+/// "820 kB", "3.4 MB", "34 MB", "1.2 GB".
+QString bytesText(double bytes);
+
 } // namespace hygroloom

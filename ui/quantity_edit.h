@@ -20,6 +20,8 @@ public:
 
     const Quantity& quantity() const { return quantity_; }
     std::optional<double> value() const { return value_; }
+    /// What the text says, committed or not. Without a value, complaint says why; nothing where the field may be empty and is.
+    std::optional<double> typed(QString* complaint) const;
     /// Shows a value without telling anyone; text being typed stays.
     void setValue(std::optional<double> value);
     void setOptional(bool optional);

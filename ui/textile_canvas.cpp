@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/textile_canvas.h"
 
-#include "ui/appearance.h"
-
 #include <QPainter>
 
 #include <cmath>
@@ -211,32 +209,13 @@ void TextileCanvas::setCamera(const Camera& camera)
 QImage TextileCanvas::picture()
 {
     if (usable_) {
+        moving_ = false;
         makeCurrent();
-        complete();
+        complete(scene_, renderer_, sceneView());
         doneCurrent();
     }
     redraw(false);
     return grabFramebuffer();
-}
-
-/// Makes all meshes that the picture would like to have. Needs the context.
-void TextileCanvas::complete()
-{
-    moving_ = false;
-    const auto available = [this](const MeshKey& key) { return renderer_.has(key); };
-    scene_.update(sceneView(), 0, available);
-    for (int round = 0; round < 2 && fabric(); ++round) {
-        for (const WantedMesh& wish : scene_.wanted()) {
-            if (wish.key.level == 0) {
-                renderer_.setPicture(picture_of_repeat(*fabric()));
-            } else {
-                renderer_.addMesh(mesh_cell(*fabric(), wish.cell, wish.key.level));
-            }
-        }
-        scene_.settle();
-        scene_.update(sceneView(), 0, available);
-        scene_.settle();
-    }
 }
 
 void TextileCanvas::initializeGL()
@@ -263,12 +242,7 @@ void TextileCanvas::resizeGL(int, int)
 
 PictureColors TextileCanvas::colors() const
 {
-    PictureColors colors;
-    const bool dark = isDark(palette());
-    colors.background = dark ? QColor("#191c1f") : QColor("#e9ecee");
-    colors.warp = QColor("#f0e8d8");
-    colors.weft = QColor("#e2d5bb");
-    colors.marked = palette().color(QPalette::Highlight);
+    PictureColors colors = pictureColors(palette());
     colors.water = water_colors_;
     return colors;
 }

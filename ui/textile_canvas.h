@@ -123,7 +123,6 @@ private:
     PictureColors colors() const;
     void redraw(bool moving);
     void takeView();
-    void complete();
     void drawScene();
     void drawOverlay(QPainter& painter);
     void drawTitle(QPainter& painter, const QColor& ink);

@@ -2,12 +2,15 @@
 #include "ui/textile_renderer.h"
 
 #include "core/base/units.h"
+#include "ui/appearance.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
+#include <QSurfaceFormat>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -37,6 +40,25 @@ const void* at(std::size_t offset)
 
 } // namespace
 
+void requestOpenGL()
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+PictureColors pictureColors(const QPalette& palette)
+{
+    PictureColors colors;
+    colors.background = isDark(palette) ? QColor("#191c1f") : QColor("#e9ecee");
+    colors.warp = QColor("#f0e8d8");
+    colors.weft = QColor("#e2d5bb");
+    colors.marked = palette.color(QPalette::Highlight);
+    return colors;
+}
+
 bool TextileRenderer::initialize()
 {
     gl_ = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext());
@@ -49,7 +71,7 @@ bool TextileRenderer::initialize()
             return false;
         }
     }
-    if (!load(drops_, "drop", false)) {
+    if (!load(drops_, "drop", false) || !load(blend_, "blend", false)) {
         return false;
     }
     unsigned textures[4];
@@ -110,12 +132,15 @@ void TextileRenderer::release()
         buffer->destroy();
     }
     ramp_.reset();
+    for (auto& picture : belt_pictures_) {
+        picture.reset();
+    }
     if (gl_ && water_) {
         const unsigned textures[] = {repeat_, water_, end_colors_, pick_colors_};
         gl_->glDeleteTextures(4, textures);
         water_ = 0;
     }
-    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_}) {
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_, &blend_}) {
         program->removeAllShaders();
     }
 }
@@ -123,7 +148,7 @@ void TextileRenderer::release()
 bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name, bool fading)
 {
     const QByteArray version = "#version 330 core\n";
-    const bool lit = name != "drop";
+    const bool lit = name == "yarn" || name == "flat";
     const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
     if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + textOf(name + ".vert"))
         && program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
@@ -207,7 +232,9 @@ std::size_t TextileRenderer::triangles(const std::vector<CellBatch>& batches) co
     for (const CellBatch& batch : batches) {
         const auto mesh = meshes_.find(batch.key);
         const std::size_t each = batch.key.level == 0 ? 2 : mesh == meshes_.end() ? 0 : static_cast<std::size_t>(mesh->second->index_count) / 3;
-        sum += each * (batch.whole.size() + batch.fading.size() + batch.over.size());
+        for (const auto& cells : batch.cells) {
+            sum += each * cells.size();
+        }
     }
     return sum;
 }
@@ -283,23 +310,70 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     ++picture_number_;
     gl_->glViewport(0, 0, pixels.width(), pixels.height());
     const QVector3D clear = rgb(colors.background);
-    gl_->glClearColor(clear.x(), clear.y(), clear.z(), 1);
-    gl_->glDepthMask(GL_TRUE);
-    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const bool belt = std::any_of(batches.begin(), batches.end(), [](const CellBatch& batch) { return !batch.of(CellRole::fibres).empty(); });
+    gl_->glClearColor(clear.x(), clear.y(), clear.z(), belt ? 0 : 1);
     gl_->glEnable(GL_DEPTH_TEST);
-    gl_->glDepthFunc(GL_LEQUAL);
     gl_->glDisable(GL_BLEND);
-    if (fabric_) {
-        setColors(colors);
-        for (const Pass pass : {Pass::whole, Pass::fading, Pass::over}) {
-            drawCells(view, batches, colors, pass);
-        }
+    if (belt) {
+        blendBelt(view, batches, pixels, colors);
+    } else {
+        drawFabric(view, batches, colors, {});
     }
     if (drop_index_count_ > 0) {
         drawLiquid(view, colors);
     }
     gl_->glDisable(GL_DEPTH_TEST);
+}
+
+void TextileRenderer::drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, std::optional<CellRole> belt)
+{
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDepthFunc(GL_LEQUAL);
+    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (!fabric_) {
+        return;
+    }
+    setColors(colors);
+    for (const CellRole role : {CellRole::whole, CellRole::fading, CellRole::over}) {
+        drawCells(view, batches, colors, role, belt.has_value());
+    }
+    if (belt) {
+        drawCells(view, batches, colors, *belt, true);
+    }
+    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void TextileRenderer::blendBelt(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors)
+{
+    int target = 0;
+    gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    for (const bool fibres : {false, true}) {
+        auto& picture = belt_pictures_[fibres ? 1 : 0];
+        drawFabric(view, batches, colors, fibres ? CellRole::fibres : CellRole::skins);
+        if (!picture || picture->size() != pixels) {
+            picture = std::make_unique<QOpenGLFramebufferObject>(pixels);
+        }
+        gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
+        gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->handle());
+        gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl_->glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(target));
+    }
+    for (const unsigned unit : {1U, 0U}) {
+        gl_->glActiveTexture(GL_TEXTURE0 + unit);
+        gl_->glBindTexture(GL_TEXTURE_2D, belt_pictures_[unit]->texture());
+    }
+    blend_.bind();
+    blend_.setUniformValue("skins", 0);
+    blend_.setUniformValue("fibres", 1);
+    gl_->glDepthFunc(GL_ALWAYS);
+    gl_->glDepthMask(GL_FALSE); // that of the fibres stays, for drops
+    flat_array_.bind();
+    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    flat_array_.release();
+    blend_.release();
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDepthFunc(GL_LEQUAL);
 }
 
 void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
@@ -354,7 +428,7 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
     gl_->glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, size)));
 }
 
-void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass)
+void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role, bool in_belt)
 {
     if (!ramp_ || ramp_colors_ != colors.water) {
         ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(colors.water), QOpenGLTexture::DontGenerateMipMaps);
@@ -371,7 +445,7 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
     gl_->glActiveTexture(GL_TEXTURE0);
     gl_->glEnable(GL_CLIP_DISTANCE0);
-    if (pass == Pass::over) {
+    if (role == CellRole::over) {
         // Over whatever tubes there are, high or low.
         gl_->glDepthFunc(GL_ALWAYS);
         gl_->glDepthMask(GL_FALSE);
@@ -379,10 +453,11 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
         gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     }
     for (const bool flat : {true, false}) {
-        QOpenGLShaderProgram& program = (flat ? flats_ : yarns_)[pass == Pass::fading ? 1 : 0];
+        QOpenGLShaderProgram& program = (flat ? flats_ : yarns_)[role == CellRole::fading ? 1 : 0];
+        gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, in_belt && !flat ? GL_TRUE : GL_FALSE); // alpha is of the belt alone
         bool prepared = false;
         for (const CellBatch& batch : batches) {
-            const std::vector<CellInstance>& instances = pass == Pass::whole ? batch.whole : pass == Pass::fading ? batch.fading : batch.over;
+            const std::vector<CellInstance>& instances = batch.of(role);
             if ((batch.key.level == 0) != flat || instances.empty() || !has(batch.key)) {
                 continue;
             }
@@ -391,7 +466,7 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
                 if (flat && view.cut && view.cut->normal.z != 0) {
                     program.setUniformValue("cut", QVector4D(0, 0, 0, 1));
                 }
-                program.setUniformValue("over_tubes", pass == Pass::over ? 1.0F : 0.0F);
+                program.setUniformValue("over_tubes", role == CellRole::over ? 1.0F : 0.0F);
             }
             if (flat) {
                 flat_array_.bind();
@@ -443,6 +518,24 @@ void TextileRenderer::drawLiquid(const SceneView& view, const PictureColors& col
     gl_->glDisable(GL_CULL_FACE);
     drop_array_.release();
     drops_.release();
+}
+
+void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view)
+{
+    const auto available = [&](const MeshKey& key) { return renderer.has(key); };
+    scene.update(view, 0, available);
+    for (int round = 0; round < 2 && scene.fabric(); ++round) { // the second: what lies under a belt
+        for (const WantedMesh& wish : scene.wanted()) {
+            if (wish.key.level == 0) {
+                renderer.setPicture(picture_of_repeat(*scene.fabric()));
+            } else {
+                renderer.addMesh(mesh_cell(*scene.fabric(), wish.cell, wish.key.level));
+            }
+        }
+        scene.settle();
+        scene.update(view, 0, available);
+        scene.settle();
+    }
 }
 
 } // namespace hygroloom

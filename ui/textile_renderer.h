@@ -7,10 +7,12 @@
 #include "ui/liquid_surface.h"
 
 #include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
+#include <QPalette>
 
 namespace hygroloom {
 
@@ -29,6 +31,12 @@ struct PictureColors {
     QColor marked;
     WaterColors water = WaterColors::blue;
 };
+
+/// Asks for contexts that the renderer can use. To be called before the application begins.
+void requestOpenGL();
+
+/// For a widget with this palette.
+PictureColors pictureColors(const QPalette& palette);
 
 /// All members need the same current context.
 class TextileRenderer {
@@ -52,7 +60,6 @@ public:
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
 private:
-    enum class Pass { whole, fading, over };
     struct TubeMesh {
         QOpenGLVertexArrayObject array;
         QOpenGLBuffer vertices{QOpenGLBuffer::VertexBuffer};
@@ -65,7 +72,11 @@ private:
     void setColors(const PictureColors& colors);
     void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
     void placeInstances(const std::vector<CellInstance>& instances);
-    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, Pass pass);
+    void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role, bool in_belt);
+    /// belt: which of the two the cells in the belt show; their share then stands in the picture's alpha.
+    void drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, std::optional<CellRole> belt);
+    /// Draws the fabric twice, and one picture over the other.
+    void blendBelt(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
     void drawLiquid(const SceneView& view, const PictureColors& colors);
     void dropUnused();
 
@@ -78,6 +89,8 @@ private:
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram drops_;
+    QOpenGLShaderProgram blend_;
+    std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer instances_{QOpenGLBuffer::VertexBuffer};
@@ -96,5 +109,8 @@ private:
     QOpenGLBuffer drop_indices_{QOpenGLBuffer::IndexBuffer};
     int drop_index_count_ = 0;
 };
+
+/// Makes all meshes that the picture would like to have, however long that takes, and ends all fading. Needs the renderer's context.
+void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view);
 
 } // namespace hygroloom

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
@@ -14,7 +15,9 @@ namespace hygroloom {
 namespace {
 
 constexpr std::size_t piece_vertices = 250000;
-constexpr std::size_t pieces_at_once = 6;
+constexpr std::size_t most_pieces_at_once = 6;
+constexpr double vertex_bytes = 60; // 36 a vertex, 24 for its two triangles
+constexpr double wanted_memory = 250e6;
 
 int crossings_of(const Textile& textile, YarnKind kind) { return kind == YarnKind::warp ? textile.picks() : textile.ends(); }
 
@@ -103,7 +106,34 @@ void make(const Textile& textile, const MeshRequest& request, const Piece& piece
     mesh.groups.push_back({yarn_name(piece.kind, piece.yarn), piece.kind, piece.yarn, 0, vertices, 0, 3 * triangles});
 }
 
+/// Bytes.
+double largest_piece(const Textile& textile, const MeshRequest& request)
+{
+    double vertices = request.detail == MeshDetail::yarn ? 0 : static_cast<double>(piece_vertices);
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const double rings = static_cast<double>(crossings_of(textile, kind)) * request.samples_per_crossing + 1;
+        vertices = std::max(vertices, request.detail == MeshDetail::yarn ? (rings + 2) * (request.sides + 1) : rings * request.sides);
+    }
+    return vertices * vertex_bytes;
+}
+
+/// Fewer where each is large.
+std::size_t pieces_at_once(double largest)
+{
+    return static_cast<std::size_t>(std::clamp(wanted_memory / largest, 1.0, static_cast<double>(most_pieces_at_once)));
+}
+
 } // namespace
+
+MeshRequest smooth_request(const Textile& textile, MeshDetail detail)
+{
+    MeshRequest request;
+    const bool fibre = detail == MeshDetail::fibre;
+    request.detail = detail;
+    request.samples_per_crossing = fibre ? std::min(smooth_samples(textile), most_samples) : 12;
+    request.sides = fibre ? 6 : 12;
+    return request;
+}
 
 MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn)
 {
@@ -135,38 +165,33 @@ MeshSize stream_size(const Textile& textile, const MeshRequest& request)
 
 double stream_memory(const Textile& textile, const MeshRequest& request)
 {
-    double largest = 0;
-    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-        const double rings = static_cast<double>(crossings_of(textile, kind)) * request.samples_per_crossing + 1;
-        const double vertices = request.detail == MeshDetail::yarn ? (rings + 2) * (request.sides + 1) : rings * request.sides;
-        largest =
-            std::max(largest, request.detail == MeshDetail::yarn ? vertices : std::max(vertices, static_cast<double>(piece_vertices)));
-    }
-    return pieces_at_once * largest * 60; // 36 bytes a vertex, 24 for its two triangles
+    const double piece = largest_piece(textile, request);
+    return static_cast<double>(pieces_at_once(piece)) * piece;
 }
 
 bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::function<bool(const YarnMesh&)>& take)
 {
     Cutter cutter(textile, request);
     // A ring of buffers: a piece's buffer is free again once the piece has been taken, before as many others have begun.
-    std::vector<YarnMesh> buffers(pieces_at_once);
+    const std::size_t at_once = pieces_at_once(largest_piece(textile, request));
+    std::vector<YarnMesh> buffers(at_once);
     std::size_t next_buffer = 0;
     std::atomic<bool> stopped{false};
     struct Work {
         Piece piece;
         YarnMesh* mesh = nullptr;
     };
-    tbb::parallel_pipeline(pieces_at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
-                                               Work work;
-                                               if (stopped || !cutter.next(work.piece)) flow.stop();
-                                               work.mesh = &buffers[next_buffer++ % pieces_at_once];
-                                               return work;
-                                           }) & tbb::make_filter<Work, Work>(tbb::filter_mode::parallel, [&](Work work) {
-                                               make(textile, request, work.piece, *work.mesh);
-                                               return work;
-                                           }) & tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
-                                               if (!stopped && !take(*work.mesh)) stopped = true;
-                                           }));
+    tbb::parallel_pipeline(at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
+                                        Work work;
+                                        if (stopped || !cutter.next(work.piece)) flow.stop();
+                                        work.mesh = &buffers[next_buffer++ % at_once];
+                                        return work;
+                                    }) & tbb::make_filter<Work, Work>(tbb::filter_mode::parallel, [&](Work work) {
+                                        make(textile, request, work.piece, *work.mesh);
+                                        return work;
+                                    }) & tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
+                                        if (!stopped && !take(*work.mesh)) stopped = true;
+                                    }));
     return !stopped;
 }
 

@@ -21,6 +21,12 @@ struct MeshRequest {
     FibreOptions fibres() const { return {samples_per_crossing, sides, flyaways, capped, seed}; }
 };
 
+constexpr int most_samples = 100; ///< per crossing
+constexpr int most_sides = 200;
+
+/// Samples and sides that draw a textile smoothly: of yarns 12 and 12, of fibres 6 sides and as many samples as the twist needs.
+MeshRequest smooth_request(const Textile& textile, MeshDetail detail);
+
 /// What stream_mesh() hands over in all. A centreline has no triangles.
 MeshSize stream_size(const Textile& textile, const MeshRequest& request);
 /// The same of one yarn.

@@ -58,6 +58,16 @@ void sync(const std::filesystem::path& path, bool folder, const std::filesystem:
     if (result != 0 && !folder) fail(target, "The file cannot be written to the disk", code);
 }
 
+/// A link stays a link: what it points to is replaced, or made.
+std::filesystem::path behind_links(std::filesystem::path path)
+{
+    std::error_code failure;
+    constexpr int most_links = 40; // as the kernel
+    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i)
+        path = path.parent_path() / std::filesystem::read_symlink(path, failure);
+    return path;
+}
+
 void keep_backup(const std::filesystem::path& target)
 {
     const std::filesystem::path backup = target.string() + "~";
@@ -86,8 +96,7 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
     std::error_code failure;
     for (const auto& given : paths) {
         if (std::filesystem::is_directory(given, failure)) throw FileError(given.string() + ": This is a folder; give the name of a file.");
-        // A link stays a link: what it points to is replaced.
-        Place place{std::filesystem::is_symlink(given, failure) ? std::filesystem::weakly_canonical(given, failure) : given};
+        Place place{behind_links(given)};
         place.there = std::filesystem::exists(place.target, failure);
         if (place.there && ::stat(place.target.c_str(), &place.old) == 0 && !S_ISREG(place.old.st_mode))
             throw FileError(given.string() + ": This is not a regular file.");
@@ -112,7 +121,8 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
 
 void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& writer, Previous previous)
 {
-    write_files_with({path}, [&](const std::vector<std::filesystem::path>& temporaries) { writer(temporaries[0]); }, previous);
+    write_files_with(
+        {path}, [&](const std::vector<std::filesystem::path>& temporaries) { writer(temporaries[0]); }, previous);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes, Previous previous)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/project/json_reader.h"
 
+#include "core/base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,30 +63,58 @@ std::size_t distance(const std::string& a, const std::string& b)
     return row.back();
 }
 
+/// Refuses what JSON allows and a project never has. A pass of its own: the library's parser with a callback goes through every list again
+/// for each of its elements.
+class Watch : public nlohmann::json_sax<ProjectJson> {
+public:
+    explicit Watch(const std::string& name) : name_(name) {}
+    bool start_object(std::size_t) override { return deeper(); }
+    bool start_array(std::size_t) override { return deeper(); }
+    bool end_object() override { return shallower(); }
+    bool end_array() override { return shallower(); }
+    bool key(std::string& key) override
+    {
+        if (keys_.back().size() > most_keys)
+            throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name_, most_keys));
+        if (!keys_.back().insert(key).second)
+            throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name_, in_words(key)));
+        return true;
+    }
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(std::int64_t) override { return true; }
+    bool number_unsigned(std::uint64_t) override { return true; }
+    bool number_float(double, const std::string&) override { return true; }
+    bool string(std::string&) override { return true; }
+    bool binary(nlohmann::json::binary_t&) override { return true; }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; } // parse() tells of it
+
+private:
+    bool deeper()
+    {
+        if (keys_.size() >= deepest)
+            throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name_, deepest));
+        keys_.emplace_back();
+        return true;
+    }
+    bool shallower()
+    {
+        keys_.pop_back();
+        return true;
+    }
+
+    const std::string& name_;
+    std::vector<std::set<std::string>> keys_;
+};
+
 } // namespace
 
 ProjectJson parse_json(std::string_view text, const std::string& name)
 {
-    std::vector<std::set<std::string>> keys;
-    const auto watch = [&](int, ProjectJson::parse_event_t event, ProjectJson& parsed) {
-        using Event = ProjectJson::parse_event_t;
-        if (event == Event::object_start || event == Event::array_start) {
-            if (keys.size() >= deepest)
-                throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name, deepest));
-            keys.emplace_back();
-        } else if (event == Event::object_end || event == Event::array_end) {
-            keys.pop_back();
-        } else if (event == Event::key) {
-            const auto& key = parsed.get_ref<const std::string&>();
-            if (keys.back().size() > most_keys)
-                throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name, most_keys));
-            if (!keys.back().insert(key).second)
-                throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name, in_words(key)));
-        }
-        return true;
-    };
+    Watch watch(name);
     try {
-        return ProjectJson::parse(text.begin(), text.end(), watch);
+        ProjectJson::sax_parse(text, &watch);
+        return ProjectJson::parse(text);
     } catch (const ProjectJson::parse_error& failure) {
         throw FileError(
             fmt::format("{}: {}: This is not valid JSON: {}.", name, line_and_column(text, failure.byte), reason(failure.what())));
@@ -98,12 +128,7 @@ std::string in_words(const ProjectJson& value)
     if (value.is_object()) return "an object";
     if (value.is_array()) return fmt::format("a list of {}", value.size());
     std::string text = value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace);
-    if (text.size() > 60) {
-        text.resize(57);
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back(); // whole characters only
-        if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xc0) text.pop_back();
-        text += "...";
-    }
+    if (text.size() > 60) { text = cut_text(text, 57) + "..."; }
     return text;
 }
 

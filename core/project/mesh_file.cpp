@@ -17,16 +17,7 @@
 namespace hygroloom {
 namespace {
 
-struct FormatTraits {
-    MeshFormat format;
-    const char* ending;
-    const char* name;
-    bool curves; ///< only
-    bool lines;  ///< centrelines
-    bool colors; ///< of vertices
-    bool streamed;
-};
-constexpr FormatTraits all_formats[] = {
+constexpr MeshFormatTraits all_formats[] = {
     {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},         {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
     {MeshFormat::stl, ".stl", "STL", false, false, false, true},       {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
     {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},      {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
@@ -34,9 +25,9 @@ constexpr FormatTraits all_formats[] = {
     {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},       {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
     {MeshFormat::usda, ".usda", "USD", true, true, true, true},
 };
-const FormatTraits& traits(MeshFormat format)
+const MeshFormatTraits& traits(MeshFormat format)
 {
-    return *std::find_if(std::begin(all_formats), std::end(all_formats), [&](const FormatTraits& f) { return f.format == format; });
+    return *std::find_if(std::begin(all_formats), std::end(all_formats), [&](const MeshFormatTraits& f) { return f.format == format; });
 }
 
 std::string lower(std::string text)
@@ -50,7 +41,7 @@ std::string human(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 
 
 std::string refusal(const ExportJob& job, const ExportEstimate& size, const GltfLayout& layout)
 {
-    const FormatTraits& format = traits(job.format);
+    const MeshFormatTraits& format = traits(job.format);
     const MeshDetail detail = job.options.mesh.detail;
     if (format.curves && detail == MeshDetail::yarn)
         return fmt::format("{} files hold curves, no skins of yarns; choose the detail centreline or fibre.", format.name);
@@ -88,14 +79,24 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
     return {};
 }
 
+/// FNV-1a.
+std::uint32_t fingerprint(const std::string& text)
+{
+    std::uint32_t hash = 2166136261u;
+    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
 /// The files beside the main one.
 std::vector<std::filesystem::path> companions(const ExportJob& job, const std::filesystem::path& path, std::size_t buffers)
 {
     std::vector<std::filesystem::path> files;
     // Names without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of glTF decodes a URI.
-    std::string stem = path.stem().string();
+    const std::string name = path.stem().string();
+    std::string stem = name;
     for (char& c : stem)
         if (static_cast<unsigned char>(c) <= ' ' || std::strchr("%#?&<>\"\\", c)) c = '_';
+    if (stem != name) stem += fmt::format("-{:08x}", fingerprint(name)); // "a b" and "a_b" have files of their own
     if (job.format == MeshFormat::obj && !job.wet()) files.push_back(path.parent_path() / (stem + ".mtl"));
     if (job.format == MeshFormat::gltf)
         for (std::size_t i = 0; i < buffers; ++i)
@@ -103,13 +104,22 @@ std::vector<std::filesystem::path> companions(const ExportJob& job, const std::f
     return files;
 }
 
+/// Whose size is known within a quarter only.
+bool is_text(MeshFormat format)
+{
+    return format != MeshFormat::ply && format != MeshFormat::stl && format != MeshFormat::glb && format != MeshFormat::gltf &&
+           format != MeshFormat::bcc;
+}
+
 } // namespace
+
+std::span<const MeshFormatTraits> mesh_formats() { return all_formats; }
 
 MeshFormat mesh_format_of(const std::filesystem::path& path)
 {
     const std::string ending = lower(path.extension().string());
     std::string known;
-    for (const FormatTraits& format : all_formats) {
+    for (const MeshFormatTraits& format : all_formats) {
         if (ending == format.ending) return format.format;
         known += fmt::format("{}{}", known.empty() ? "" : &format == std::end(all_formats) - 1 ? " or " : ", ", format.ending);
     }
@@ -271,8 +281,9 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
     if (!size.refusal.empty()) throw Error(size.refusal);
     std::error_code failure;
     const auto space = std::filesystem::space(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failure);
-    if (!failure && size.bytes > static_cast<double>(space.available))
-        throw FileError(fmt::format("{}: The file would have {}, and the disk has {} left.", path.string(), human(size.bytes),
+    const double most_bytes = is_text(format) ? 1.25 * size.bytes : size.bytes;
+    if (!failure && most_bytes > static_cast<double>(space.available))
+        throw FileError(fmt::format("{}: The file would have up to {}, and the disk has {} left.", path.string(), human(most_bytes),
                                     human(static_cast<double>(space.available))));
 
     const std::size_t buffers = format == MeshFormat::gltf ? gltf_layout(job).buffers.size() : 0;

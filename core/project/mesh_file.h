@@ -6,10 +6,23 @@
 #include "core/geometry/mesh_stream.h"
 
 #include <filesystem>
+#include <span>
 
 namespace hygroloom {
 
 enum class MeshFormat { obj, ply, stl, glb, gltf, fbx, three_mf, collada, x3d, bcc, usda };
+
+/// What a format is called and what it holds.
+struct MeshFormatTraits {
+    MeshFormat format;
+    const char* ending; ///< with its dot
+    const char* name;
+    bool curves;   ///< only
+    bool lines;    ///< centrelines
+    bool colors;   ///< of vertices
+    bool streamed; ///< piece by piece
+};
+std::span<const MeshFormatTraits> mesh_formats();
 
 /// By the file's ending. Throws Error naming the endings.
 MeshFormat mesh_format_of(const std::filesystem::path& path);

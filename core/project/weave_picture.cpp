@@ -31,7 +31,7 @@ DraftImport imported(const std::string& name, int ends, int picks, const std::ve
                     up.begin() + static_cast<std::ptrdiff_t>(pick * row));
     DraftImport result;
     Fabric& fabric = result.fabric;
-    fabric.name = std::filesystem::path(name).stem().string().substr(0, 200);
+    fabric.name = cut_text(name_of_file(name), longest_name);
     if (fabric.name.empty()) fabric.name = "weave";
     fabric.warp.diameter_mm = fabric.weft.diameter_mm = assumed_diameter_mm;
     fabric.weave = reduced({ends, picks, std::move(up)});
@@ -121,17 +121,14 @@ DraftImport import_grid(std::string_view bytes, const std::string& name)
 {
     const std::string text = decoded_text(bytes, name);
     std::vector<std::string_view> rows;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        std::string_view row = rest.substr(0, end);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        if (row.ends_with('\r')) row.remove_suffix(1);
-        rows.push_back(row);
+    for (std::string_view rest = text; !rest.empty();) {
+        rows.push_back(take_line(rest));
         if (rows.size() > static_cast<std::size_t>(largest_repeat) + 1000) refuse_size(name, 0, static_cast<long long>(rows.size()));
     }
     while (!rows.empty() && rows.back().empty()) rows.pop_back();
-    while (!rows.empty() && rows.front().empty()) rows.erase(rows.begin());
+    std::size_t empty = 0;
+    while (empty < rows.size() && rows[empty].empty()) ++empty;
+    rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(empty));
     std::size_t ends = 0;
     for (std::string_view row : rows) ends = std::max(ends, row.size());
     const auto limit = static_cast<std::size_t>(largest_repeat);
@@ -148,15 +145,15 @@ DraftImport import_grid(std::string_view bytes, const std::string& name)
     std::vector<std::uint8_t> up(ends * rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (!crosses && rows[row].size() != ends)
-            throw FileError(fmt::format("{}: line {}: All rows need {} crossings as the longest; this one has {}.", name, row + 1, ends,
-                                        rows[row].size()));
+            throw FileError(fmt::format("{}: line {}: All rows need {} crossings as the longest; this one has {}.", name, empty + row + 1,
+                                        ends, rows[row].size()));
         for (std::size_t end = 0; end < rows[row].size(); ++end) {
             const char mark = rows[row][end];
             const bool is_up = mark == '1' || mark == '#' || mark == 'x' || mark == 'X';
             if (!is_up && mark != '0' && mark != '.' && !(crosses && mark == ' '))
                 throw FileError(
                     fmt::format("{}: line {}, column {}: A drawing is made of 0 and 1, of . and #, or of blanks and x (warp up).", name,
-                                row + 1, end + 1));
+                                empty + row + 1, end + 1));
             up[row * ends + end] = is_up;
         }
     }

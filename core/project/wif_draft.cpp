@@ -70,11 +70,11 @@ private:
         if (!version)
             note("The file does not say its version; it was read as WIF 1.1.");
         else if (*version != "1.1" && *version != "1.0")
-            note(fmt::format("The file says that it is WIF {}; it was read as WIF 1.1.", version->substr(0, 40)));
+            note(fmt::format("The file says that it is WIF {}; it was read as WIF 1.1.", cut_text(*version, 40)));
         const auto date = file_.value("WIF", "Date");
         if (date && *date != "April 20, 1997")
             note(fmt::format("The file's date is \"{}\", where the format asks for its own date, April 20, 1997; it has no meaning.",
-                             date->substr(0, 60)));
+                             cut_text(*date, 60)));
     }
 
     void look_at_contents()
@@ -86,7 +86,7 @@ private:
         }
         std::string missing, undeclared;
         const auto list = [](std::string& names, const std::string& name) {
-            if (names.size() < 200) names += (names.empty() ? "[" : ", [") + name.substr(0, 60) + "]";
+            if (names.size() < 200) names += (names.empty() ? "[" : ", [") + cut_text(name, 60) + "]";
         };
         std::vector<std::string> declared;
         std::map<std::string, const WifSection*> by_name;
@@ -183,7 +183,7 @@ private:
         if (!value) return otherwise;
         const auto number = whole_number(*value);
         if (number && *number >= 0) return *number;
-        warn(fmt::format("[{}] {} is \"{}\", which is no number; it was worked out from the draft.", section, key, value->substr(0, 40)));
+        warn(fmt::format("[{}] {} is \"{}\", which is no number; it was worked out from the draft.", section, key, cut_text(*value, 40)));
         return otherwise;
     }
 
@@ -308,7 +308,7 @@ private:
                 high_ = *first;
                 note(fmt::format("The colours' range is given by one number, {}; it was read as 0 to {}.", *first, *first));
             } else {
-                warn(fmt::format("The colours' range \"{}\" makes no sense; 0 to {} was taken.", range->substr(0, 40), high_));
+                warn(fmt::format("The colours' range \"{}\" makes no sense; 0 to {} was taken.", cut_text(*range, 40), high_));
             }
         } else if (!table.empty()) {
             warn(fmt::format("The colours' range is missing; 0 to {} was taken.", high_));
@@ -345,7 +345,7 @@ private:
         int unknown = 0;
         if (const auto value = file_.value(system, "Color"); value && !color_in(*value, usual))
             warn(fmt::format("[{}] Color is {}, which the colour table does not have; the threads without a colour of their own have none.",
-                             system, value->substr(0, 40)));
+                             system, cut_text(*value, 40)));
         threads.colors.assign(static_cast<std::size_t>(count), usual);
         const auto colors = by_index(system + " COLORS", most_imported_threads);
         for (std::size_t i = 0; i < std::min(colors.size(), threads.colors.size()); ++i)
@@ -364,7 +364,7 @@ private:
         if (const auto value = file_.value(system, key)) {
             usual = real_number(*value);
             if (!usual || *usual <= 0) {
-                warn(fmt::format("[{}] {} is \"{}\", which is no length; it was left out.", system, key, value->substr(0, 40)));
+                warn(fmt::format("[{}] {} is \"{}\", which is no length; it was left out.", system, key, cut_text(*value, 40)));
                 usual.reset();
             }
         }
@@ -393,7 +393,7 @@ private:
         if (std::find(no_unit_.begin(), no_unit_.end(), system) == no_unit_.end()) {
             no_unit_.push_back(system);
             warn(fmt::format("[{}] Units is {}, where Decipoints, Inches or Centimeters is meant; centimetres were taken.", system,
-                             unit ? "\"" + std::string(unit->substr(0, 40)) + "\"" : "missing"));
+                             unit ? "\"" + cut_text(*unit, 40) + "\"" : "missing"));
         }
         return 1;
     }

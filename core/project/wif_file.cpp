@@ -115,13 +115,13 @@ private:
         if (inside.find('=') != std::string_view::npos) { // "[Version=1.1]"
             if (!here_) here_ = &section("WIF");
             take_entry(inside);
-            remark(fmt::format("The line \"{}\" is an entry in brackets; it was read as an entry.", line.substr(0, 60)));
+            remark(fmt::format("The line \"{}\" is an entry in brackets; it was read as an entry.", cut_text(line, 60)));
             return true;
         }
         const std::string name = section_name(inside);
         if (name.empty()) return false;
         if (!after.empty())
-            remark(fmt::format("Words after the section's name [{}] were left out: \"{}\".", name.substr(0, 60), after.substr(0, 60)));
+            remark(fmt::format("Words after the section's name [{}] were left out: \"{}\".", cut_text(name, 60), cut_text(after, 60)));
         const bool known = places_.count(name) > 0;
         here_ = &section(name);
         if (known && !is_foreign(name)) remark(fmt::format("The section [{}] stands twice; both were read, the later one counts.", name));
@@ -236,16 +236,21 @@ std::string decoded_text(std::string_view bytes, const std::string& name)
     return is_utf8(bytes) ? std::string(bytes) : from_windows_1252(bytes);
 }
 
+std::string name_of_file(const std::string& path) { return decoded_text(std::filesystem::path(path).stem().string(), path); }
+
+std::string_view take_line(std::string_view& text)
+{
+    const std::string_view line = text.substr(0, std::min(text.find_first_of("\n\r"), text.size()));
+    text.remove_prefix(line.size());
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
+    return line;
+}
+
 WifFile parse_wif(std::string_view text)
 {
     WifFile file;
     Sorter sorter(file);
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\n\r"), text.size());
-        sorter.take(text.substr(0, end));
-        text.remove_prefix(end);
-        text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
-    }
+    while (!text.empty()) sorter.take(take_line(text));
     for (const WifSection& section : file.sections)
         if (section.strays > 0)
             file.remarks.push_back({Severity::warning, fmt::format("{} {} of [{}] left out: not of the form key=value.", section.strays,

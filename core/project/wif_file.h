@@ -2,9 +2,12 @@
 // The lines of a WIF file, sorted into sections; tolerant of all that drafting programs are known to write.
 #pragma once
 
+#include "core/base/text.h"
 #include "core/project/draft_import.h"
 
 namespace hygroloom {
+
+constexpr std::size_t longest_name = 200; ///< bytes, of a fabric
 
 struct WifEntry {
     std::string_view key;
@@ -30,6 +33,11 @@ struct WifFile {
 
 /// UTF-8 without a byte order mark, from UTF-8 or Windows-1252.
 std::string decoded_text(std::string_view bytes, const std::string& name);
+
+/// A file's name without its folder and ending, in UTF-8.
+std::string name_of_file(const std::string& path);
+/// Takes the first line off, which LF, CR or both end.
+std::string_view take_line(std::string_view& text);
 
 WifFile parse_wif(std::string_view text);
 

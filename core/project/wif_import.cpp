@@ -285,7 +285,7 @@ std::vector<std::string> private_lines(const WifFile& file, std::vector<ImportLi
         for (std::string_view line : section.lines) size += line.size() + 1;
         if (bytes + size > most_private_bytes) {
             report.push_back(
-                {Severity::warning, fmt::format("The private section [{}] is too large to be kept.", section.name.substr(0, 60))});
+                {Severity::warning, fmt::format("The private section [{}] is too large to be kept.", cut_text(section.name, 60))});
             continue;
         }
         bytes += size;
@@ -312,24 +312,19 @@ void use_known_materials(Yarn& yarn, const Design& known, std::vector<ImportLine
 std::string fabric_name(const WifFile& file, const std::string& name)
 {
     std::string title(file.value("TEXT", "Title").value_or(""));
-    if (title.empty()) title = std::filesystem::path(name).stem().string();
-    if (title.size() > 200) {
-        title.resize(200);
-        while (!title.empty() && (static_cast<unsigned char>(title.back()) & 0xC0) == 0x80) title.pop_back(); // no half of a character
-        if (!title.empty() && static_cast<unsigned char>(title.back()) >= 0xC0) title.pop_back();
-    }
-    return title.empty() ? "draft" : title;
+    if (title.empty()) title = name_of_file(name);
+    return title.empty() ? "draft" : cut_text(title, longest_name);
 }
 
 void tell_of_text(const WifFile& file, std::vector<ImportLine>& report)
 {
     for (const char* key : {"Author", "Address", "EMail", "Telephone", "FAX"})
         if (const auto value = file.value("TEXT", key))
-            report.push_back({Severity::note, fmt::format("{}: {} (not kept).", key, value->substr(0, 200))});
+            report.push_back({Severity::note, fmt::format("{}: {} (not kept).", key, cut_text(*value, 200))});
     if (const WifSection* notes = file.find("NOTES"))
         for (std::size_t i = 0; i < std::min<std::size_t>(notes->entries.size(), 20); ++i)
             if (!notes->entries[i].value.empty())
-                report.push_back({Severity::note, fmt::format("Note: {} (not kept).", notes->entries[i].value.substr(0, 200))});
+                report.push_back({Severity::note, fmt::format("Note: {} (not kept).", cut_text(notes->entries[i].value, 200))});
 }
 
 } // namespace
@@ -347,9 +342,10 @@ DraftImport import_wif(std::string_view bytes, const std::string& name, const De
                    fmt::format("Read {} ends on {} shafts and {} picks{}{}.", draft.draft.ends(), draft.draft.shafts, draft.draft.picks(),
                                draft.draft.liftplan.empty() ? fmt::format(" with {} treadles", draft.draft.treadles) : " with a liftplan",
                                draft.draft.rising_shed ? "" : ", on a sinking shed")});
+    const std::string version = cut_text(file.value("WIF", "Source Version").value_or(""), 40);
     if (const auto program = file.value("WIF", "Source Program"))
-        report.insert(report.begin() + 1, {Severity::note, fmt::format("The file was written by {} {}.", program->substr(0, 80),
-                                                                       file.value("WIF", "Source Version").value_or("").substr(0, 40))});
+        report.insert(report.begin() + 1, {Severity::note, fmt::format("The file was written by {}{}.", cut_text(*program, 80),
+                                                                       version.empty() ? "" : " " + version)});
     std::optional<OwnFabric> own = own_fabric(file, name, report);
     draft.draft.private_lines = private_lines(file, report);
 

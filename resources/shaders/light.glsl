@@ -30,12 +30,9 @@ vec3 wetted(sampler2D ramp, vec3 dry, float wet, float bare)
 }
 
 // An even spread of thresholds over the pixels, for fading from one shape to another.
-uniform vec3 fibre_belt;      // pixels of a pitch at depth 1, begin and end of the belt where fibres take over
 bool left_out(float fade)
 {
     float share = abs(fade);
-    if (share > 1.5)
-        share = clamp((fibre_belt.x * gl_FragCoord.w - fibre_belt.y) / (fibre_belt.z - fibre_belt.y), 0.0, 1.0);
     ivec2 p = ivec2(gl_FragCoord.xy);
     int x = p.x ^ p.y;
     int rank = ((x & 1) << 5) | ((p.y & 1) << 4) | ((x & 2) << 2) | ((p.y & 2) << 1) | ((x & 4) >> 1) | ((p.y & 4) >> 2);

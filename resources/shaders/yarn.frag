@@ -12,8 +12,9 @@ flat in float smooth_skin;
 uniform sampler2D ramp;       // colours of water
 uniform float bare;           // share of full water below which the fabric's own colour shows
 uniform vec4 cut;
+uniform vec3 fibre_belt;      // pixels of a pitch at depth 1, begin and end of the belt where fibres take over
 
-out vec4 color;
+out vec4 color;               // alpha: share of the fibres in that belt
 
 // The inside of a yarn is only seen where it is cut: shown as a flat cut, with the ends of its fibres.
 vec3 cut_face(vec3 base, vec3 from, vec3 towards)
@@ -34,10 +35,11 @@ void main()
     if (left_out(fade))
         discard;
 #endif
+    float fibres = clamp((fibre_belt.x * gl_FragCoord.w - fibre_belt.y) / (fibre_belt.z - fibre_belt.y), 0.0, 1.0);
     vec3 to_eye = normalize(eye - at);
     vec3 base = wetted(ramp, mix(dry.rgb, marked_color, 0.7 * chosen), wet, bare);
     if (!gl_FrontFacing) {
-        color = vec4(cut_face(base, at, -to_eye), 1.0);
+        color = vec4(cut_face(base, at, -to_eye), fibres);
         return;
     }
     vec3 n = normalize(facing);
@@ -62,5 +64,5 @@ void main()
     vec3 lamp = lamp_direction(to_eye);
     float reach = open * light_at_height(at.z);
     float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.04, 0.28, cover);
-    color = vec4(light_on(base * groove, bent * reach, reach, lamp) + vec3(shine * reach), 1.0);
+    color = vec4(light_on(base * groove, bent * reach, reach, lamp) + vec3(shine * reach), fibres);
 }

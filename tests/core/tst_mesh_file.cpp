@@ -377,6 +377,26 @@ private Q_SLOTS:
         const Exported exported = export_textile(textile, striped, options, path("striped.obj"));
         QVERIFY(text_of(exported.files[1]).find("newmtl extra_1") != std::string::npos);
     }
+    void longYarnsAreMadeFewAtATime()
+    {
+        Textile long_yarns = cloth();
+        long_yarns.weft.count = 30000; // an end has 240 001 rings of 13 vertices
+        const ExportEstimate size = export_estimate(long_yarns, fabric(), with(MeshDetail::yarn), MeshFormat::ply);
+        QCOMPARE(size.refusal, std::string());
+        QVERIFY(size.memory > 100e6 && size.memory <= largest_stream_memory);
+    }
+    void namesThatDifferInBlanksKeepTheirOwnMaterials()
+    {
+        const Textile textile = cloth();
+        std::set<fs::path> materials;
+        for (const char* name : {"a b.obj", "a_b.obj", "a  b.obj"}) {
+            const Exported exported = export_textile(textile, fabric(), with(MeshDetail::yarn), path(name));
+            materials.insert(exported.files[1]);
+            QVERIFY(text_of(exported.files[0]).find("mtllib " + exported.files[1].filename().string() + "\n") != std::string::npos);
+            QCOMPARE(exported.files[1].string().substr(folder_.path().size()).find(' '), std::string::npos);
+        }
+        QCOMPARE(materials.size(), std::size_t(3));
+    }
     void glTFBuffersAreNumbered()
     {
         // A buffer ends at 2 GiB: foretold, not written.

@@ -289,6 +289,10 @@ private Q_SLOTS:
         write_project(rich(), link);
         QVERIFY(fs::is_symlink(link));
         QCOMPARE(int(fs::status(file).permissions()), 0600);
+        const fs::path dangling = path("links/dangling.hygro"), later = path("links/later.hygro");
+        fs::create_symlink("later.hygro", dangling);
+        write_project(rich(), dangling);
+        QVERIFY(fs::is_symlink(dangling) && fs::is_regular_file(later));
         QVERIFY(read_project(file) == rich());
     }
     void failedSaveLeavesEverythingAsItWas()

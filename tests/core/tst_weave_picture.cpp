@@ -79,11 +79,20 @@ private Q_SLOTS:
     void threeWaysOfDrawingGiveTheSameWeave()
     {
         const Weave expected = weave_from_pattern("twill 2/1 Z"); // from the top: 011 110 101
-        for (const char* text : {"011\n110\n101\n", "011\r\n110\r\n101", "\n.##\n##.\n#.#\n\n", " xx\nxx\nx x\n", " XX\nXX \nX X"}) {
+        for (const char* text :
+             {"011\n110\n101\n", "011\r\n110\r\n101", "011\r110\r101\r", "\n.##\n##.\n#.#\n\n", " xx\nxx\nx x\n", " XX\nXX \nX X"}) {
             const DraftImport draft = import_grid(text, "folder/my twill.txt");
             QVERIFY(draft.fabric.weave.same_matrix(expected));
             QCOMPARE(draft.fabric.name, std::string("my twill"));
         }
+    }
+    void namesAreCutBetweenCharacters()
+    {
+        std::string name;
+        for (int i = 0; i < 150; ++i) name += "ü";
+        QCOMPARE(import_grid("10\n01\n", name.substr(0, 200) + ".txt").fabric.name, name.substr(0, 200));
+        QCOMPARE(import_grid("10\n01\n", "x" + name + ".txt").fabric.name, "x" + name.substr(0, 198));
+        QCOMPARE(import_grid("10\n01\n", "\xFC.txt").fabric.name, std::string("ü")); // a name in Windows-1252
     }
     void aDrawingIsReducedToItsRepeat()
     {
@@ -96,6 +105,7 @@ private Q_SLOTS:
         QCOMPARE(refusal("10\n1\n"), std::string("w.txt: line 2: All rows need 2 crossings as the longest; this one has 1."));
         QCOMPARE(refusal("10\n1a\n"),
                  std::string("w.txt: line 2, column 2: A drawing is made of 0 and 1, of . and #, or of blanks and x (warp up)."));
+        QVERIFY(refusal("\n\n10\n1\n").find("line 4: ") != std::string::npos); // empty lines count
         QVERIFY(refusal("x.\n.x\n").find("mixes x with other marks") != std::string::npos);
         QVERIFY(refusal("\n\n").find("a weave has from 1 to 2000") != std::string::npos);
         QVERIFY(refusal(std::string(2001, '1')).find("2001 ends") != std::string::npos);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The whole window, driven as a designer would. Needs a display: xvfb-run.
+#include "core/design/draft.h"
 #include "core/project/project_file.h"
 #include "ui/appearance.h"
 #include "ui/chart.h"
+#include "ui/command_palette.h"
+#include "ui/export_dialog.h"
+#include "ui/import_dialog.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
 #include "ui/simulation_panel.h"
@@ -13,13 +17,15 @@
 #include <QAbstractButton>
 #include <QAbstractSlider>
 #include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -30,14 +36,7 @@ class TestMainWindow : public QObject {
     Q_OBJECT
 
 public:
-    static void initMain()
-    {
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        QSurfaceFormat::setDefaultFormat(format);
-    }
+    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
@@ -247,6 +246,132 @@ private Q_SLOTS:
         QVERIFY(QSettings().value("recent").toStringList().first().endsWith("textile-A.hygro"));
     }
 
+    void aDroppedDraftAsksAndBecomesACandidate()
+    {
+        const QString path = QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/wif/desired_basic_wif__two_color_liftplan.wif";
+        const std::size_t before = window_->document().design()->fabrics.size();
+        for (const bool agreed : {false, true}) {
+            bool asked = false;
+            QTimer::singleShot(200, this, [&] {
+                if (auto* page = qobject_cast<ImportDialog*>(QApplication::activeModalWidget())) {
+                    asked = true;
+                    agreed ? page->accept() : page->reject();
+                }
+            });
+            QMimeData data;
+            data.setUrls({QUrl::fromLocalFile(path)});
+            QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(window_.get(), &enter);
+            QVERIFY(enter.isAccepted());
+            QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(window_.get(), &drop);
+            QVERIFY(asked);
+            QCOMPARE(window_->document().design()->fabrics.size(), before + (agreed ? 1 : 0));
+        }
+        QVERIFY(window_->document().fabric()->weave.draft());
+        window_->document().history()->undo();
+        QCOMPARE(window_->document().design()->fabrics.size(), before);
+    }
+
+    void exportDraftWritesTheChosenFabricsDraft()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("chosen.wif");
+        QTimer::singleShot(200, this, [&] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                dialog->findChild<QLineEdit*>()->setText(path);
+                QMetaObject::invokeMethod(dialog, "accept");
+            }
+        });
+        trigger("Export Draft");
+        const DraftImport read = import_draft(path.toStdString());
+        QVERIFY(read.fabric.weave.same_matrix(window_->document().fabric()->weave));
+        QCOMPARE(read.fabric.ends_per_cm, window_->document().fabric()->ends_per_cm);
+    }
+
+    void exportMeshOpensOneDialogBesideTheWindow()
+    {
+        trigger("Export Mesh");
+        trigger("Export Mesh");
+        const auto dialogs = window_->findChildren<ExportDialog*>();
+        QCOMPARE(dialogs.size(), 1);
+        QVERIFY(dialogs.first()->isVisible());
+        QVERIFY(!dialogs.first()->isModal());
+        dialogs.first()->close();
+        QTRY_VERIFY(window_->findChildren<ExportDialog*>().isEmpty());
+    }
+
+    void closingAsksAboutAnExport()
+    {
+        QTemporaryDir folder;
+        trigger("Export Mesh");
+        auto* dialog = window_->findChild<ExportDialog*>();
+        for (QComboBox* box : dialog->findChildren<QComboBox*>()) {
+            box->setCurrentIndex(box->accessibleName() == "Detail" ? 2 : 1); // PLY, fibres, a size
+        }
+        for (QuantityEdit* edit : dialog->findChildren<QuantityEdit*>()) {
+            if (edit->accessibleName() == "Width along the weft" || edit->accessibleName() == "Height along the warp") {
+                edit->setText("20 mm");
+            }
+        }
+        dialog->setFile(folder.filePath("large.ply"));
+        QSignalSpy ended(dialog, &ExportDialog::ended);
+        dialog->start();
+        QVERIFY(dialog->writing());
+        bool asked = false;
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked = true;
+                QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+            }
+        });
+        QVERIFY(!window_->close());
+        QVERIFY(asked);
+        QVERIFY(dialog->writing());
+        dialog->cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 10000);
+        dialog->close();
+        QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+    }
+
+    void anyCommandIsFoundByAFewLetters()
+    {
+        CommandPalette palette(*window_->menuBar());
+        QVERIFY(palette.shown() > 40);
+        palette.search("mesh exp");
+        QCOMPARE(palette.shown(), 1);
+        QCOMPARE(palette.chosen()->text(), QString("Export &Mesh…"));
+        palette.search("stop"); // nothing runs
+        QVERIFY(palette.shown() >= 1);
+        QVERIFY(!palette.chosen());
+        palette.search("no command has this name");
+        QCOMPARE(palette.shown(), 0);
+        QVERIFY(!palette.chosen());
+    }
+
+    void ctrlKDoesWhatIsChosen()
+    {
+        window_->setWorkspace(Workspace::design);
+        QTimer::singleShot(200, this, [] {
+            if (auto* palette = qobject_cast<CommandPalette*>(QApplication::activeModalWidget())) {
+                QTest::keyClicks(palette->findChild<QLineEdit*>(), "view simulate");
+                QTest::keyClick(palette->findChild<QLineEdit*>(), Qt::Key_Return);
+            }
+        });
+        trigger("Find Command");
+        QCOMPARE(window_->workspace(), Workspace::simulate);
+    }
+
+    void everyLookCanBeChosenAndIsKept()
+    {
+        for (const Appearance look : {Appearance::contrast, Appearance::dark, Appearance::light}) {
+            saveAppearance(look);
+            QCOMPARE(savedAppearance(), look);
+            applyAppearance(look);
+            QCOMPARE(isDark(QApplication::palette()), look != Appearance::light);
+        }
+    }
+
     void closingAsksAboutUnsavedChanges()
     {
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });
@@ -263,6 +388,17 @@ private Q_SLOTS:
     }
 
 private:
+    void trigger(const QString& words)
+    {
+        for (QAction* action : window_->findChildren<QAction*>()) {
+            if (action->text().remove('&').startsWith(words)) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable("There is no action " + words));
+    }
+
     QImage settled()
     {
         QTest::qWait(300);

@@ -11,7 +11,6 @@
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -41,6 +40,21 @@ std::array<double, 3> meanColor(const QImage& picture)
     return sum;
 }
 
+/// Share of the pixels that stand out from all four neighbours.
+double dots(const QImage& picture)
+{
+    int found = 0;
+    const QRect middle(picture.width() / 4, picture.height() / 4, picture.width() / 2, picture.height() / 2);
+    for (int y = middle.top(); y <= middle.bottom(); ++y) {
+        for (int x = middle.left(); x <= middle.right(); ++x) {
+            const auto off = [&](int dx, int dy) { return qGray(picture.pixel(x, y)) - qGray(picture.pixel(x + dx, y + dy)); };
+            const int offs[] = {off(1, 0), off(-1, 0), off(0, 1), off(0, -1)};
+            found += *std::min_element(offs, offs + 4) > 8 || *std::max_element(offs, offs + 4) < -8 ? 1 : 0;
+        }
+    }
+    return found / (static_cast<double>(middle.width()) * middle.height());
+}
+
 double difference(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
@@ -52,14 +66,7 @@ class TestView : public QObject {
     Q_OBJECT
 
 public:
-    static void initMain()
-    {
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        QSurfaceFormat::setDefaultFormat(format);
-    }
+    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
@@ -187,6 +194,30 @@ private Q_SLOTS:
         QCOMPARE(finest, fibre_level);
         QVERIFY2(difference(far, near) < 30, qPrintable(QString("%1 to %2").arg(far[0]).arg(near[0])));
         qInfo("fibres: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->triangles());
+    }
+
+    void skinsBlendIntoFibresWithoutDots()
+    {
+        const double pitch = canvas_->fabric()->pitch().x() / canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size()));
+        zoom(0.5 * (fibre_belt_pixels[0] + fibre_belt_pixels[1]) / pitch);
+        const QImage picture = window_->viewport().picture();
+        const auto& batches = canvas_->scene().batches();
+        QVERIFY(std::any_of(batches.begin(), batches.end(), [](const CellBatch& batch) { return !batch.of(CellRole::fibres).empty(); }));
+        QVERIFY2(dots(picture) < 0.01, qPrintable(QString::number(dots(picture))));
+        QVERIFY(qAlpha(picture.pixel(picture.rect().center())) == 255);
+    }
+
+    void fibresTakeTheColourOfTheirWater()
+    {
+        const double pitch = canvas_->fabric()->pitch().x() / canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size()));
+        zoom(400 / pitch);
+        const auto dry = meanColor(window_->viewport().picture());
+        QCOMPARE(canvas_->scene().batches().back().key.level, fibre_level);
+        canvas_->setWater(std::vector<float>(static_cast<std::size_t>(canvas_->fabric()->textile.segments()), 0.6F), 1);
+        const auto wet = meanColor(window_->viewport().picture());
+        canvas_->setWater({}, 1);
+        QVERIFY(dry[2] < dry[0]);
+        QVERIFY2(wet[2] > wet[0] + 20, qPrintable(QString("%1 %2").arg(wet[0]).arg(wet[2])));
     }
 
     void stripesHaveTheColoursOfTheDraft()
