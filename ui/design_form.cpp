@@ -77,6 +77,14 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     grid_->addWidget(content, row + 2, 0, 1, 3);
 }
 
+QWidget* DesignForm::addGroup()
+{
+    auto* group = new QWidget(this);
+    grid_->addWidget(group, grid_->rowCount(), 0, 1, 3);
+    target_ = formGrid(group);
+    return group;
+}
+
 QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignField& field, bool optional)
 {
     auto* edit = new QuantityEdit(quantity);

@@ -33,6 +33,8 @@ public:
 
     /// A heading; the rows that follow fold away with it when foldable.
     void addSection(const QString& title, bool foldable = false, bool open = true);
+    /// A part without a heading, for rows that are shown and hidden together; it ends with the next section or group.
+    QWidget* addGroup();
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
     /// Any other widget in the field column, with its label.
     void addRow(const QString& label, QWidget* widget);
