@@ -38,21 +38,38 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
     connect(&document_, &Document::designChanged, this, &DesignForm::refresh);
 }
 
-void DesignForm::addSection(const QString& title, bool foldable, bool open)
+void FormSection::open() const
+{
+    heading->setChecked(true);
+}
+
+void FormSection::setShown(bool shown) const
+{
+    heading->setVisible(shown);
+    content->setVisible(shown && heading->isChecked());
+}
+
+int DesignForm::nextSection()
 {
     target_ = grid_;
     const int row = grid_->rowCount();
     if (row > 1) {
         grid_->setRowMinimumHeight(row, 8);
     }
-    if (!foldable) {
-        auto* heading = new QLabel(title);
-        QFont font = heading->font();
-        font.setBold(true);
-        heading->setFont(font);
-        grid_->addWidget(heading, row + 1, 0, 1, 3);
-        return;
-    }
+    return row + 1;
+}
+
+void DesignForm::addSection(const QString& title)
+{
+    auto* heading = new QLabel(title);
+    QFont font = heading->font();
+    font.setBold(true);
+    heading->setFont(font);
+    grid_->addWidget(heading, nextSection(), 0, 1, 3);
+}
+
+FormSection DesignForm::addFoldable(const QString& title, bool open)
+{
     auto* button = new QToolButton;
     button->setText(title);
     button->setAccessibleName(title);
@@ -65,6 +82,7 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     QFont font = button->font();
     font.setBold(true);
     button->setFont(font);
+    const int row = nextSection();
     auto* content = new QWidget(this);
     target_ = formGrid(content);
     const auto turn = [button, content](bool on) {
@@ -73,8 +91,9 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     };
     turn(open);
     connect(button, &QToolButton::toggled, content, turn);
-    grid_->addWidget(button, row + 1, 0, 1, 3);
-    grid_->addWidget(content, row + 2, 0, 1, 3);
+    grid_->addWidget(button, row, 0, 1, 3);
+    grid_->addWidget(content, row + 1, 0, 1, 3);
+    return {button, content};
 }
 
 QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignField& field, bool optional)

@@ -5,6 +5,7 @@
 #include "core/project/library.h"
 #include "ui/yarn_panel.h"
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -19,14 +20,25 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent)
     , form_(new DesignForm(document))
 {
     addConstruction();
-    YarnPanel* warp = new YarnPanel(*form_, false, this);
-    YarnPanel* weft = new YarnPanel(*form_, true, this);
-    Q_UNUSED(warp)
-    Q_UNUSED(weft)
+    warp_ = new YarnPanel(*form_, YarnUse::warp, this);
+    new YarnPanel(*form_, YarnUse::weft, this);
+    stripes_ = new YarnPanel(*form_, YarnUse::stripes, this);
     addFlyaway();
     addMeasured();
     form_->fill(this);
     form_->refresh();
+}
+
+void FabricPanel::showYarn(int yarn)
+{
+    YarnPanel* panel = yarn > 0 ? stripes_ : warp_;
+    panel->choose(yarn);
+    // The form has to know its size before it can scroll there.
+    QMetaObject::invokeMethod(this, [this, panel] {
+        widget()->layout()->activate();
+        ensureWidgetVisible(panel->section().content, 0, 0);
+        ensureWidgetVisible(panel->section().heading, 0, 8);
+    }, Qt::QueuedConnection);
 }
 
 DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
@@ -155,7 +167,7 @@ void FabricPanel::addDerived()
 
 void FabricPanel::addFlyaway()
 {
-    form_->addSection(tr("Flyaways"), true, false);
+    form_->addFoldable(tr("Flyaways"), false);
     const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member, const Quantity& quantity) {
         form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
                                            [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
@@ -168,7 +180,7 @@ void FabricPanel::addFlyaway()
 
 void FabricPanel::addMeasured()
 {
-    form_->addSection(tr("Measured in the laboratory"), true, false);
+    form_->addFoldable(tr("Measured in the laboratory"), false);
     const auto add = [this](const QString& label, const QString& undo, const char* where, std::optional<double> Measured::*member,
                             const Quantity& quantity) {
         return form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return f.measured.*member; },

@@ -9,6 +9,7 @@
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
 #include "ui/issues_panel.h"
+#include "ui/order_editor.h"
 #include "ui/point_paper.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
@@ -230,6 +231,11 @@ void MainWindow::connectParts()
         draft_dock_->setVisible(true);
         resizeDocks({draft_dock_}, {std::max(300, height() * 2 / 5)}, Qt::Vertical);
         draft_->paper()->setFocus();
+    });
+    connect(draft_->order(), &OrderEditor::yarnActivated, this, [this](int yarn) {
+        fabric_dock_->setVisible(true);
+        fabric_dock_->raise();
+        fabric_panel_->showYarn(yarn);
     });
     connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
         (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);

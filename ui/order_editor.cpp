@@ -47,7 +47,7 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent)
     , list_(new QListWidget)
 {
     list_->setAccessibleName(tr("Yarns of the fabric"));
-    list_->setToolTip("<p>" + tr("Choose a yarn, then drag over the bars along the draft.") + "</p>");
+    list_->setToolTip("<p>" + tr("Choose a yarn, then drag over the bars along the draft. Double click it for its fibre, count and twist.") + "</p>");
     list_->setFrameShape(QFrame::NoFrame);
     list_->setIconSize({16, 16});
     auto* buttons = new QHBoxLayout;
@@ -85,6 +85,7 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent)
     layout->addLayout(buttons);
     layout->addLayout(fields);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) { remove_->setEnabled(row > 0); });
+    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { Q_EMIT yarnActivated(list_->row(item)); });
     connect(&document_, &Document::designChanged, this, &OrderEditor::refresh);
     refresh();
 }

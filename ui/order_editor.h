@@ -26,6 +26,10 @@ public:
     void removeYarn();
     void setColor(const QColor& color);
 
+Q_SIGNALS:
+    /// The user wants to see the fields of a yarn.
+    void yarnActivated(int yarn);
+
 private:
     void refresh();
     void pickColor();

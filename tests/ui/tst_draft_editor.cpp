@@ -10,7 +10,9 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 
@@ -157,6 +159,19 @@ private Q_SLOTS:
         QVERIFY(document_->fabric()->warp_order.empty());
         while (document_->history()->canUndo()) { document_->history()->undo(); }
         QVERIFY(document_->fabric()->extra_yarns.empty());
+    }
+
+    void aDoubleClickOnAYarnAsksForItsFields()
+    {
+        OrderEditor* order = editor_->order();
+        order->addYarn();
+        QSignalSpy asked(order, &OrderEditor::yarnActivated);
+        auto* list = order->findChild<QListWidget*>();
+        const QPoint at = list->visualItemRect(list->item(1)).center();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(asked.first().first().toInt(), 1);
     }
 
     void anOrderCanBeTyped()
