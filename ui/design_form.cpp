@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -26,6 +28,18 @@ QGridLayout* formGrid(QWidget* owner)
     grid->setColumnMinimumWidth(0, label_width);
     return grid;
 }
+
+/// Flat although it is checked while its rows show. No style sheet: one would keep the colours of the look it was made in.
+class SectionHeading : public QToolButton {
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QStyleOptionToolButton option;
+        initStyleOption(&option);
+        option.state &= ~(QStyle::State_On | QStyle::State_Sunken);
+        QStylePainter(this).drawComplexControl(QStyle::CC_ToolButton, option);
+    }
+};
 
 } // namespace
 
@@ -70,14 +84,13 @@ void DesignForm::addSection(const QString& title)
 
 FormSection DesignForm::addFoldable(const QString& title, bool open)
 {
-    auto* button = new QToolButton;
+    auto* button = new SectionHeading;
     button->setText(title);
     button->setAccessibleName(title);
     button->setToolTip(tr("Show or hide these fields."));
     button->setCheckable(true);
     button->setChecked(open);
     button->setAutoRaise(true);
-    button->setStyleSheet("QToolButton { border: none; padding: 2px 0; }");
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     QFont font = button->font();
     font.setBold(true);
