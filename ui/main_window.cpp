@@ -324,8 +324,8 @@ void MainWindow::refreshStale()
 void MainWindow::refreshIssueCount()
 {
     int counts[3] = {};
-    for (const Issue& issue : document_.issues()) {
-        ++counts[static_cast<int>(issue.severity)];
+    for (const Issue* issue : issuesToTell(document_)) {
+        ++counts[static_cast<int>(issue->severity)];
     }
     QStringList parts;
     const auto count = [&](Severity severity, const QString& one, const QString& many) {

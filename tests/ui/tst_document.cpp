@@ -5,6 +5,7 @@
 #include "ui/examples.h"
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
+#include "ui/issues_panel.h"
 #include "ui/point_paper.h"
 #include "ui/quantity_edit.h"
 #include "ui/weave_editor.h"
@@ -88,6 +89,36 @@ private Q_SLOTS:
         });
         QCOMPARE(choice->currentIndex(), 0);
         QCOMPARE(diameter->value(), document_->fabric()->extra_yarns[0].diameter_mm);
+    }
+
+    void issuesSayWhatTheyAreAboutAndErrorsComeFirst()
+    {
+        document_->edit("wrong", {}, [](Design& d) {
+            d.fabrics.resize(1);
+            d.fabrics[0].name = "Denim";
+            d.fabrics[0].contact_angle_deg.reset();
+            d.fabrics[0].warp.material = {{"polyester", 1}};
+            d.fabrics[0].weft = d.fabrics[0].warp;
+            d.fabrics[0].warp.twist_per_m = d.fabrics[0].weft.twist_per_m = -1;
+            d.fabrics[0].extra_yarns = {Yarn{}};
+            d.fabrics[0].extra_yarns[0].diameter_mm = -1;
+            d.fabrics[0].weave = Weave(2, 1, {1, 0}); // ends that never change sides: a warning
+        });
+        QStringList sentences;
+        Severity last = Severity::error;
+        for (const Issue* issue : issuesToTell(*document_)) {
+            QVERIFY(issue->severity <= last);
+            last = issue->severity;
+            sentences << issueInWords(*document_->design(), *issue);
+        }
+        QCOMPARE(last, Severity::warning);
+        QCOMPARE(sentences.filter("Denim, warp: ").size(), 1);
+        QCOMPARE(sentences.filter("Denim, weft: ").size(), 0); // the same as the warp
+        QCOMPARE(sentences.filter("Denim, yarn B (extra yarn 1): ").size(), 1);
+        document_->edit("apart", {}, [](Design& d) { d.fabrics[0].weft.twist_per_m = -2; });
+        sentences.clear();
+        for (const Issue* issue : issuesToTell(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
+        QCOMPARE(sentences.filter("Denim, weft: ").size(), 1);
     }
 
     void editsOfThePanelsCanBeUndone_data()
