@@ -6,11 +6,12 @@
 
 #include <QWidget>
 
-class QLineEdit;
 class QListWidget;
 class QToolButton;
 
 namespace hygroloom {
+
+class OrderEdit;
 
 class OrderEditor : public QWidget {
     Q_OBJECT
@@ -39,7 +40,7 @@ private:
     Document& document_;
     QListWidget* list_;
     QToolButton* remove_;
-    QLineEdit* orders_[2]; ///< warp, weft
+    OrderEdit* orders_[2]; ///< warp, weft
 };
 
 } // namespace hygroloom

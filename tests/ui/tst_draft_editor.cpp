@@ -186,7 +186,13 @@ private Q_SLOTS:
         ends->setText("3C");
         Q_EMIT ends->editingFinished();
         QCOMPARE(document_->fabric()->warp_order, expected);
+        QCOMPARE(ends->text(), QString("3C"));
+        QVERIFY(ends->accessibleDescription().contains("no yarn C"));
+        document_->edit("name", {}, [](Design& d) { d.fabrics[0].name += "!"; });
+        QCOMPARE(ends->text(), QString("3C"));
+        QTest::keyClick(ends, Qt::Key_Escape);
         QCOMPARE(ends->text(), QString("12A 4B"));
+        QVERIFY(!ends->accessibleDescription().contains("no yarn C"));
     }
 
 private:
