@@ -151,6 +151,9 @@ void FabricPanel::addDerived()
     form_->addSection(tr("Follows from this"));
     QLabel* weight = form_->addDerived(tr("Weight"), tr("Areal density, dry."));
     QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Share of the area that yarns cover, c₁ + c₂ − c₁c₂."));
+    QLabel* bending = form_->addDerived(tr("Yarns bend"),
+                                        tr("Round each other. Where yarns lie too close for full arcs (the cloth is jammed), they are squeezed "
+                                           "where they change sides, though neighbours need not touch."));
     QLabel* porosity = form_->addDerived(tr("Porosity"), tr("One less the share of fibre in the fabric's volume."));
     QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
     QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends, and between neighbouring picks."));
@@ -158,7 +161,8 @@ void FabricPanel::addDerived()
         const auto& q = document_.quantities();
         const QString none = QStringLiteral("–");
         weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
-        cover->setText(q ? shownNumber(q->cover_factor, 2) + (q->jammed ? tr(", jammed") : QString()) : none);
+        cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
+        bending->setText(!q ? none : q->jammed ? tr("squeezed: no room for full arcs") : tr("in full arcs"));
         porosity->setText(q ? shownNumber(q->porosity, 2) : none);
         layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
         gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
