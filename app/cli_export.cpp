@@ -166,10 +166,10 @@ int export_piece(const ExportVerbOptions& options)
                        export_options.mesh.samples_per_crossing, smooth);
     }
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
-    if (!options.quiet || (options.estimate && !options.json))
-        fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
-                   size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
-                   size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
+    if (options.estimate ? !options.json : !options.quiet)
+        fmt::print(options.estimate ? stdout : stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(),
+                   piece.textile.picks(), size.vertices, size.curves > 0 ? "points" : "vertices",
+                   size.curves > 0 ? size.curves : size.triangles, size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
                                 {"file", options.output},       {"detail", options.detail},
