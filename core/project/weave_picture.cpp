@@ -186,13 +186,23 @@ DraftImport import_draft(const std::filesystem::path& path, const Design& known)
 
 void take_suggestions(DraftImport& draft)
 {
-    const auto take = [](const Suggestion& suggestion, auto& value) {
-        if (suggestion.value && suggestion.plausible) value = *suggestion.value;
+    Fabric& fabric = draft.fabric;
+    const std::string assumed = assumed_numbers(fabric);
+    std::string taken, left;
+    const auto take = [&](const Suggestion& suggestion, auto& value, const char* what) {
+        const bool takes = suggestion.value && suggestion.plausible;
+        if (takes) value = *suggestion.value;
+        std::string& list = takes ? taken : left;
+        list += fmt::format("{}{} {:.4g}", list.empty() ? "" : ", ", what, std::optional<double>(value).value());
     };
-    take(draft.ends_per_cm, draft.fabric.ends_per_cm);
-    take(draft.picks_per_cm, draft.fabric.picks_per_cm);
-    take(draft.warp_diameter_mm, draft.fabric.warp.diameter_mm);
-    take(draft.weft_diameter_mm, draft.fabric.weft.diameter_mm);
+    take(draft.ends_per_cm, fabric.ends_per_cm, "ends per cm");
+    take(draft.picks_per_cm, fabric.picks_per_cm, "picks per cm");
+    take(draft.warp_diameter_mm, fabric.warp.diameter_mm, "mm of warp diameter");
+    take(draft.weft_diameter_mm, fabric.weft.diameter_mm, "mm of weft diameter");
+    for (ImportLine& line : draft.report)
+        if (!taken.empty() && line.text == assumed)
+            line.text =
+                fmt::format("Taken from the file: {}. Assumed: {}{}cotton; give the real ones.", taken, left, left.empty() ? "" : ", ");
 }
 
 } // namespace hygroloom
