@@ -162,7 +162,7 @@ void FabricPanel::addDerived()
         const QString none = QStringLiteral("–");
         weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
         cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
-        bending->setText(!q ? none : q->jammed ? tr("squeezed: no room for full arcs") : tr("in full arcs"));
+        bending->setText(!q ? none : q->jammed ? tr("squeezed where they turn") : tr("in full arcs"));
         porosity->setText(q ? shownNumber(q->porosity, 2) : none);
         layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
         gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
