@@ -31,15 +31,8 @@ void write_map(const Recording& recording, const MeasureOptions& options)
     const std::string ending = std::filesystem::path(options.output).extension().string();
     if (ending != ".csv" && ending != ".png") throw Stop(exit_usage, "A map is written as .csv or .png; give one with -o.");
 
-    const std::vector<Ledger>& ledgers = recording.ledgers();
-    int index = recording.frames() - 1;
-    if (options.time >= 0)
-        for (index = 0; index + 1 < recording.frames(); ++index) {
-            const auto here = static_cast<std::size_t>(index);
-            if (std::abs(ledgers[here].time - options.time) <= std::abs(ledgers[here + 1].time - options.time)) break;
-        }
     const RunRecord& run = recording.run();
-    const Frame frame = recording.frame(index);
+    const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
     const CellMap map = cell_map(run.textile, frame, recording.frame(0), side, options.cells);
     if (ending == ".csv") {
         write_cell_map_csv(map, run, frame.time, side, options.output);

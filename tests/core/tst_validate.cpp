@@ -64,6 +64,21 @@ private Q_SLOTS:
         QVERIFY(validate(design).empty());
     }
 
+    void aStripesYarnThatDoesNotFitIsNamed()
+    {
+        Design design = sound();
+        Fabric& fabric = design.fabrics[0];
+        fabric.extra_yarns.resize(2, fabric.warp);
+        fabric.extra_yarns[1].diameter_mm = 0.9;
+        fabric.thickness_mm = 0.4;
+        fabric.weft_order = {{0, 3}, {2, 1}};
+        const auto issues = validate(design);
+        const Issue* issue = find(issues, "ends_do_not_fit");
+        QVERIFY(issue);
+        QCOMPARE(issue->where, std::string("fabrics[0].picks_per_cm"));
+        QVERIFY2(issue->text.find("picks per cm of extra yarn 2") != std::string::npos, issue->text.c_str());
+    }
+
     void everyWrongValueIsAnErrorAtItsPlace_data()
     {
         QTest::addColumn<QString>("where");
