@@ -3,6 +3,7 @@
 #include "app/cli.h"
 
 #include "core/project/project_file.h"
+#include "core/sim/recording.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,21 @@ CLI::Validator moment()
                                                                     : "Must be a number of seconds from 0; given is \"" + text + "\".";
         },
         "SECONDS");
+}
+
+int frame_at(const Recording& recording, const std::string& file, double moment)
+{
+    const std::vector<Ledger>& ledgers = recording.ledgers();
+    const auto last = static_cast<std::size_t>(recording.frames() - 1);
+    if (moment < 0) return static_cast<int>(last);
+    const double end = ledgers[last].time, interval = last > 0 ? end - ledgers[last - 1].time : 0;
+    if (moment > end + interval)
+        fmt::print(stderr, "{}: warning: The recording ends at {:.4g} s, before the {:.4g} s asked for; its last frame is taken.\n", file,
+                   end, moment);
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i <= last; ++i)
+        if (std::abs(ledgers[i].time - moment) < std::abs(ledgers[nearest].time - moment)) nearest = i;
+    return static_cast<int>(nearest);
 }
 
 Design load_project(const ProjectOptions& options)

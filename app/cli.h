@@ -13,6 +13,8 @@
 
 namespace hygroloom {
 
+class Recording;
+
 enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_invalid = 3, exit_no_device = 4, exit_cancelled = 130 };
 
 /// Ends the program with a code and a sentence on stderr.
@@ -52,6 +54,9 @@ const Experiment& chosen_experiment(const Design& design, const ProjectOptions& 
 
 /// The chosen fabric as a WIF file, for export.
 int export_wif(const ProjectOptions& options, const std::string& output);
+
+/// The frame nearest to a moment, the last one when it is negative. Says on stderr when the recording ends well before the moment.
+int frame_at(const Recording& recording, const std::string& file, double moment);
 
 /// Accepts a time: a number of seconds, not negative.
 CLI::Validator moment();

@@ -4,6 +4,7 @@
 #include "app/cli_weave.h"
 
 #include "core/base/units.h"
+#include "core/design/yarn_quantities.h"
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
@@ -30,6 +31,23 @@ Json yarn_json(const YarnQuantities& yarn)
             {"pore_radius_um", yarn.pore_radius_um},
             {"contact_angle_deg", yarn.contact_angle_deg},
             {"flattened", yarn.flattened}};
+}
+
+Json stripes_json(const std::vector<StripeYarn>& stripes)
+{
+    Json list = Json::array();
+    for (std::size_t i = 0; i < stripes.size(); ++i) {
+        const StripeYarn& stripe = stripes[i];
+        list.push_back({{"extra_yarn", i + 1},
+                        {"linear_density_tex", stripe.free.linear_density_tex},
+                        {"count_ne", ne_from_tex(stripe.free.linear_density_tex)},
+                        {"diameter_mm", stripe.free.diameter},
+                        {"packing_factor", stripe.free.packing_factor},
+                        {"contact_angle_deg", stripe.contact_angle_deg}});
+        if (stripe.as_end) list.back()["warp"] = yarn_json(*stripe.as_end);
+        if (stripe.as_pick) list.back()["weft"] = yarn_json(*stripe.as_pick);
+    }
+    return list;
 }
 
 Json pores_json(const PoreRadii& radii)
@@ -81,7 +99,7 @@ Formulas formulas_of(const Design& design, const Fabric& fabric, const FabricQua
     return f;
 }
 
-Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
+Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vector<StripeYarn>& stripes)
 {
     Json measured = Json::object();
     const auto add = [&](const char* key, const std::optional<double>& value) {
@@ -108,7 +126,8 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q)
               {"gap_weft_mm", q.gap_weft_mm},
               {"inter_yarn_pore_radius_um", q.inter_yarn_pore_radius_um},
               {"smoothness", q.smoothness},
-              {"jammed", q.jammed}}},
+              {"jammed", q.jammed},
+              {"extra_yarns", stripes_json(stripes)}}},
             {"measured", measured},
             {"notes", q.notes}};
 }
@@ -118,7 +137,40 @@ std::string text(const std::optional<double>& value) { return value ? fmt::forma
 
 std::string range(const PoreRadii& radii) { return fmt::format("{:.3g}..{:.3g}", radii.tenth_um, radii.nine_tenths_um); }
 
-void print_fabric(const Fabric& fabric, const FabricQuantities& q, const MeasuredGeometry& m, const Formulas& f)
+/// The yarns of the stripes, below those of the fabric's own warp and weft.
+void print_stripes(const std::vector<StripeYarn>& stripes)
+{
+    const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit) {
+        fmt::print("  {:<26} {:>9} {:>9}   {:>9} {:>9} {}\n", name, warp, weft, "", "", unit);
+    };
+    for (std::size_t i = 0; i < stripes.size(); ++i) {
+        const auto& [free, angle, end, pick] = stripes[i];
+        const std::string name = fmt::format("extra yarn {}", i + 1);
+        if (!end && !pick) {
+            fmt::print("  {}: neither order has it; {} tex, {} mm.\n", name, text(free.linear_density_tex), text(free.diameter));
+            continue;
+        }
+        const auto both = [&](const char* what, double YarnQuantities::*value, const char* unit) {
+            row(what, end ? text((*end).*value) : "", pick ? text((*pick).*value) : "", unit);
+        };
+        const auto section = [&](const char* what, double Section::*side) {
+            row(what, end ? text(end->section_mm.*side) : "", pick ? text(pick->section_mm.*side) : "", "mm");
+        };
+        row(name.c_str(), end ? "warp" : "", pick ? "weft" : "", "");
+        both("linear density", &YarnQuantities::linear_density_tex, "tex");
+        both("diameter, free", &YarnQuantities::diameter_mm, "mm");
+        section("section, width", &Section::width);
+        section("section, height", &Section::height);
+        both("packing factor, free", &YarnQuantities::packing_factor, "");
+        both("packing factor, in fabric", &YarnQuantities::packing_factor_in_fabric, "");
+        both("crimp", &YarnQuantities::crimp_percent, "%");
+        both("pore radius in yarn", &YarnQuantities::pore_radius_um, "um");
+        both("contact angle", &YarnQuantities::contact_angle_deg, "deg");
+    }
+}
+
+void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::vector<StripeYarn>& stripes, const MeasuredGeometry& m,
+                  const Formulas& f)
 {
     const auto row = [](const char* name, const std::string& warp, const std::string& weft, const std::string& warp_made,
                         const std::string& weft_made, const char* unit, const std::string& laboratory = {}) {
@@ -156,6 +208,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const Measure
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
     if (fabric.measured.tortuosity) row("tortuosity", "", "", "", "", "", text(fabric.measured.tortuosity));
+    print_stripes(stripes);
     if (fabric.measured != Measured{})
         fmt::print("  Where there is a laboratory value, the cloth that is drawn and simulated has it; the columns of formula and geometry "
                    "leave it out.\n");
@@ -185,9 +238,10 @@ int check(const ProjectOptions& options)
         if (has_error(issues)) break; // numbers that follow from wrong ones help nobody
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FabricQuantities quantities = derive_quantities(design, fabric);
+        const std::vector<StripeYarn> stripes = stripe_yarns(design, fabric);
         const MeasuredGeometry geometry = measure_geometry(design, fabric);
         const Formulas formulas = formulas_of(design, fabric, quantities);
-        json["fabrics"].push_back(fabric_json(fabric, quantities));
+        json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));
         Json& entry = json["fabrics"].back();
         entry["derived"]["warp"]["braiding_angle_deg"] = formulas.warp_angle;
         entry["derived"]["weft"]["braiding_angle_deg"] = formulas.weft_angle;
@@ -195,7 +249,7 @@ int check(const ProjectOptions& options)
         entry["geometry"] = geometry_json(geometry);
         add_weave_json(json["fabrics"].back(), design, fabric);
         if (options.json) continue;
-        print_fabric(fabric, quantities, geometry, formulas);
+        print_fabric(fabric, quantities, stripes, geometry, formulas);
         print_weave(design, fabric);
     }
     if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -92,15 +92,9 @@ Piece wet_piece(const ExportVerbOptions& options)
                        fmt::format("{}: The recording is of the fabric \"{}\" as it was then, and the project's \"{}\" differs. Run "
                                    "the simulation again, or give the project it was made with.",
                                    options.water, run.fabric, piece.fabric.name));
-        const std::vector<Ledger>& ledgers = recording.ledgers();
-        int nearest = recording.frames() - 1;
-        if (options.time >= 0)
-            for (int i = nearest; i >= 0; --i) {
-                const auto distance = [&](int frame) { return std::abs(ledgers[static_cast<std::size_t>(frame)].time - options.time); };
-                if (distance(i) <= distance(nearest)) nearest = i;
-            }
-        piece.saturation = recording.frame(nearest).saturation;
-        if (!options.quiet) fmt::print(stderr, "The water at {:.4g} s.\n", ledgers[static_cast<std::size_t>(nearest)].time);
+        const Frame frame = recording.frame(frame_at(recording, options.water, options.time));
+        piece.saturation = frame.saturation;
+        if (!options.quiet) fmt::print(stderr, "The water at {:.4g} s.\n", frame.time);
         return piece;
     } catch (const FileError& error) {
         throw Stop(exit_invalid, error.what());
@@ -166,10 +160,10 @@ int export_piece(const ExportVerbOptions& options)
                        export_options.mesh.samples_per_crossing, smooth);
     }
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
-    if (!options.quiet || (options.estimate && !options.json))
-        fmt::print(stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(), piece.textile.picks(), size.vertices,
-                   size.curves > 0 ? "points" : "vertices", size.curves > 0 ? size.curves : size.triangles,
-                   size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
+    if (options.estimate ? !options.json : !options.quiet)
+        fmt::print(options.estimate ? stdout : stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(),
+                   piece.textile.picks(), size.vertices, size.curves > 0 ? "points" : "vertices",
+                   size.curves > 0 ? size.curves : size.triangles, size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
                                 {"file", options.output},       {"detail", options.detail},
@@ -235,7 +229,8 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_option("--repeats", options->repeats, "Repeats of the fabric along the weft x along the warp, in place of a size");
     export_verb.add_option("--samples", options->samples, "Rings per crossing; without it 12, of fibres 8 or what the twist needs")
         ->check(CLI::Range(1, most_samples));
-    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")->check(CLI::Range(3, most_sides));
+    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")
+        ->check(CLI::Range(3, most_sides));
     export_verb.add_flag("--open-ends", options->open_ends, "No caps on the ends of yarns or fibres");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");
     export_verb.add_option("--seed", options->seed, "Seed of the fibres' random numbers");

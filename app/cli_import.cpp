@@ -18,18 +18,19 @@ struct ImportOptions : CommonOptions {
     std::string draft;
     std::string output;
     std::string name;
-    bool use_suggestions = false;
+    bool use_suggestions = false; ///< as without it; it was once needed
+    bool no_suggestions = false;
 };
 
-Json suggestion_json(const Suggestion& suggestion)
+Json suggestion_json(const Suggestion& suggestion, bool takes)
 {
     if (!suggestion.value) return nullptr;
-    Json json{{"value", *suggestion.value}, {"plausible", suggestion.plausible}};
+    Json json{{"value", *suggestion.value}, {"plausible", suggestion.plausible}, {"taken", takes && suggestion.plausible}};
     if (!suggestion.plausible) json["why"] = suggestion.why;
     return json;
 }
 
-Json import_json(const ImportOptions& options, const DraftImport& draft, bool existing)
+Json import_json(const ImportOptions& options, const DraftImport& draft, bool takes, bool existing)
 {
     const Fabric& fabric = draft.fabric;
     Json json{{"format", "hygroloom-import"}, {"version", 1}, {"file", options.draft}, {"fabric", fabric.name}};
@@ -37,10 +38,10 @@ Json import_json(const ImportOptions& options, const DraftImport& draft, bool ex
     if (const auto& plan = fabric.weave.draft())
         json["weave"].update({{"shafts", plan->shafts}, {"treadles", plan->treadles}, {"liftplan", !plan->liftplan.empty()}});
     json["extra_yarns"] = fabric.extra_yarns.size();
-    json["suggestions"] = {{"ends_per_cm", suggestion_json(draft.ends_per_cm)},
-                           {"picks_per_cm", suggestion_json(draft.picks_per_cm)},
-                           {"warp_diameter_mm", suggestion_json(draft.warp_diameter_mm)},
-                           {"weft_diameter_mm", suggestion_json(draft.weft_diameter_mm)}};
+    json["suggestions"] = {{"ends_per_cm", suggestion_json(draft.ends_per_cm, takes)},
+                           {"picks_per_cm", suggestion_json(draft.picks_per_cm, takes)},
+                           {"warp_diameter_mm", suggestion_json(draft.warp_diameter_mm, takes)},
+                           {"weft_diameter_mm", suggestion_json(draft.weft_diameter_mm, takes)}};
     json["report"] = Json::array();
     for (const ImportLine& line : draft.report)
         json["report"].push_back({{"severity", line.severity == Severity::note ? "note" : "warning"}, {"text", line.text}});
@@ -69,7 +70,8 @@ int import_file(const ImportOptions& options)
     } catch (const FileError& error) {
         throw Stop(exit_invalid, error.what());
     }
-    if (options.use_suggestions) take_suggestions(draft);
+    const bool takes = !options.no_suggestions && !draft.numbers_are_ours;
+    if (takes) take_suggestions(draft);
     if (!options.name.empty()) draft.fabric.name = options.name;
     draft.fabric.name = free_name(design, draft.fabric.name);
     std::vector<Issue> issues;
@@ -81,7 +83,7 @@ int import_file(const ImportOptions& options)
         write_project(design, options.output);
     }
     if (options.json) {
-        fmt::print("{}\n", import_json(options, draft, existing).dump(2, ' ', false, Json::error_handler_t::replace));
+        fmt::print("{}\n", import_json(options, draft, takes, existing).dump(2, ' ', false, Json::error_handler_t::replace));
     } else {
         fmt::print("{}: \"{}\"\n", options.draft, draft.fabric.name);
         for (const ImportLine& line : draft.report)
@@ -124,7 +126,9 @@ void add_import(CLI::App& app, Verb& verb)
     import_verb.add_option("draft", options->draft, "The file")->required();
     import_verb.add_option("-o,--output", options->output, "The project to write, or to add the fabric to");
     import_verb.add_option("--name", options->name, "Name of the fabric; without it, the draft's title");
-    import_verb.add_flag("--use-suggestions", options->use_suggestions, "Take sett and thickness from the draft where they are plausible");
+    import_verb.add_flag("--no-suggestions", options->no_suggestions,
+                         "Leave the draft's sett and thickness, which are taken where plausible");
+    import_verb.add_flag("--use-suggestions", options->use_suggestions, "Take them, as without this option")->excludes("--no-suggestions");
     add_common_options(import_verb, *options);
     import_verb.callback([&verb, options] { verb = [options] { return import_file(*options); }; });
 }

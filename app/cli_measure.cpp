@@ -31,15 +31,8 @@ void write_map(const Recording& recording, const MeasureOptions& options)
     const std::string ending = std::filesystem::path(options.output).extension().string();
     if (ending != ".csv" && ending != ".png") throw Stop(exit_usage, "A map is written as .csv or .png; give one with -o.");
 
-    const std::vector<Ledger>& ledgers = recording.ledgers();
-    int index = recording.frames() - 1;
-    if (options.time >= 0)
-        for (index = 0; index + 1 < recording.frames(); ++index) {
-            const auto here = static_cast<std::size_t>(index);
-            if (std::abs(ledgers[here].time - options.time) <= std::abs(ledgers[here + 1].time - options.time)) break;
-        }
     const RunRecord& run = recording.run();
-    const Frame frame = recording.frame(index);
+    const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
     const CellMap map = cell_map(run.textile, frame, recording.frame(0), side, options.cells);
     if (ending == ".csv") {
         write_cell_map_csv(map, run, frame.time, side, options.output);
@@ -81,6 +74,84 @@ int measure(const MeasureOptions& options)
     return exit_ok;
 }
 
+void row(const char* name, double value, const char* unit) { fmt::print("  {:<34} {:>10.4g} {}\n", name, value, unit); }
+void row(const char* name, const std::optional<double>& value, double factor, const char* unit, const char* why)
+{
+    if (value)
+        row(name, *value * factor, unit);
+    else
+        fmt::print("  {:<34} {:>10} ({})\n", name, "-", why);
+}
+
+void print_stain(const Metrics& m)
+{
+    row("maximum wetted radius, top", mm_from_metre(m.maximum_wetted_radius_top), "mm");
+    row("maximum wetted radius, bottom", mm_from_metre(m.maximum_wetted_radius_bottom), "mm");
+    row("stain on top, half along warp", mm_from_metre(m.wetted_area_ellipse_warp), "mm");
+    row("stain on top, half along weft", mm_from_metre(m.wetted_area_ellipse_weft), "mm");
+}
+
+void print_management(const ManagementIndices& m)
+{
+    const ManagementGrades g = management_grades(m);
+    fmt::print("  {:<34} {:>10} {:>10}  grades\n", "", "top", "bottom");
+    const auto both = [](const char* name, const std::string& top, const std::string& bottom, int top_grade, int bottom_grade) {
+        fmt::print("  {:<34} {:>10} {:>10}  {} {}\n", name, top, bottom, top_grade, bottom_grade);
+    };
+    const auto text = [](const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : std::string("-"); };
+    both("wetting time, s", text(m.top.wetting_time), text(m.bottom.wetting_time), g.wetting_time_top, g.wetting_time_bottom);
+    both("absorption rate, %/s", text(m.top.absorption_rate), text(m.bottom.absorption_rate), g.absorption_rate_top,
+         g.absorption_rate_bottom);
+    both("maximum wetted radius, mm", text(m.top.maximum_wetted_radius), text(m.bottom.maximum_wetted_radius), g.maximum_wetted_radius_top,
+         g.maximum_wetted_radius_bottom);
+    both("spreading speed, mm/s", text(m.top.spreading_speed), text(m.bottom.spreading_speed), g.spreading_speed_top,
+         g.spreading_speed_bottom);
+    fmt::print("  {:<34} {:>10.4g} %           {}\n", "one-way transport", m.one_way_transport, g.one_way_transport);
+    fmt::print("  {:<34} {:>10.4g}             {}\n", "overall capability (OMMC)", m.ommc, g.ommc);
+    fmt::print("  {:<34} {}\n", "class (simulated)", fabric_class(m));
+}
+
+/// What its type of experiment reports.
+void print_results(const RunRecord& run, const Metrics& m)
+{
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    switch (experiment ? experiment->type : ExperimentType::droplet) {
+    case ExperimentType::droplet:
+        print_stain(m);
+        row("absorbency time", m.absorbency_time, 1, "s", "free liquid was left");
+        break;
+    case ExperimentType::horizontal_wicking:
+        print_stain(m);
+        row("absorbency time", m.absorbency_time, 1, "s", "free liquid was left");
+        row("wicking rate", m.horizontal_rate, 1e6, "mm2/s", "nothing got wet");
+        break;
+    case ExperimentType::moisture_management:
+        if (m.management) print_management(*m.management);
+        break;
+    case ExperimentType::vertical_wicking:
+        if (!m.wicking) break;
+        row("height", mm_from_metre(m.wicking->height), "mm");
+        row("wicking rate", m.wicking->rate, 1e3, "mm/s^0.5", "the liquid did not rise");
+        break;
+    case ExperimentType::drying:
+        if (!m.drying) break;
+        row("drying rate", m.drying->rate, 3.6e6, "g/(m2 h)", "less than 70 % of the water dried");
+        row("temperature while drying",
+            m.drying->steady_temperature ? std::optional(celsius_from_kelvin(*m.drying->steady_temperature)) : std::nullopt, 1, "C",
+            "less than 70 % of the water dried");
+        row("time to dry", m.drying->time_to_dry, 1, "s", "more than 4 % of the water were left");
+        break;
+    case ExperimentType::conditioning:
+        if (!m.conditioning) break;
+        row("regain at the start", m.conditioning->regain_start, "");
+        row("regain at the end", m.conditioning->regain_end, m.conditioning->settled ? "" : "(still changing)");
+        row("half of the change after", m.conditioning->half_time, 1, "s", "the regain did not change");
+        row("warmer than the air by, at most", m.conditioning->peak_rise, "K");
+        break;
+    case ExperimentType::sweat: print_stain(m); break;
+    }
+}
+
 } // namespace
 
 void print_metrics(const RunRecord& run, const Metrics& m, bool json)
@@ -89,18 +160,10 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         fmt::print("{}\n", metrics_json(run, m));
         return;
     }
-    const auto row = [](const char* name, double value, const char* unit) { fmt::print("  {:<34} {:>10.4g} {}\n", name, value, unit); };
     const Ledger& l = m.ledger;
     fmt::print("{}, {} ({}, {}, {:.3g} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, run.wall);
     row("simulated", l.time, "s");
-    row("maximum wetted radius, top", mm_from_metre(m.maximum_wetted_radius_top), "mm");
-    row("maximum wetted radius, bottom", mm_from_metre(m.maximum_wetted_radius_bottom), "mm");
-    if (m.absorbency_time)
-        row("absorbency time", *m.absorbency_time, "s");
-    else
-        fmt::print("  {:<34} {:>10} (free liquid was left)\n", "absorbency time", "-");
-    row("stain on top, half along warp", mm_from_metre(m.wetted_area_ellipse_warp), "mm");
-    row("stain on top, half along weft", mm_from_metre(m.wetted_area_ellipse_weft), "mm");
+    print_results(run, m);
     row("water delivered", 1e6 * l.water_delivered, "mg");
     row("water free", 1e6 * l.water_free, "mg");
     row("water in the yarns' pores", 1e6 * l.water_liquid, "mg");

@@ -85,6 +85,8 @@ int presets(const PresetOptions& options)
             throw Stop(exit_usage, fmt::format("There is no preset \"{}\". There are: {}.", name, known));
         }
         added.push_back(design.fabrics[add_preset(design, *found)].name);
+        if (added.back() != name && !options.quiet)
+            fmt::print(stderr, "{}: There is a fabric \"{}\" already; this one is called \"{}\".\n", options.output, name, added.back());
     }
     write_project(design, options.output);
     if (options.json)

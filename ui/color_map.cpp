@@ -22,7 +22,8 @@ constexpr Stops cividis_stops{{{253, 231, 85}, {217, 199, 105}, {181, 167, 119},
 
 double roundLength(double millimetrePerPixel, double availablePixels)
 {
-    const double wanted = millimetrePerPixel * availablePixels / 3;
+    // The tiny share keeps two pictures of the same scale from rounding apart.
+    const double wanted = millimetrePerPixel * availablePixels / 3 * (1 + 1e-9);
     const double power = std::pow(10, std::floor(std::log10(wanted)));
     return power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
 }

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QSortFilterProxyModel>
@@ -70,6 +71,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     , words_(new QLineEdit)
     , list_(new QTreeView)
     , found_(new AllWords(this))
+    , none_(new QLabel(tr("No command of this name.")))
 {
     setWindowTitle(tr("Find Command"));
     auto* commands = new QStandardItemModel(this);
@@ -84,6 +86,8 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    none_->setAlignment(Qt::AlignCenter);
+    none_->setForegroundRole(QPalette::PlaceholderText);
     words_->setAccessibleName(tr("Words of the command"));
     words_->setPlaceholderText(tr("Type some letters of a command"));
     words_->setClearButtonEnabled(true);
@@ -92,6 +96,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     layout->setSpacing(8);
     layout->addWidget(words_);
     layout->addWidget(list_);
+    layout->addWidget(none_, 1);
     resize(520, 400);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::search);
     const auto take = [this] {
@@ -115,6 +120,8 @@ void CommandPalette::search(const QString& words)
         first = first.siblingAtRow(first.row() + 1);
     }
     list_->setCurrentIndex(first);
+    list_->setVisible(shown() > 0);
+    none_->setVisible(shown() == 0);
 }
 
 int CommandPalette::shown() const

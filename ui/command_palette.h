@@ -5,6 +5,7 @@
 #include <QDialog>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QMenuBar;
 class QSortFilterProxyModel;
@@ -30,6 +31,7 @@ private:
     QLineEdit* words_;
     QTreeView* list_;
     QSortFilterProxyModel* found_;
+    QLabel* none_;
 };
 
 } // namespace hygroloom

@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -27,6 +29,18 @@ QGridLayout* formGrid(QWidget* owner)
     return grid;
 }
 
+/// Flat although it is checked while its rows show. No style sheet: one would keep the colours of the look it was made in.
+class SectionHeading : public QToolButton {
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QStyleOptionToolButton option;
+        initStyleOption(&option);
+        option.state &= ~(QStyle::State_On | QStyle::State_Sunken);
+        QStylePainter(this).drawComplexControl(QStyle::CC_ToolButton, option);
+    }
+};
+
 } // namespace
 
 DesignForm::DesignForm(Document& document, QWidget* parent)
@@ -38,33 +52,50 @@ DesignForm::DesignForm(Document& document, QWidget* parent)
     connect(&document_, &Document::designChanged, this, &DesignForm::refresh);
 }
 
-void DesignForm::addSection(const QString& title, bool foldable, bool open)
+void FormSection::open() const
+{
+    heading->setChecked(true);
+}
+
+void FormSection::setShown(bool shown) const
+{
+    heading->setVisible(shown);
+    content->setVisible(shown && heading->isChecked());
+}
+
+int DesignForm::nextSection()
 {
     target_ = grid_;
     const int row = grid_->rowCount();
     if (row > 1) {
         grid_->setRowMinimumHeight(row, 8);
     }
-    if (!foldable) {
-        auto* heading = new QLabel(title);
-        QFont font = heading->font();
-        font.setBold(true);
-        heading->setFont(font);
-        grid_->addWidget(heading, row + 1, 0, 1, 3);
-        return;
-    }
-    auto* button = new QToolButton;
+    return row + 1;
+}
+
+void DesignForm::addSection(const QString& title)
+{
+    auto* heading = new QLabel(title);
+    QFont font = heading->font();
+    font.setBold(true);
+    heading->setFont(font);
+    grid_->addWidget(heading, nextSection(), 0, 1, 3);
+}
+
+FormSection DesignForm::addFoldable(const QString& title, bool open)
+{
+    auto* button = new SectionHeading;
     button->setText(title);
     button->setAccessibleName(title);
     button->setToolTip(tr("Show or hide these fields."));
     button->setCheckable(true);
     button->setChecked(open);
     button->setAutoRaise(true);
-    button->setStyleSheet("QToolButton { border: none; padding: 2px 0; }");
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     QFont font = button->font();
     font.setBold(true);
     button->setFont(font);
+    const int row = nextSection();
     auto* content = new QWidget(this);
     target_ = formGrid(content);
     const auto turn = [button, content](bool on) {
@@ -73,8 +104,17 @@ void DesignForm::addSection(const QString& title, bool foldable, bool open)
     };
     turn(open);
     connect(button, &QToolButton::toggled, content, turn);
-    grid_->addWidget(button, row + 1, 0, 1, 3);
-    grid_->addWidget(content, row + 2, 0, 1, 3);
+    grid_->addWidget(button, row, 0, 1, 3);
+    grid_->addWidget(content, row + 1, 0, 1, 3);
+    return {button, content};
+}
+
+QWidget* DesignForm::addGroup()
+{
+    auto* group = new QWidget(this);
+    grid_->addWidget(group, grid_->rowCount(), 0, 1, 3);
+    target_ = formGrid(group);
+    return group;
 }
 
 QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignField& field, bool optional)

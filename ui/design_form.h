@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QWidget>
 
+class QAbstractButton;
 class QGridLayout;
 class QLabel;
 class QScrollArea;
@@ -25,14 +26,28 @@ struct DesignField {
     std::function<std::string()> within = {}; ///< path of the whole whose contradictions this field can mend
 };
 
+/// A heading that folds the rows below it away.
+struct FormSection {
+    QAbstractButton* heading = nullptr;
+    QWidget* content = nullptr;
+
+    void open() const;
+    /// Takes heading and rows out of the form, or puts them back as they were.
+    void setShown(bool shown) const;
+};
+
 /// Refreshes itself whenever the document changes.
 class DesignForm : public QWidget {
     Q_OBJECT
 public:
     explicit DesignForm(Document& document, QWidget* parent = nullptr);
 
-    /// A heading; the rows that follow fold away with it when foldable.
-    void addSection(const QString& title, bool foldable = false, bool open = true);
+    /// A heading over the rows that follow.
+    void addSection(const QString& title);
+    /// The same; the rows fold away with it.
+    FormSection addFoldable(const QString& title, bool open = true);
+    /// A part without a heading, for rows that are shown and hidden together; it ends with the next section or group.
+    QWidget* addGroup();
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
     /// Any other widget in the field column, with its label.
     void addRow(const QString& label, QWidget* widget);
@@ -56,6 +71,7 @@ private:
         DesignField field;
     };
     int nextRow();
+    int nextSection();
 
     Document& document_;
     QGridLayout* grid_;

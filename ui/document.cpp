@@ -102,8 +102,10 @@ void Document::apply(DesignState state)
     state_.experiment = std::clamp(state_.experiment, 0, std::max(0, experiments - 1));
     issues_ = validate(*state_.design);
     quantities_.reset();
+    stripes_.clear();
     if (fabric() && !fabricHasError()) {
         quantities_ = derive_quantities(*state_.design, *fabric());
+        stripes_ = stripe_yarns(*state_.design, *fabric());
     }
     Q_EMIT designChanged();
 }

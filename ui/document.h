@@ -4,6 +4,7 @@
 
 #include "core/design/fabric_quantities.h"
 #include "core/design/validate.h"
+#include "core/design/yarn_quantities.h"
 #include "ui/edit_design.h"
 
 #include <QObject>
@@ -36,6 +37,8 @@ public:
     std::vector<const Issue*> issuesAt(const std::string& where) const;
     /// Derived numbers of the chosen fabric, without a value while it has an error.
     const std::optional<FabricQuantities>& quantities() const { return quantities_; }
+    /// The same of each extra yarn; empty while it has an error.
+    const std::vector<StripeYarn>& stripes() const { return stripes_; }
 
     /// Changes the design as one step of the history. Steps with the same field merge until endStroke().
     void edit(const QString& text, const std::string& field, const std::function<void(Design&)>& change);
@@ -75,6 +78,7 @@ private:
     DesignState state_;
     std::vector<Issue> issues_;
     std::optional<FabricQuantities> quantities_;
+    std::vector<StripeYarn> stripes_;
     QUndoStack history_;
     int stroke_ = 0;
     QString path_;

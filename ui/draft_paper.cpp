@@ -83,7 +83,7 @@ void DraftPaper::fitCells()
         const QSize cloth = cells(DraftPart::drawdown);
         const int across = cloth.width() + cells(DraftPart::treadling).width(), up = cloth.height() + draft_.shafts;
         const int room = 2 * (margin + gap) + bar;
-        cell_ = std::clamp(std::min((viewport()->width() - room) / std::max(1, across), (viewport()->height() - room) / std::max(1, up)), 14, 28);
+        cell_ = std::clamp(std::min((viewport()->width() - room) / std::max(1, across), (viewport()->height() - room) / std::max(1, up)), 10, 28);
     }
 }
 
@@ -115,7 +115,10 @@ QSize DraftPaper::cells(DraftPart part) const
 
 int DraftPaper::shownShafts() const
 {
-    return std::max(1, std::min(draft_.shafts, static_cast<int>(viewport()->height() * most_of_room / cell_)));
+    // All of them where the drawdown keeps a few picks; else a share of the height.
+    const int few = std::min(cells(DraftPart::drawdown).height(), 4) * cell_;
+    const double room = std::max(viewport()->height() * most_of_room, 1.0 * viewport()->height() - 2 * (margin + gap) - bar - few);
+    return std::max(1, std::min(draft_.shafts, static_cast<int>(room / cell_)));
 }
 
 int DraftPaper::shownTreadles() const
@@ -259,6 +262,23 @@ void DraftPaper::drawPart(QPainter& painter, DraftPart part)
     painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
 
+void DraftPaper::drawThumbs(QPainter& painter)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Highlight));
+    const int shafts = draft_.shafts, treadles = cells(DraftPart::treadling).width();
+    if (shownShafts() < shafts) {
+        const QRectF area = areaOf(DraftPart::threading);
+        const double one = area.height() / shafts;
+        painter.drawRect(QRectF(area.right() + 2, area.bottom() - (first_shaft_ + shownShafts()) * one, 2, shownShafts() * one));
+    }
+    if (shownTreadles() < treadles) {
+        const QRectF area = areaOf(DraftPart::treadling);
+        const double one = area.width() / treadles;
+        painter.drawRect(QRectF(area.left() + first_treadle_ * one, area.top() - 4, shownTreadles() * one, 2));
+    }
+}
+
 void DraftPaper::paintEvent(QPaintEvent*)
 {
     QPainter painter(viewport());
@@ -266,6 +286,7 @@ void DraftPaper::paintEvent(QPaintEvent*)
     for (const DraftPart part : parts) {
         drawPart(painter, part);
     }
+    drawThumbs(painter);
 }
 
 void DraftPaper::mousePressEvent(QMouseEvent* event)

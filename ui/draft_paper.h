@@ -58,6 +58,8 @@ private:
     void moveCursor(int x, int y);
     void showCursor();
     void drawPart(QPainter& painter, DraftPart part);
+    /// Which of the shafts and treadles are shown, where not all are.
+    void drawThumbs(QPainter& painter);
 
     Fabric fabric_;
     Draft draft_;

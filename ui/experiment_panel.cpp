@@ -3,6 +3,7 @@
 
 #include "ui/appearance.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -36,6 +37,28 @@ std::string freeName(const Design& design, std::string wish)
     return name;
 }
 
+QString nameOfType(ExperimentType type)
+{
+    const QString names[] = {ExperimentPanel::tr("Droplets"),
+                             ExperimentPanel::tr("Moisture management (AATCC 195)"),
+                             ExperimentPanel::tr("Vertical wicking (AATCC 197)"),
+                             ExperimentPanel::tr("Horizontal wicking (AATCC 198)"),
+                             ExperimentPanel::tr("Drying (AATCC 199, 201)"),
+                             ExperimentPanel::tr("Conditioning (ISO 139)"),
+                             ExperimentPanel::tr("Sweat")};
+    return names[static_cast<int>(type)];
+}
+
+/// What a liquid is called in the window.
+QString nameOfLiquid(const std::string& name)
+{
+    QString shown = QString::fromStdString(name);
+    if (find_liquid({}, name) && !shown.isEmpty()) {
+        shown[0] = shown[0].toUpper();
+    }
+    return shown;
+}
+
 } // namespace
 
 ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
@@ -45,10 +68,13 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
 {
     addChoice();
     addConditions();
+    addTypes();
+    addModel();
     addDroplets();
     form_->fill(this);
     form_->onRefresh([this] {
         refreshChoice();
+        refreshType();
         refreshDroplets();
     });
     form_->refresh();
@@ -114,6 +140,13 @@ void ExperimentPanel::addChoice()
     layout->addWidget(rename_);
     layout->addWidget(remove_);
     form_->addWide(line);
+    type_ = new QComboBox;
+    for (int type = 0; type < experiment_types; ++type) {
+        type_->addItem(nameOfType(static_cast<ExperimentType>(type)));
+    }
+    type_->setToolTip(tr("Choosing another type takes its standard's climate, sample and duration."));
+    form_->addRow(tr("Type"), type_);
+    connect(type_, &QComboBox::activated, this, &ExperimentPanel::setType);
     connect(choice_, &QComboBox::activated, &document_, &Document::setExperimentIndex);
     connect(add, &QToolButton::clicked, this, &ExperimentPanel::addExperiment);
     connect(rename_, &QToolButton::clicked, this, &ExperimentPanel::renameExperiment);
@@ -137,15 +170,70 @@ void ExperimentPanel::addConditions()
         [](const Experiment& e) { return std::optional(e.sample_mm[1]); }, [](Experiment& e, double v) { e.sample_mm[1] = v; }));
     form_->addQuantity(Quantity::time(0.001, 86400), fixedField(tr("Duration"), tr("duration"), "duration_s",
         [](const Experiment& e) { return std::optional(e.duration_s); }, [](Experiment& e, double v) { e.duration_s = v; }));
-    auto* liquid = new QComboBox;
-    liquid->addItem(tr("Water"));
-    liquid->setToolTip(tr("Water is the liquid this version knows."));
-    form_->addRow(tr("Liquid"), liquid);
+}
+
+/// What only some types have, each in a group of its own.
+void ExperimentPanel::addTypes()
+{
+    const auto group = [this](std::initializer_list<ExperimentType> types) { groups_.push_back({form_->addGroup(), types}); };
+    using Type = ExperimentType;
+    group({Type::moisture_management, Type::horizontal_wicking});
+    form_->addQuantity(Quantity::volume(0.001, 100000), fixedField(tr("Volume"), tr("volume of liquid"), "volume_ul",
+        [](const Experiment& e) { return std::optional(e.volume_ul); }, [](Experiment& e, double v) { e.volume_ul = v; }));
+    group({Type::moisture_management});
+    form_->addQuantity(Quantity::time(0.01, 86400), fixedField(tr("Feed"), tr("time of the feed"), "feed_s",
+        [](const Experiment& e) { return std::optional(e.feed_s); }, [](Experiment& e, double v) { e.feed_s = v; }, tr("How long the pump runs.")));
+    group({Type::vertical_wicking});
+    direction_ = new QComboBox;
+    direction_->addItems({tr("Along the warp"), tr("Along the weft")});
+    form_->addRow(tr("Strip"), direction_);
+    connect(direction_, &QComboBox::activated, this,
+            [this](int chosen) { edit(tr("direction of the strip"), [&](Experiment& e) { e.along_weft = chosen == 1; }); });
+    form_->addQuantity(Quantity::length(0.01, 2000), fixedField(tr("Immersion"), tr("immersion"), "immersion_mm",
+        [](const Experiment& e) { return std::optional(e.immersion_mm); }, [](Experiment& e, double v) { e.immersion_mm = v; },
+        tr("How deep the strip's end hangs in the liquid.")));
+    group({Type::drying});
+    form_->addQuantity(Quantity::arealDensity(100000), fixedField(tr("Water"), tr("water at the start"), "initial_water_g_m2",
+        [](const Experiment& e) { return std::optional(e.initial_water_g_m2); }, [](Experiment& e, double v) { e.initial_water_g_m2 = v; },
+        tr("In the cloth at the start, over what it holds in this climate.")));
+    group({Type::conditioning});
+    form_->addQuantity(Quantity::temperature(-10, 60), fixedField(tr("From"), tr("temperature at the start"), "initial.temperature_c",
+        [](const Experiment& e) { return std::optional(e.initial.temperature_c); }, [](Experiment& e, double v) { e.initial.temperature_c = v; },
+        tr("The sample comes from air of this temperature.")));
+    form_->addQuantity(Quantity::percent(0, 1), fixedField(tr("From humidity"), tr("humidity at the start"), "initial.relative_humidity",
+        [](const Experiment& e) { return std::optional(e.initial.relative_humidity); },
+        [](Experiment& e, double v) { e.initial.relative_humidity = v; }, tr("The sample comes from air of this humidity.")));
+    group({Type::sweat});
+    form_->addQuantity(Quantity::arealRate(100000), fixedField(tr("Rate"), tr("rate of sweat"), "rate_g_m2_h",
+        [](const Experiment& e) { return std::optional(e.rate_g_m2_h); }, [](Experiment& e, double v) { e.rate_g_m2_h = v; }));
+    side_ = new QComboBox;
+    side_->addItems({tr("Bottom"), tr("Top")});
+    form_->addRow(tr("Face"), side_);
+    connect(side_, &QComboBox::activated, this, [this](int chosen) { edit(tr("sweating face"), [&](Experiment& e) { e.from_top = chosen == 1; }); });
+}
+
+void ExperimentPanel::addModel()
+{
+    form_->addSection(tr("Liquid"));
+    liquid_ = new QComboBox;
+    form_->addRow(tr("Liquid"), liquid_);
+    connect(liquid_, &QComboBox::activated, this, [this](int chosen) {
+        edit(tr("liquid"), [&](Experiment& e) { e.liquid = liquid_->itemData(chosen).toString().toStdString(); });
+    });
+    closure_ = new QComboBox;
+    closure_->addItems({tr("As Kissa measured"), tr("Li and Zhu"), tr("As the paper prints")});
+    closure_->setToolTip(tr("How liquid moves in the pores of the yarns."));
+    form_->addRow(tr("Flow in yarns"), closure_);
+    connect(closure_, &QComboBox::activated, this,
+            [this](int chosen) { edit(tr("flow in yarns"), [&](Experiment& e) { e.closure = static_cast<Closure>(chosen); }); });
+    swelling_ = new QCheckBox(tr("Wet fibres narrow the pores"));
+    form_->addWide(swelling_);
+    connect(swelling_, &QCheckBox::clicked, this, [this](bool on) { edit(tr("swelling"), [&](Experiment& e) { e.swelling = on; }); });
 }
 
 void ExperimentPanel::addDroplets()
 {
-    form_->addSection(tr("Droplets"));
+    groups_.push_back({form_->addGroup(), {ExperimentType::droplet}});
     droplets_ = new QListWidget;
     droplets_->setAccessibleName(tr("Droplets"));
     droplets_->setFixedHeight(72);
@@ -201,6 +289,48 @@ void ExperimentPanel::refreshChoice()
     choice_->setEnabled(choice_->count() > 0);
     remove_->setEnabled(document_.experiment());
     rename_->setEnabled(document_.experiment());
+}
+
+/// Shows what the experiment's type has.
+void ExperimentPanel::refreshType()
+{
+    const Experiment* experiment = document_.experiment();
+    for (const Group& group : groups_) {
+        group.widget->setVisible(experiment && std::find(group.types.begin(), group.types.end(), experiment->type) != group.types.end());
+    }
+    for (QWidget* widget : std::initializer_list<QWidget*>{type_, liquid_, closure_, swelling_}) {
+        widget->setEnabled(experiment);
+    }
+    if (!experiment) {
+        return;
+    }
+    type_->setCurrentIndex(static_cast<int>(experiment->type));
+    direction_->setCurrentIndex(experiment->along_weft ? 1 : 0);
+    side_->setCurrentIndex(experiment->from_top ? 1 : 0);
+    closure_->setCurrentIndex(static_cast<int>(experiment->closure));
+    swelling_->setChecked(experiment->swelling);
+    liquid_->clear();
+    for (const auto& liquids : {document_.design()->liquids, library_liquids()}) {
+        for (const Liquid& liquid : liquids) {
+            liquid_->addItem(nameOfLiquid(liquid.name), QString::fromStdString(liquid.name));
+        }
+    }
+    liquid_->setCurrentIndex(liquid_->findData(QString::fromStdString(experiment->liquid)));
+}
+
+void ExperimentPanel::setType(int chosen)
+{
+    const auto type = static_cast<ExperimentType>(chosen);
+    if (!document_.experiment() || document_.experiment()->type == type) {
+        return;
+    }
+    edit(tr("type of experiment"), [&](Experiment& e) {
+        Experiment standard = standard_experiment(type);
+        standard.name = e.name;
+        standard.closure = e.closure;
+        standard.swelling = e.swelling;
+        e = standard;
+    });
 }
 
 void ExperimentPanel::refreshDroplets()

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The chosen experiment: climate, liquid, sample, duration, droplets.
+// The chosen experiment: its type, climate, sample, liquid, and what its type has.
 #pragma once
 
 #include "ui/design_form.h"
 
 #include <QScrollArea>
 
+class QCheckBox;
 class QListWidget;
 class QToolButton;
 
@@ -29,8 +30,12 @@ private:
     DesignField dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&), const QString& help = {});
     void addChoice();
     void addConditions();
+    void addTypes();
+    void addModel();
     void addDroplets();
     void refreshChoice();
+    void refreshType();
+    void setType(int chosen);
     void refreshDroplets();
     void renameExperiment();
     void removeExperiment();
@@ -41,6 +46,18 @@ private:
     QComboBox* choice_ = nullptr;
     QToolButton* remove_ = nullptr;
     QToolButton* rename_ = nullptr;
+    /// Rows that only some types have.
+    struct Group {
+        QWidget* widget;
+        std::vector<ExperimentType> types;
+    };
+    std::vector<Group> groups_;
+    QComboBox* type_ = nullptr;
+    QComboBox* liquid_ = nullptr;
+    QComboBox* closure_ = nullptr;
+    QComboBox* direction_ = nullptr;
+    QComboBox* side_ = nullptr;
+    QCheckBox* swelling_ = nullptr;
     QListWidget* droplets_ = nullptr;
     QToolButton* remove_droplet_ = nullptr;
     QLabel* no_droplet_ = nullptr;

@@ -83,6 +83,12 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     progress_->setAccessibleName(tr("Progress of the export"));
     result_->setWordWrap(true);
     result_->setAccessibleName(tr("Result of the export"));
+    result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    // Room that stays, so that the buttons do not move as sentences come and go.
+    result_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    QSizePolicy stays = progress_->sizePolicy();
+    stays.setRetainSizeWhenHidden(true);
+    progress_->setSizePolicy(stays);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(open_folder_);
@@ -104,7 +110,6 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     open_folder_->setAutoDefault(false);
     open_folder_->hide();
     progress_->hide();
-    result_->hide();
 
     connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
     connect(close_, &QPushButton::clicked, this, &QDialog::reject);
@@ -137,9 +142,17 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     }
     connect(file_, &QLineEdit::textEdited, this, &ExportDialog::setFile);
     refresh();
+    adjustSize();
+    resize(width() + 40, height() + 3 * fontMetrics().lineSpacing()); // for what the fields will say
 }
 
 ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::resizeEvent(QResizeEvent* event)
+{
+    QDialog::resizeEvent(event);
+    fitNotes();
+}
 
 ExportSource ExportDialog::source() const
 {
@@ -160,6 +173,7 @@ void ExportDialog::refresh()
     if (writing_) {
         return;
     }
+    result_->clear(); // it was about an earlier choice
     nameFile();
     const auto piece = static_cast<ExportPiece>(piece_->currentIndex());
     const auto detail = static_cast<MeshDetail>(detail_->currentIndex());
@@ -171,6 +185,7 @@ void ExportDialog::refresh()
     flyaways_->setEnabled(detail == MeshDetail::fibre);
     seed_->setEnabled(detail == MeshDetail::fibre);
     const std::optional<ExportChoice> chosen = choice();
+    fitNotes();
     export_->setEnabled(chosen.has_value());
     estimate_->setEnabled(false); // until the new one is there
     if (!chosen) {
@@ -244,6 +259,7 @@ void ExportDialog::tell(const Foretold& foretold)
                                                    : this->palette().color(QPalette::WindowText));
     estimate_->setPalette(palette);
     estimate_->setText(text);
+    fitNotes();
     Q_EMIT estimated();
 }
 
@@ -295,14 +311,13 @@ void ExportDialog::cancel()
 void ExportDialog::end(const QString& sentence, bool problem, const QString& path)
 {
     setWriting(false);
+    refresh();
     result_->setText(sentence);
-    result_->show();
     open_folder_->setVisible(!problem);
     if (!problem) {
         agreed_ = path; // the same again is a new try
         Q_EMIT written(tr("Exported %1.").arg(path));
     }
-    refresh();
     Q_EMIT ended();
 }
 
@@ -315,7 +330,7 @@ void ExportDialog::setWriting(bool writing)
     progress_->setValue(0);
     progress_->setVisible(writing);
     if (writing) {
-        result_->hide();
+        result_->clear();
         open_folder_->hide();
         close_->setFocus();
     }
@@ -340,7 +355,9 @@ bool ExportDialog::mayReplace(const QString& path)
     if (path == agreed_ || !QFile::exists(path)) {
         return true;
     }
-    return QMessageBox::question(this, windowTitle(), tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+    return QMessageBox::question(this, windowTitle(), tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName()),
+                                 QMessageBox::Yes | QMessageBox::No, QMessageBox::No)
+        == QMessageBox::Yes;
 }
 
 } // namespace hygroloom

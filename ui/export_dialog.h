@@ -46,6 +46,9 @@ Q_SIGNALS:
     /// Written, cancelled or failed.
     void ended();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     struct Foretold;
     void refresh();
@@ -57,6 +60,8 @@ private:
     // export_dialog_fields.cpp
     void buildForm(QFormLayout* form);
     QLabel* addNote(QFormLayout* form);
+    /// Gives each sentence beside the fields the height that its lines take.
+    void fitNotes();
     static void say(QLabel* note, const QString& sentence, Severity severity = Severity::error);
     void showChoice(const ExportChoice& choice);
     void refreshPieces();

@@ -136,6 +136,16 @@ void ExportDialog::buildForm(QFormLayout* form)
     file_note_ = addNote(form);
 }
 
+void ExportDialog::fitNotes()
+{
+    // A form gives a label that wraps the height of one line.
+    fields_->layout()->activate();
+    for (QLabel* note : {fabric_note_, format_note_, piece_note_, samples_note_, sides_note_, seed_note_, file_note_}) {
+        const int width = file_note_->parentWidget()->width() - file_->parentWidget()->x();
+        note->setMinimumHeight(note->isHidden() ? 0 : note->heightForWidth(width));
+    }
+}
+
 QLabel* ExportDialog::addNote(QFormLayout* form)
 {
     auto* note = new QLabel;

@@ -5,6 +5,7 @@
 #include "core/project/library.h"
 #include "ui/yarn_panel.h"
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -19,14 +20,25 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent)
     , form_(new DesignForm(document))
 {
     addConstruction();
-    YarnPanel* warp = new YarnPanel(*form_, false, this);
-    YarnPanel* weft = new YarnPanel(*form_, true, this);
-    Q_UNUSED(warp)
-    Q_UNUSED(weft)
+    warp_ = new YarnPanel(*form_, YarnUse::warp, this);
+    new YarnPanel(*form_, YarnUse::weft, this);
+    stripes_ = new YarnPanel(*form_, YarnUse::stripes, this);
     addFlyaway();
     addMeasured();
     form_->fill(this);
     form_->refresh();
+}
+
+void FabricPanel::showYarn(int yarn)
+{
+    YarnPanel* panel = yarn > 0 ? stripes_ : warp_;
+    panel->choose(yarn);
+    // The form has to know its size before it can scroll there.
+    QMetaObject::invokeMethod(this, [this, panel] {
+        widget()->layout()->activate();
+        ensureWidgetVisible(panel->section().content, 0, 0);
+        ensureWidgetVisible(panel->section().heading, 0, 8);
+    }, Qt::QueuedConnection);
 }
 
 DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
@@ -139,6 +151,9 @@ void FabricPanel::addDerived()
     form_->addSection(tr("Follows from this"));
     QLabel* weight = form_->addDerived(tr("Weight"), tr("Areal density, dry."));
     QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Share of the area that yarns cover, c₁ + c₂ − c₁c₂."));
+    QLabel* bending = form_->addDerived(tr("Yarns bend"),
+                                        tr("Round each other. Where yarns lie too close for full arcs (the cloth is jammed), they are squeezed "
+                                           "where they change sides, though neighbours need not touch."));
     QLabel* porosity = form_->addDerived(tr("Porosity"), tr("One less the share of fibre in the fabric's volume."));
     QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
     QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends, and between neighbouring picks."));
@@ -146,7 +161,8 @@ void FabricPanel::addDerived()
         const auto& q = document_.quantities();
         const QString none = QStringLiteral("–");
         weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
-        cover->setText(q ? shownNumber(q->cover_factor, 2) + (q->jammed ? tr(", jammed") : QString()) : none);
+        cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
+        bending->setText(!q ? none : q->jammed ? tr("squeezed where they turn") : tr("in full arcs"));
         porosity->setText(q ? shownNumber(q->porosity, 2) : none);
         layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
         gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
@@ -155,7 +171,7 @@ void FabricPanel::addDerived()
 
 void FabricPanel::addFlyaway()
 {
-    form_->addSection(tr("Flyaways"), true, false);
+    form_->addFoldable(tr("Flyaways"), false);
     const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member, const Quantity& quantity) {
         form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
                                            [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
@@ -168,7 +184,7 @@ void FabricPanel::addFlyaway()
 
 void FabricPanel::addMeasured()
 {
-    form_->addSection(tr("Measured in the laboratory"), true, false);
+    form_->addFoldable(tr("Measured in the laboratory"), false);
     const auto add = [this](const QString& label, const QString& undo, const char* where, std::optional<double> Measured::*member,
                             const Quantity& quantity) {
         return form_->addQuantity(quantity, field(label, undo, where, [member](const Fabric& f) { return f.measured.*member; },

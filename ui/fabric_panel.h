@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The chosen fabric: sett, thickness, finish, both yarns, and the numbers that follow from them.
+// The chosen fabric: sett, thickness, finish, its yarns, and the numbers that follow from them.
 #pragma once
 
 #include "ui/design_form.h"
@@ -8,10 +8,15 @@
 
 namespace hygroloom {
 
+class YarnPanel;
+
 class FabricPanel : public QScrollArea {
     Q_OBJECT
 public:
     explicit FabricPanel(Document& document, QWidget* parent = nullptr);
+
+    /// Opens and scrolls to the fields of a yarn, as yarn_in() numbers them: 0 is the fabric's own.
+    void showYarn(int yarn);
 
 private:
     using Read = std::function<std::optional<double>(const Fabric&)>;
@@ -25,6 +30,8 @@ private:
 
     Document& document_;
     DesignForm* form_;
+    YarnPanel* warp_ = nullptr;
+    YarnPanel* stripes_ = nullptr;
 };
 
 } // namespace hygroloom

@@ -2,12 +2,92 @@
 #include "ui/issues_panel.h"
 
 #include "ui/appearance.h"
+#include "ui/cloth_picture.h"
 
 #include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace hygroloom {
+
+namespace {
+
+/// The part of a fabric or an experiment a path goes into, where it is a thing one would name.
+QString partInWords(const QString& path)
+{
+    static const QRegularExpression extra("^\\.extra_yarns\\[(\\d+)\\]"), droplet("^\\.droplets\\[(\\d+)\\]");
+    if (path.startsWith(".warp.") || path == ".warp") {
+        return IssuesPanel::tr("warp");
+    }
+    if (path.startsWith(".weft.") || path == ".weft") {
+        return IssuesPanel::tr("weft");
+    }
+    if (const auto match = extra.match(path); match.hasMatch()) {
+        const int yarn = match.captured(1).toInt() + 1;
+        return IssuesPanel::tr("yarn %1 (extra yarn %2)").arg(yarnLetter(yarn)).arg(yarn);
+    }
+    if (const auto match = droplet.match(path); match.hasMatch()) {
+        return IssuesPanel::tr("droplet %1").arg(match.captured(1).toInt() + 1);
+    }
+    return {};
+}
+
+template <typename Item>
+QString nameIn(const std::vector<Item>& items, std::size_t index)
+{
+    return index < items.size() ? QString::fromStdString(items[index].name) : QString();
+}
+
+bool repeatsTheWarp(const Document& document, const Issue& issue)
+{
+    const std::size_t weft = issue.where.find("].weft");
+    if (weft == std::string::npos) {
+        return false;
+    }
+    const std::string warp = std::string(issue.where).replace(weft, 6, "].warp");
+    const auto fabric = static_cast<std::size_t>(std::atoi(issue.where.c_str() + sizeof("fabrics[") - 1));
+    const auto& fabrics = document.design()->fabrics;
+    return fabric < fabrics.size() && fabrics[fabric].warp == fabrics[fabric].weft
+        && std::any_of(document.issues().begin(), document.issues().end(),
+                       [&](const Issue& other) { return other.where == warp && other.text == issue.text; });
+}
+
+} // namespace
+
+std::vector<const Issue*> issuesToTell(const Document& document)
+{
+    std::vector<const Issue*> told;
+    for (const Issue& issue : document.issues()) {
+        if (!repeatsTheWarp(document, issue)) {
+            told.push_back(&issue);
+        }
+    }
+    std::stable_sort(told.begin(), told.end(), [](const Issue* a, const Issue* b) { return a->severity > b->severity; });
+    return told;
+}
+
+QString issueInWords(const Design& design, const Issue& issue)
+{
+    static const QRegularExpression owner("^(fabrics|experiments|materials)\\[(\\d+)\\]");
+    const QString where = QString::fromStdString(issue.where), text = QString::fromStdString(issue.text);
+    const auto match = owner.match(where);
+    if (!match.hasMatch()) {
+        return text;
+    }
+    const auto index = static_cast<std::size_t>(match.captured(2).toInt());
+    const QString list = match.captured(1), part = partInWords(where.mid(match.capturedEnd()));
+    QString name = list == "fabrics" ? nameIn(design.fabrics, index) : list == "experiments" ? nameIn(design.experiments, index) : nameIn(design.materials, index);
+    if (name.isEmpty()) {
+        name = list == "fabrics" ? IssuesPanel::tr("Fabric %1").arg(index + 1)
+             : list == "experiments" ? IssuesPanel::tr("Experiment %1").arg(index + 1)
+                                     : IssuesPanel::tr("Material %1").arg(index + 1);
+    }
+    return part.isEmpty() ? IssuesPanel::tr("%1: %2").arg(name, text) : IssuesPanel::tr("%1, %2: %3").arg(name, part, text);
+}
 
 IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
     : QWidget(parent)
@@ -34,10 +114,10 @@ IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
 void IssuesPanel::refresh()
 {
     list_->clear();
-    for (const Issue& issue : document_.issues()) {
-        auto* item = new QListWidgetItem(severityIcon(issue.severity), QString::fromStdString(issue.text), list_);
-        item->setData(Qt::UserRole, QString::fromStdString(issue.where));
-        item->setToolTip(tr("%1 at %2").arg(severityName(issue.severity), QString::fromStdString(issue.where)));
+    for (const Issue* issue : issuesToTell(document_)) {
+        auto* item = new QListWidgetItem(severityIcon(issue->severity), issueInWords(*document_.design(), *issue), list_);
+        item->setData(Qt::UserRole, QString::fromStdString(issue->where));
+        item->setToolTip(tr("%1 at %2").arg(severityName(issue->severity), QString::fromStdString(issue->where)));
     }
     list_->setVisible(list_->count() > 0);
     empty_->setVisible(list_->count() == 0);

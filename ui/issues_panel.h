@@ -11,6 +11,11 @@ class QListWidget;
 
 namespace hygroloom {
 
+/// The issues to tell of, errors first; what a weft has because it is the same as the warp is not told again.
+std::vector<const Issue*> issuesToTell(const Document& document);
+/// The sentence after what it is about: "Textile F, weft: ...".
+QString issueInWords(const Design& design, const Issue& issue);
+
 class IssuesPanel : public QWidget {
     Q_OBJECT
 public:

@@ -9,6 +9,7 @@
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
 #include "ui/issues_panel.h"
+#include "ui/order_editor.h"
 #include "ui/point_paper.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
@@ -231,6 +232,11 @@ void MainWindow::connectParts()
         resizeDocks({draft_dock_}, {std::max(300, height() * 2 / 5)}, Qt::Vertical);
         draft_->paper()->setFocus();
     });
+    connect(draft_->order(), &OrderEditor::yarnActivated, this, [this](int yarn) {
+        fabric_dock_->setVisible(true);
+        fabric_dock_->raise();
+        fabric_panel_->showYarn(yarn);
+    });
     connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
         (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);
     });
@@ -318,8 +324,8 @@ void MainWindow::refreshStale()
 void MainWindow::refreshIssueCount()
 {
     int counts[3] = {};
-    for (const Issue& issue : document_.issues()) {
-        ++counts[static_cast<int>(issue.severity)];
+    for (const Issue* issue : issuesToTell(document_)) {
+        ++counts[static_cast<int>(issue->severity)];
     }
     QStringList parts;
     const auto count = [&](Severity severity, const QString& one, const QString& many) {

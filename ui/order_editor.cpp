@@ -6,9 +6,11 @@
 #include "ui/design_undo.h"
 #include "ui/weave_edits.h"
 
+#include <QAction>
 #include <QColorDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -41,13 +43,76 @@ QString described(const Yarn& yarn)
 
 } // namespace
 
+/// One period of an order as text. What cannot be read stays, underlined, with the sentence that says why.
+class OrderEdit : public QLineEdit {
+public:
+    explicit OrderEdit(const QString& name)
+        : mark_(addAction(severityIcon(Severity::error), QLineEdit::TrailingPosition))
+    {
+        new DesignUndo(this);
+        setAccessibleName(name);
+        setPlaceholderText(OrderEditor::tr("all A"));
+        setComplaint({});
+        connect(mark_, &QAction::triggered, this, &OrderEdit::showTip);
+        connect(this, &QLineEdit::textEdited, this, [this] { setComplaint({}); });
+    }
+
+    /// Takes a wrong text's place only when the order has changed.
+    void showOrder(const QString& order)
+    {
+        if (order != order_ || complaint_.isEmpty()) {
+            order_ = order;
+            setComplaint({});
+            if (text() != order) {
+                setText(order);
+            }
+        }
+    }
+
+    void setComplaint(const QString& sentence)
+    {
+        complaint_ = sentence;
+        mark_->setVisible(!sentence.isEmpty());
+        const QString help = OrderEditor::tr("One period, such as 12A 4B. A is the fabric's own yarn. Empty: all alike.");
+        setToolTip((sentence.isEmpty() ? QString() : "<p>" + sentence.toHtmlEscaped() + "</p>") + "<p>" + help + "</p>");
+        setAccessibleDescription(sentence.isEmpty() ? help : sentence);
+        update();
+    }
+
+    void showTip() { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        if (event->key() == Qt::Key_Escape && text() != order_) {
+            setComplaint({});
+            setText(order_);
+            return;
+        }
+        QLineEdit::keyPressEvent(event);
+    }
+
+    void paintEvent(QPaintEvent* event) override
+    {
+        QLineEdit::paintEvent(event);
+        if (!complaint_.isEmpty()) {
+            QPainter(this).fillRect(QRect(2, height() - 3, width() - 4, 2), severityColor(Severity::error, palette()));
+        }
+    }
+
+private:
+    QAction* mark_;
+    QString order_; ///< of the design
+    QString complaint_;
+};
+
 OrderEditor::OrderEditor(Document& document, QWidget* parent)
     : QWidget(parent)
     , document_(document)
     , list_(new QListWidget)
 {
     list_->setAccessibleName(tr("Yarns of the fabric"));
-    list_->setToolTip("<p>" + tr("Choose a yarn, then drag over the bars along the draft.") + "</p>");
+    list_->setToolTip("<p>" + tr("Choose a yarn, then drag over the bars along the draft. Double click it for its fibre, count and twist.") + "</p>");
     list_->setFrameShape(QFrame::NoFrame);
     list_->setIconSize({16, 16});
     auto* buttons = new QHBoxLayout;
@@ -70,11 +135,7 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent)
     fields->setContentsMargins(0, 0, 0, 0);
     fields->setSpacing(4);
     for (int system = 0; system < 2; ++system) {
-        auto* edit = orders_[system] = new QLineEdit;
-        new DesignUndo(edit);
-        edit->setAccessibleName(system == 0 ? tr("Order of the ends") : tr("Order of the picks"));
-        edit->setPlaceholderText(tr("all A"));
-        edit->setToolTip("<p>" + tr("One period, such as 12A 4B. A is the fabric's own yarn. Empty: all alike.") + "</p>");
+        auto* edit = orders_[system] = new OrderEdit(system == 0 ? tr("Order of the ends") : tr("Order of the picks"));
         fields->addRow(system == 0 ? tr("Ends") : tr("Picks"), edit);
         connect(edit, &QLineEdit::editingFinished, this, [this, system] { setOrder(system == 0, orders_[system]->text()); });
     }
@@ -85,6 +146,7 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent)
     layout->addLayout(buttons);
     layout->addLayout(fields);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) { remove_->setEnabled(row > 0); });
+    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { Q_EMIT yarnActivated(list_->row(item)); });
     connect(&document_, &Document::designChanged, this, &OrderEditor::refresh);
     refresh();
 }
@@ -118,10 +180,7 @@ void OrderEditor::refresh()
     list_->setCurrentRow(std::clamp(chosen, 0, list_->count() - 1));
     remove_->setEnabled(list_->currentRow() > 0);
     for (int system = 0; system < 2; ++system) {
-        const QString text = orderText(system == 0 ? fabric->warp_order : fabric->weft_order);
-        if (orders_[system]->text() != text) {
-            orders_[system]->setText(text);
-        }
+        orders_[system]->showOrder(orderText(system == 0 ? fabric->warp_order : fabric->weft_order));
     }
 }
 
@@ -205,15 +264,15 @@ void OrderEditor::pickColor()
 void OrderEditor::setOrder(bool warp, const QString& text)
 {
     const Fabric* fabric = document_.fabric();
+    OrderEdit* field = orders_[warp ? 0 : 1];
     if (!fabric || text == orderText(warp ? fabric->warp_order : fabric->weft_order)) {
         return;
     }
     QString why;
     const auto order = orderFromText(text, static_cast<int>(fabric->extra_yarns.size()) + 1, &why);
+    field->setComplaint(order ? QString() : why);
     if (!order) {
-        QLineEdit* field = orders_[warp ? 0 : 1];
-        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), "<p>" + why.toHtmlEscaped() + "</p>", field);
-        refresh();
+        field->showTip();
         return;
     }
     document_.endStroke();

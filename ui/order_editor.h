@@ -6,11 +6,12 @@
 
 #include <QWidget>
 
-class QLineEdit;
 class QListWidget;
 class QToolButton;
 
 namespace hygroloom {
+
+class OrderEdit;
 
 class OrderEditor : public QWidget {
     Q_OBJECT
@@ -26,6 +27,10 @@ public:
     void removeYarn();
     void setColor(const QColor& color);
 
+Q_SIGNALS:
+    /// The user wants to see the fields of a yarn.
+    void yarnActivated(int yarn);
+
 private:
     void refresh();
     void pickColor();
@@ -35,7 +40,7 @@ private:
     Document& document_;
     QListWidget* list_;
     QToolButton* remove_;
-    QLineEdit* orders_[2]; ///< warp, weft
+    OrderEdit* orders_[2]; ///< warp, weft
 };
 
 } // namespace hygroloom

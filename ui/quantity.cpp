@@ -154,6 +154,16 @@ Quantity Quantity::time(double minimum_s, double maximum_s)
                     minimum_s, maximum_s, 1, 3);
 }
 
+Quantity Quantity::arealDensity(double maximum_g_m2)
+{
+    return quantity("g/m²", {{{"g/m²", "g/m2", "gsm"}, same}, {{"kg/m²", "kg/m2"}, [](double v) { return v * 1000; }}}, 0, maximum_g_m2, 10, 1);
+}
+
+Quantity Quantity::arealRate(double maximum_g_m2_h)
+{
+    return quantity("g/(m² h)", {{{"g/(m² h)", "g/(m2 h)", "g/m2/h"}, same}}, 0, maximum_g_m2_h, 50, 1);
+}
+
 QString Quantity::number(double stored) const
 {
     return shownNumber(stored * shown_per_stored, decimals);

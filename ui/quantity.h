@@ -40,6 +40,8 @@ struct Quantity {
     static Quantity speed(double maximum_m_s);
     static Quantity volume(double minimum_ul, double maximum_ul);
     static Quantity time(double minimum_s, double maximum_s);
+    static Quantity arealDensity(double maximum_g_m2);
+    static Quantity arealRate(double maximum_g_m2_h);
 
     QString number(double stored) const;      ///< "35"
     QString text(double stored) const;        ///< "35 /cm"

@@ -86,6 +86,16 @@ QRectF WaterMap::mapArea() const
     return {room.center().x() - 0.5 * scale * w, room.top(), scale * w, scale * h};
 }
 
+QString WaterMap::radiusText(double room) const
+{
+    if (!(circle_.radius > 0)) {
+        return tr("dry");
+    }
+    const QString radius = tr("%1 mm").arg(shownNumber(mm_from_metre(circle_.radius), 2));
+    const QString text = tr("wet radius %1").arg(radius);
+    return fontMetrics().horizontalAdvance(text) + 12 <= room ? text : radius;
+}
+
 void WaterMap::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -96,7 +106,11 @@ void WaterMap::paintEvent(QPaintEvent*)
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
-    painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter, title_);
+    const double title = QFontMetricsF(bold).horizontalAdvance(title_);
+    const QString radius = image_.isNull() ? QString() : radiusText(width() - 16 - title);
+    const bool fits = title + 12 + fontMetrics().horizontalAdvance(radius) <= area.width();
+    const QRectF head = fits ? QRectF(area.left(), 0, area.width(), area.top() - 2) : QRectF(8, 0, width() - 16, area.top() - 2);
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, title_);
     painter.setFont(font());
     if (image_.isNull()) {
         QColor line = ink;
@@ -105,8 +119,7 @@ void WaterMap::paintEvent(QPaintEvent*)
         painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5));
         return;
     }
-    const QString radius = circle_.radius > 0 ? tr("wet radius %1 mm").arg(shownNumber(mm_from_metre(circle_.radius), 2)) : tr("dry");
-    painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignRight | Qt::AlignVCenter, radius);
+    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, radius);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     const double pixelsPerMetre = area.width() / size_.width();
     const QSizeF cells(map_.columns * map_.cell_width * pixelsPerMetre, map_.rows * map_.cell_height * pixelsPerMetre);

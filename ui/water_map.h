@@ -35,6 +35,8 @@ protected:
 
 private:
     QRectF mapArea() const;
+    /// In fewer words where there is little room, in pixels.
+    QString radiusText(double room) const;
     void render();
 
     QString title_;

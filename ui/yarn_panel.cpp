@@ -31,27 +31,18 @@ QIcon swatch(const QColor& color, const QPalette& palette)
 
 } // namespace
 
-YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
+YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     : QObject(parent)
     , form_(form)
-    , weft_(weft)
+    , use_(use)
+    , kind_(use == YarnUse::warp ? tr("warp") : use == YarnUse::weft ? tr("weft") : tr("stripe yarn"))
+    , section_(form.addFoldable(use == YarnUse::warp ? tr("Warp yarn") : use == YarnUse::weft ? tr("Weft yarn") : tr("Yarns of the stripes")))
 {
-    const QString kind = weft ? tr("weft") : tr("warp");
-    form.addSection(weft ? tr("Weft yarn") : tr("Warp yarn"), true);
-    if (weft) {
-        same_ = new QCheckBox(tr("Same as warp"));
-        same_->setAccessibleName(tr("Weft yarn is the same as the warp yarn"));
-        form.addWide(same_);
-        connect(same_, &QCheckBox::clicked, this, [this](bool on) {
-            unlinked_ = on ? std::string() : form_.document().fabric()->name;
-            if (on && form_.document().fabric()->warp != form_.document().fabric()->weft) {
-                const auto index = static_cast<std::size_t>(form_.document().fabricIndex());
-                form_.document().edit(tr("weft same as warp"), {}, [index](Design& design) {
-                    design.fabrics[index].weft = design.fabrics[index].warp;
-                });
-            }
-            refresh();
-        });
+    const QString kind = kind_;
+    if (use == YarnUse::weft) {
+        addSameAsWarp();
+    } else if (use == YarnUse::stripes) {
+        addChoice();
     }
     addMaterials();
 
@@ -135,6 +126,46 @@ YarnPanel::YarnPanel(DesignForm& form, bool weft, QObject* parent)
     form.onRefresh([this] { refresh(); });
 }
 
+void YarnPanel::addSameAsWarp()
+{
+    same_ = new QCheckBox(tr("Same as warp"));
+    same_->setAccessibleName(tr("Weft yarn is the same as the warp yarn"));
+    form_.addWide(same_);
+    connect(same_, &QCheckBox::clicked, this, [this](bool on) {
+        unlinked_ = on ? std::string() : form_.document().fabric()->name;
+        if (on && form_.document().fabric()->warp != form_.document().fabric()->weft) {
+            const auto index = static_cast<std::size_t>(form_.document().fabricIndex());
+            form_.document().edit(tr("weft same as warp"), {}, [index](Design& design) {
+                design.fabrics[index].weft = design.fabrics[index].warp;
+            });
+        }
+        refresh();
+    });
+}
+
+void YarnPanel::addChoice()
+{
+    choice_ = new QComboBox;
+    choice_->setMinimumContentsLength(8);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice_->setToolTip("<p>" + tr("The yarns beside the fabric's own, with the letters they have in the order of the ends and picks.") + "</p>");
+    form_.addRow(tr("Yarn"), choice_);
+    choice_->setAccessibleName(tr("Yarn of the stripes"));
+    connect(choice_, &QComboBox::activated, this, [this](int index) {
+        stripe_ = index;
+        form_.refresh();
+    });
+}
+
+void YarnPanel::choose(int yarn)
+{
+    section_.open();
+    if (use_ == YarnUse::stripes) {
+        stripe_ = std::max(0, yarn - 1);
+        form_.refresh();
+    }
+}
+
 void YarnPanel::addColor(const QString& kind)
 {
     color_ = new QToolButton;
@@ -143,7 +174,7 @@ void YarnPanel::addColor(const QString& kind)
     color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(color_);
     connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this, kind] {
-        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), !weft_), color_, tr("Colour of the Yarn"));
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Colour of the Yarn"));
         if (color.isValid()) {
             editYarn(tr("%1 colour").arg(kind), path("color"), [&](Yarn& y) {
                 y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()), static_cast<std::uint8_t>(color.blue())};
@@ -167,7 +198,7 @@ void YarnPanel::addMaterials()
         box->setMinimumContentsLength(8);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     }
-    const QString kind = weft_ ? tr("weft") : tr("warp");
+    const QString kind = kind_;
     connect(fibre_, &QComboBox::textActivated, this, [this, kind](const QString& name) {
         editYarn(tr("%1 fibre").arg(kind), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
     });
@@ -197,15 +228,36 @@ void YarnPanel::addMaterials()
 const Yarn* YarnPanel::yarn() const
 {
     const Fabric* fabric = form_.document().fabric();
-    return !fabric ? nullptr : weft_ ? &fabric->weft : &fabric->warp;
+    if (!fabric) {
+        return nullptr;
+    }
+    if (use_ == YarnUse::stripes) {
+        return fabric->extra_yarns.empty() ? nullptr : &fabric->extra_yarns[stripe()];
+    }
+    return use_ == YarnUse::weft ? &fabric->weft : &fabric->warp;
+}
+
+std::size_t YarnPanel::stripe() const
+{
+    const Fabric* fabric = form_.document().fabric();
+    const int count = fabric ? static_cast<int>(fabric->extra_yarns.size()) : 0;
+    return static_cast<std::size_t>(std::clamp(stripe_, 0, std::max(0, count - 1)));
+}
+
+Yarn& YarnPanel::yarnOf(Fabric& fabric) const
+{
+    return use_ == YarnUse::stripes ? fabric.extra_yarns[stripe()] : use_ == YarnUse::weft ? fabric.weft : fabric.warp;
 }
 
 std::function<void(Design&, std::optional<double>)> YarnPanel::writing(std::function<void(Yarn&, std::optional<double>)> change)
 {
     return [this, change = std::move(change)](Design& design, std::optional<double> value) {
+        if (!yarn()) {
+            return;
+        }
         Fabric& fabric = design.fabrics[static_cast<std::size_t>(form_.document().fabricIndex())];
-        const bool linked = !weft_ && fabric.name != unlinked_ && fabric.warp == fabric.weft;
-        change(weft_ ? fabric.weft : fabric.warp, value);
+        const bool linked = use_ == YarnUse::warp && fabric.name != unlinked_ && fabric.warp == fabric.weft;
+        change(yarnOf(fabric), value);
         if (linked && !form_.property("weft apart").toBool()) {
             fabric.weft = fabric.warp;
         }
@@ -221,11 +273,15 @@ void YarnPanel::editYarn(const QString& undo, const std::string& field, const st
 
 std::string YarnPanel::path(const char* field) const
 {
-    return "fabrics[" + std::to_string(form_.document().fabricIndex()) + (weft_ ? "].weft." : "].warp.") + field;
+    const std::string own = use_ == YarnUse::stripes ? "extra_yarns[" + std::to_string(stripe()) + "]" : use_ == YarnUse::weft ? "weft" : "warp";
+    return "fabrics[" + std::to_string(form_.document().fabricIndex()) + "]." + own + "." + field;
 }
 
 void YarnPanel::refresh()
 {
+    if (choice_) {
+        refreshChoice();
+    }
     const Yarn* y = yarn();
     for (QWidget* field : fields_) {
         field->setEnabled(y != nullptr);
@@ -239,27 +295,62 @@ void YarnPanel::refresh()
     refreshMaterials();
     twist_direction_->setCurrentIndex(y->twist_direction == TwistDirection::s ? 0 : 1);
     ply_direction_->setCurrentIndex(y->ply_twist_direction == TwistDirection::s ? 0 : 1);
-    color_->setIcon(swatch(yarnColor(*y, !weft_), form_.palette()));
-    color_->setText(y->color ? yarnColor(*y, !weft_).name() : tr("undyed"));
+    color_->setIcon(swatch(yarnColor(*y, isWarp()), form_.palette()));
+    color_->setText(y->color ? yarnColor(*y, isWarp()).name() : tr("undyed"));
     share_->setEnabled(y->material.size() == 2);
     ply_twist_->setEnabled(y->plies > 1);
     ply_direction_->setEnabled(y->plies > 1);
     if (same_) {
-        const Fabric& fabric = *form_.document().fabric();
-        const bool same = fabric.warp == fabric.weft && fabric.name != unlinked_;
-        form_.setProperty("weft apart", !same);
-        same_->setChecked(same);
-        for (QWidget* field : fields_) {
-            field->setEnabled(!same && (field != share_ || y->material.size() == 2)
-                              && ((field != ply_twist_ && field != ply_direction_) || y->plies > 1));
-        }
+        refreshSame();
     }
+    refreshDerived();
+}
+
+void YarnPanel::refreshSame()
+{
+    const Fabric& fabric = *form_.document().fabric();
+    const bool same = fabric.warp == fabric.weft && fabric.name != unlinked_;
+    form_.setProperty("weft apart", !same);
+    same_->setChecked(same);
+    for (QWidget* field : fields_) {
+        field->setEnabled(!same && field->isEnabled());
+    }
+}
+
+void YarnPanel::refreshChoice()
+{
+    const Fabric* fabric = form_.document().fabric();
+    const int count = fabric ? static_cast<int>(fabric->extra_yarns.size()) : 0;
+    section_.setShown(count > 0);
+    choice_->clear();
+    for (int i = 0; i < count; ++i) {
+        const Yarn& one = fabric->extra_yarns[static_cast<std::size_t>(i)];
+        const QString fibre = one.material.empty() ? QString() : QString::fromStdString(one.material.front().name);
+        choice_->addItem(swatch(yarnColor(one, true), form_.palette()), yarnLetter(i + 1) + "  " + fibre);
+    }
+    choice_->setCurrentIndex(static_cast<int>(stripe()));
+}
+
+void YarnPanel::refreshDerived()
+{
     const auto& quantities = form_.document().quantities();
-    const YarnQuantities* q = !quantities ? nullptr : weft_ ? &quantities->weft : &quantities->warp;
-    diameter_->setDerived(q ? std::optional(q->diameter_mm) : std::nullopt);
-    density_->setDerived(q ? std::optional(q->linear_density_tex) : std::nullopt);
-    packing_->setDerived(q ? std::optional(q->packing_factor) : std::nullopt);
-    density_note_->setText(q ? tr("Ne %1").arg(shownNumber(ne_from_tex(q->linear_density_tex), 1)) : QString());
+    const auto& stripes = form_.document().stripes();
+    const YarnQuantities* q = nullptr;
+    std::optional<FreeYarn> free;
+    if (use_ == YarnUse::stripes) {
+        if (stripe() < stripes.size()) {
+            const StripeYarn& lying = stripes[stripe()];
+            free = lying.free;
+            q = lying.as_end ? &*lying.as_end : lying.as_pick ? &*lying.as_pick : nullptr;
+        }
+    } else if (quantities) {
+        q = use_ == YarnUse::weft ? &quantities->weft : &quantities->warp;
+        free = FreeYarn{q->diameter_mm, q->linear_density_tex, q->packing_factor};
+    }
+    diameter_->setDerived(free ? std::optional(free->diameter) : std::nullopt);
+    density_->setDerived(free ? std::optional(free->linear_density_tex) : std::nullopt);
+    packing_->setDerived(free ? std::optional(free->packing_factor) : std::nullopt);
+    density_note_->setText(free ? tr("Ne %1").arg(shownNumber(ne_from_tex(free->linear_density_tex), 1)) : QString());
     crimp_->setText(q ? tr("%1 %").arg(shownNumber(q->crimp_percent, 1)) : QStringLiteral("–"));
     pore_->setText(q ? tr("%1 µm").arg(shownNumber(q->pore_radius_um, 1)) : QStringLiteral("–"));
 }

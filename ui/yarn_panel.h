@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Fields of one yarn of the chosen fabric.
+// Fields of one yarn of the chosen fabric: the warp's, the weft's, or the chosen one of those in its stripes.
 #pragma once
 
 #include "ui/design_form.h"
@@ -9,14 +9,25 @@ class QToolButton;
 
 namespace hygroloom {
 
+enum class YarnUse { warp, weft, stripes };
+
 class YarnPanel : public QObject {
     Q_OBJECT
 public:
-    /// Adds its rows to the form. The weft's can follow the warp's.
-    YarnPanel(DesignForm& form, bool weft, QObject* parent);
+    /// Adds its rows to the form. The weft's can follow the warp's; those of the stripes are there while the fabric has extra yarns.
+    YarnPanel(DesignForm& form, YarnUse use, QObject* parent);
+
+    const FormSection& section() const { return section_; }
+    /// Opens the section, that of the stripes at this extra yarn, from 1.
+    void choose(int yarn);
 
 private:
     const Yarn* yarn() const;
+    Yarn& yarnOf(Fabric& fabric) const;
+    std::size_t stripe() const;
+    bool isWarp() const { return use_ != YarnUse::weft; }
+    void addSameAsWarp();
+    void addChoice();
     /// Changes the yarn, and the weft with the warp while it is the same.
     std::function<void(Design&, std::optional<double>)> writing(std::function<void(Yarn&, std::optional<double>)> change);
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
@@ -24,10 +35,17 @@ private:
     void addMaterials();
     void addColor(const QString& kind);
     void refresh();
+    void refreshSame();
+    void refreshChoice();
+    void refreshDerived();
     void refreshMaterials();
 
     DesignForm& form_;
-    bool weft_;
+    YarnUse use_;
+    QString kind_; ///< in the history: "weft"
+    FormSection section_;
+    int stripe_ = 0; ///< of the extra yarns, the one last chosen; there may be fewer now
+    QComboBox* choice_ = nullptr;
     QCheckBox* same_ = nullptr;
     QComboBox* fibre_ = nullptr;
     QComboBox* blend_ = nullptr;

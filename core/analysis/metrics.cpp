@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/metrics.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,55 @@ std::array<double, 2> wetted_ellipse(const Textile& textile, const Frame& frame)
     return {semi_axis(sx, sxx), semi_axis(sy, syy)};
 }
 
+/// Mean over the yarns along the strip of how far each is wet above the liquid, m.
+double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment)
+{
+    const YarnKind kind = experiment.along_weft ? YarnKind::weft : YarnKind::warp;
+    const int yarns = textile.system(kind).count, crossings = textile.system(other_kind(kind)).count;
+    const double pitch = textile.system(other_kind(kind)).pitch, surface = metre_from_mm(experiment.immersion_mm);
+    double sum = 0;
+    for (int yarn = 0; yarn < yarns; ++yarn) {
+        int wet = crossings;
+        while (wet > 0 &&
+               frame.saturation[static_cast<std::size_t>(experiment.along_weft ? textile.segment(kind, wet - 1, yarn)
+                                                                               : textile.segment(kind, yarn, wet - 1))] < wet_saturation)
+            --wet;
+        sum += std::max(0.0, wet * pitch - surface);
+    }
+    return sum / yarns;
+}
+
+/// Water over the start in the middle of both faces, % of the dry mass there.
+std::array<double, 2> contents(const Textile& textile, const Frame& frame, const std::vector<float>& regain_at_start)
+{
+    std::array<double, 2> water{0, 0}, dry{0, 0};
+    for (int end = 0; end < textile.ends(); ++end)
+        for (int pick = 0; pick < textile.picks(); ++pick) {
+            if (std::hypot(textile.x_of_end(end), textile.y_of_pick(pick)) > management_radius) continue;
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
+                const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
+                const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
+                const std::size_t face = textile.warp_up(end, pick) == (kind == YarnKind::warp) ? 0 : 1;
+                dry[face] += fibres;
+                water[face] += static_cast<double>(frame.liquid[i]) + fibres * static_cast<double>(frame.regain[i] - regain_at_start[i]);
+            }
+        }
+    for (std::size_t face : {0, 1}) water[face] = dry[face] > 0 ? 100 * water[face] / dry[face] : 0;
+    return water;
+}
+
+/// Area of the stain's ellipse over the time in which its circle grew to 95 %.
+std::optional<double> horizontal_rate(const Metrics& m)
+{
+    const std::vector<double>& radius = m.series.radius_top;
+    if (radius.empty() || radius.back() <= 0) return std::nullopt;
+    const double area = pi * m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft;
+    for (std::size_t i = 0; i < radius.size(); ++i)
+        if (radius[i] >= 0.95 * m.maximum_wetted_radius_top && m.series.time[i] > 0) return area / m.series.time[i];
+    return std::nullopt;
+}
+
 } // namespace
 
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face)
@@ -50,7 +101,10 @@ Circle wetted_circle(const Textile& textile, const Frame& frame, Face face)
 void MetricsCollector::start(const RunRecord& run)
 {
     textile_ = run.textile;
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    experiment_ = experiment ? *experiment : Experiment{};
     metrics_ = {};
+    regain_at_start_.clear();
     had_free_water_ = false;
 }
 
@@ -78,6 +132,14 @@ void MetricsCollector::add(const Frame& frame)
     s.temperature_min.push_back(*coldest);
     s.temperature_max.push_back(*hottest);
     s.regain_mean.push_back(regain / n);
+    s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
+    if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
+    if (experiment_.type == ExperimentType::vertical_wicking) s.wick_height.push_back(wick_height(textile_, frame, experiment_));
+    if (experiment_.type == ExperimentType::moisture_management) {
+        const std::array<double, 2> water = contents(textile_, frame, regain_at_start_);
+        s.content_top.push_back(water[0]);
+        s.content_bottom.push_back(water[1]);
+    }
 
     metrics_.maximum_wetted_radius_top = std::max(metrics_.maximum_wetted_radius_top, top);
     metrics_.maximum_wetted_radius_bottom = std::max(metrics_.maximum_wetted_radius_bottom, bottom);
@@ -89,8 +151,35 @@ void MetricsCollector::add(const Frame& frame)
     // Absorbency: the first moment with no free liquid after which none ever comes, so a later drop starts it anew.
     const bool free_water = frame.ledger.water_free > 0;
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
-    if (free_water) metrics_.absorbency_time.reset();
-    else if (had_free_water_ && !metrics_.absorbency_time) metrics_.absorbency_time = frame.time;
+    if (free_water)
+        metrics_.absorbency_time.reset();
+    else if (had_free_water_ && !metrics_.absorbency_time)
+        metrics_.absorbency_time = frame.time;
+}
+
+Metrics MetricsCollector::metrics() const
+{
+    Metrics m = metrics_;
+    const Series& s = m.series;
+    switch (experiment_.type) {
+    case ExperimentType::moisture_management:
+        m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment_.feed_s);
+        break;
+    case ExperimentType::vertical_wicking: m.wicking = wicking_result(s.time, s.wick_height); break;
+    case ExperimentType::horizontal_wicking: m.horizontal_rate = horizontal_rate(m); break;
+    case ExperimentType::drying: {
+        std::vector<double> left;
+        for (double evaporated : s.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
+        m.drying = drying_result(s.time, left, s.temperature_mean, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
+        break;
+    }
+    case ExperimentType::conditioning:
+        m.conditioning = conditioning_result(s.time, s.regain_mean, s.temperature_mean, s.air_temperature);
+        break;
+    case ExperimentType::droplet:
+    case ExperimentType::sweat: break;
+    }
+    return m;
 }
 
 } // namespace hygroloom

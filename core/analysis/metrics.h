@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Numbers from a recording: wetted radius, absorbency time, time series.
+// Numbers from a recording: what laboratories report of each type of experiment, and time series.
 #pragma once
 
+#include "core/analysis/laboratory.h"
+#include "core/analysis/management.h"
 #include "core/sim/frame.h"
 #include "core/sim/runner.h"
 
@@ -26,8 +28,11 @@ Circle wetted_circle(const Textile& textile, const Frame& frame, Face face);
 
 /// One value per frame for each series of the metrics file.
 struct Series {
-    std::vector<double> time, radius_top, radius_bottom, water_top, water_bottom, free_water, yarn_water, bound_water, evaporated,
-        dripped, temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
+    std::vector<double> time, radius_top, radius_bottom, water_top, water_bottom, free_water, yarn_water, bound_water, evaporated, dripped,
+        temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
+    std::vector<double> air_temperature;                                 ///< K
+    std::vector<double> wick_height;                                     ///< m, of vertical_wicking only
+    std::vector<double> content_top, content_bottom; ///< % of the dry mass, of moisture_management only: see management_radius
 };
 
 struct Metrics {
@@ -36,21 +41,32 @@ struct Metrics {
     std::optional<double> absorbency_time;   ///< s
     double wetted_area_ellipse_warp = 0;     ///< m, semi-axis along the warp, of the final stain on top
     double wetted_area_ellipse_weft = 0;     ///< m
+    std::optional<ManagementIndices> management;
+    std::optional<WickingResult> wicking;
+    std::optional<double> horizontal_rate; ///< m2/s: area of the stain over the time in which it grew to 95 % of it (AATCC 198)
+    std::optional<DryingResult> drying;
+    std::optional<ConditioningResult> conditioning;
     Series series;
-    Ledger ledger;                           ///< at the end
-    std::vector<std::string> notes;          ///< why a metric is missing
+    Ledger ledger;                  ///< at the end
+    std::vector<std::string> notes; ///< why a metric is missing
 };
+
+/// The water content of a face is read within this distance of the sample's middle, m: the tester's inner ring.
+constexpr double management_radius = 5e-3;
 
 /// Collects metrics frame by frame, so that a run need not keep its frames.
 class MetricsCollector {
 public:
     void start(const RunRecord& run);
     void add(const Frame& frame);
-    Metrics metrics() const { return metrics_; }
+    /// Of the frames so far.
+    Metrics metrics() const;
 
 private:
     Textile textile_;
+    Experiment experiment_;
     Metrics metrics_;
+    std::vector<float> regain_at_start_;
     bool had_free_water_ = false;
 };
 

@@ -2,6 +2,8 @@
 target_sources(hygroloom_core PRIVATE
   analysis/cell_map.cpp
   analysis/enclosing_circle.cpp
+  analysis/laboratory.cpp
+  analysis/management.cpp
   analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp

@@ -36,6 +36,12 @@ const Material* find_material(const Design& design, const std::string& name)
     return own ? own : find_library_material(name);
 }
 
+const Liquid* find_liquid(const Design& design, const std::string& name)
+{
+    const Liquid* own = find_by_name(design.liquids, name);
+    return own ? own : find_by_name(library_liquids(), name);
+}
+
 const Fabric* find_fabric(const Design& design, const std::string& name) { return find_by_name(design.fabrics, name); }
 const Experiment* find_experiment(const Design& design, const std::string& name) { return find_by_name(design.experiments, name); }
 
@@ -46,7 +52,7 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
     Material blend;
     double volume = 0, surface = 0, monolayer = 0; // per kg of the blend
     std::string law;
-    bool all_two_stage = true;
+    bool all_two_stage = true, all_heats = true;
     for (const MaterialShare& part : shares) {
         const Material& fibre = *find_material(design, part.name);
         const double share = part.share;
@@ -59,6 +65,8 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
         blend.contact_angle_deg += share * fibre.contact_angle_deg;
         blend.thermal_conductivity_w_mk += share * fibre.thermal_conductivity_w_mk;
         blend.specific_heat_j_kgk += share * fibre.specific_heat_j_kgk;
+        blend.heat_of_wetting_j_g += share * fibre.heat_of_wetting_j_g;
+        all_heats = all_heats && fibre.heat_of_wetting_j_g > 0;
         // c and k by the water their fibres hold, so that a dry fibre in the blend does not bend the curve.
         monolayer += share * fibre.gab.monolayer_regain;
         blend.gab.c += share * fibre.gab.monolayer_regain * fibre.gab.c;
@@ -77,6 +85,7 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
     } else {
         blend.gab = {};
     }
+    if (!all_heats) blend.heat_of_wetting_j_g = 0;
     blend.diffusion.two_stage = all_two_stage;
     if (all_two_stage) blend.based_on = law;
     return blend;

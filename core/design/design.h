@@ -4,11 +4,13 @@
 
 #include "core/design/experiment.h"
 #include "core/design/fabric.h"
+#include "core/design/liquid.h"
 
 namespace hygroloom {
 
 struct Design {
     std::vector<Material> materials; ///< the project's own, before the library's
+    std::vector<Liquid> liquids;     ///< the same
     std::vector<Fabric> fabrics;
     std::vector<Experiment> experiments;
     bool operator==(const Design&) const = default;
@@ -16,6 +18,9 @@ struct Design {
 
 /// The project's material of that name, else the library's, else nullptr.
 const Material* find_material(const Design& design, const std::string& name);
+
+/// The same of a liquid.
+const Liquid* find_liquid(const Design& design, const std::string& name);
 
 /// The substance of a blend: density by volume, the rest weighted by mass; radius of equal mean surface. The isotherm has the shape of
 /// the hygroscopic fibres' and passes through the blend's standard regain.

@@ -15,6 +15,13 @@ struct Climate {
     bool operator==(const Climate&) const = default;
 };
 
+/// The climate at one moment of a course; between moments it changes evenly.
+struct ClimateMoment {
+    double time_s = 0;
+    Climate climate;
+    bool operator==(const ClimateMoment&) const = default;
+};
+
 struct Droplet {
     double volume_ul = 15;
     double time_s = 0;
@@ -24,17 +31,58 @@ struct Droplet {
     bool operator==(const Droplet&) const = default;
 };
 
-enum class ExperimentType { droplet };
+/// What textile laboratories measure.
+enum class ExperimentType {
+    droplet,             ///< drops fall on the cloth; AATCC 79
+    moisture_management, ///< a feed on the top face between sensors; AATCC 195
+    vertical_wicking,    ///< a strip hangs in the liquid; AATCC 197
+    horizontal_wicking,  ///< a volume on a flat sample; AATCC 198
+    drying,              ///< a wet sample dries; AATCC 199 and 201
+    conditioning,        ///< a step from one climate to another; after ISO 139
+    sweat                ///< one face is fed evenly
+};
+constexpr int experiment_types = 7;
+/// As the project file has it: "droplet", "moisture_management".
+const char* name_of(ExperimentType type);
 
+/// How liquid moves in the pores of the yarns.
+enum class Closure {
+    kissa,  ///< D = D0 s^2: spreading as Kissa measured it
+    li_zhu, ///< D = D0 s^(1/3): pores of all radii, the small ones filled first (Li and Zhu 2003)
+    paper   ///< the printed parameters of Mao et al. where they are stable
+};
+constexpr int closures = 3;
+const char* name_of(Closure closure);
+
+/// Only what its type has counts; the rest keeps its default.
 struct Experiment {
     std::string name;
     ExperimentType type = ExperimentType::droplet;
-    Climate climate;
+    Climate climate;                     ///< at the start
+    std::vector<ClimateMoment> climates; ///< later ones, in order of time
     std::string liquid = "water";
-    std::array<double, 2> sample_mm{20, 20}; ///< along the weft, along the warp
+    Closure closure = Closure::kissa;
+    bool swelling = false;                   ///< fibres that take up water narrow the pores between them
+    std::array<double, 2> sample_mm{20, 20}; ///< along the weft, along the warp; of vertical_wicking across and along the strip
     double duration_s = 10;
     std::vector<Droplet> droplets{Droplet{}};
+    double volume_ul = 200;          ///< moisture_management, horizontal_wicking
+    double feed_s = 20;              ///< moisture_management: how long the pump runs
+    bool along_weft = false;         ///< vertical_wicking: the strip's long side
+    double immersion_mm = 10;        ///< vertical_wicking: depth of the strip's end in the liquid
+    double initial_water_g_m2 = 100; ///< drying
+    Climate initial{20, 0, 0.1};     ///< conditioning: what the sample is in equilibrium with
+    double rate_g_m2_h = 300;        ///< sweat
+    bool from_top = false;           ///< sweat: the face that is fed; the skin is at the bottom
     bool operator==(const Experiment&) const = default;
 };
+
+/// With sample, duration and feed as the type's standard has them.
+Experiment standard_experiment(ExperimentType type);
+
+/// Along the weft and along the warp, whichever way a strip is cut.
+std::array<double, 2> sample_extent_mm(const Experiment& experiment);
+
+Climate climate_at(const Experiment& experiment, double time_s);
 
 } // namespace hygroloom

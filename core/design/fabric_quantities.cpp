@@ -3,7 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/design/flyaway.h"
-#include "core/design/yarn_sections.h"
+#include "core/design/yarn_quantities.h"
 
 #include <fmt/format.h>
 
@@ -13,55 +13,6 @@
 namespace hygroloom {
 
 namespace {
-
-YarnQuantities describe(const FittedYarn& fitted, const Fabric& fabric, double sett)
-{
-    YarnQuantities yarn;
-    yarn.linear_density_tex = fitted.free.linear_density_tex;
-    yarn.diameter_mm = fitted.free.diameter;
-    yarn.packing_factor = fitted.free.packing_factor;
-    yarn.section_mm = fitted.section;
-    yarn.packing_factor_in_fabric = fitted.packing_factor;
-    yarn.pitch_mm = 10 / sett;
-    // Void area over wetted perimeter of parallel cylinders, twice.
-    yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
-    yarn.contact_angle_deg = fabric.contact_angle_deg.value_or(fitted.fibre.contact_angle_deg);
-    yarn.flattened = fitted.flattened || fitted.narrowed;
-    return yarn;
-}
-
-/// Crimp of a warp (or weft) type over all it crosses, percent.
-double crimp_percent(const FittedYarns& fitted, bool warp, std::size_t type, double crossed_pitch, double changes)
-{
-    const auto& crossed = warp ? fitted.weft : fitted.warp;
-    const YarnOrder& order = warp ? fitted.weft_order : fitted.warp_order;
-    double sum = 0;
-    for (std::size_t other = 0; other < crossed.size(); ++other) {
-        const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
-        const Section& own = (warp ? fitted.warp : fitted.weft)[type].section;
-        const Interlacing path = fitted.path(crossed_pitch, own, crossed[other].section, warp ? heights.warp : heights.weft);
-        const double crimp = path.length / path.pitch - 1;
-        sum += order.share[other] * 100 * (crimp > 1e-9 ? crimp : 0) * changes;
-    }
-    return sum;
-}
-
-/// Mean width of a system's yarns in the fabric, mm: narrower where crossed yarns squeeze them.
-double mean_width_of(const FittedYarns& fitted, bool warp, double crossed_pitch, double changes)
-{
-    const auto &yarns = warp ? fitted.warp : fitted.weft, &crossed = warp ? fitted.weft : fitted.warp;
-    const YarnOrder &order = warp ? fitted.warp_order : fitted.weft_order, &other_order = warp ? fitted.weft_order : fitted.warp_order;
-    double sum = 0;
-    for (std::size_t type = 0; type < yarns.size(); ++type)
-        for (std::size_t other = 0; other < crossed.size(); ++other) {
-            const CrossingHeights& heights = warp ? fitted.at(type, other) : fitted.at(other, type);
-            const Section &own = yarns[type].section, &over = crossed[other].section;
-            const Interlacing path = fitted.path(crossed_pitch, own, over, warp ? heights.warp : heights.weft);
-            const double bent = mean_width(path, own, over, warp ? heights.weft : heights.warp);
-            sum += order.share[type] * other_order.share[other] * (changes * bent + (1 - changes) * own.width);
-        }
-    return sum;
-}
 
 /// Share of the area that no yarn covers: a quarter of a hole between two ends and two picks, whose sides are the yarns' edges.
 /// Where yarns keep their width it is (1 - c1)(1 - c2).
@@ -109,14 +60,14 @@ struct SystemMass {
     double areal = 0;
     double solid = 0;
 };
-SystemMass mass_of(const FittedYarns& fitted, bool warp, double sett, double crossed_pitch, double changes)
+SystemMass mass_of(const WovenYarns& woven, bool warp)
 {
     SystemMass mass;
-    const auto& yarns = warp ? fitted.warp : fitted.weft;
-    const YarnOrder& order = warp ? fitted.warp_order : fitted.weft_order;
+    const auto& yarns = woven.types(warp);
     for (std::size_t type = 0; type < yarns.size(); ++type) {
-        const double crimp = 0.01 * crimp_percent(fitted, warp, type, crossed_pitch, changes);
-        const double areal = order.share[type] * sett * yarns[type].free.linear_density_tex * (1 + crimp) / 10; // tex x 1/cm is 0.1 g/m2
+        const double crimp = 0.01 * crimp_percent(woven, warp, type);
+        const double threads = woven.order(warp).share[type] * woven.sett_per_cm(warp);
+        const double areal = threads * yarns[type].free.linear_density_tex * (1 + crimp) / 10; // tex x 1/cm is 0.1 g/m2
         mass.areal += areal;
         mass.solid += areal / yarns[type].fibre.density_kg_m3; // 1 g/m2 over 1 kg/m3 is 1 mm
     }
@@ -139,45 +90,47 @@ double flyaway_volume(const Fabric& fabric, const YarnOrder& order, const std::v
     return volume;
 }
 
-void note_section(std::vector<std::string>& notes, const char* name, const FittedYarn& fitted, bool to_fit, double pitch)
+/// The yarns' name begins the sentence: "The warp yarns".
+void note_section(std::vector<std::string>& notes, const std::string& name, const FittedYarn& fitted, bool to_fit, double pitch)
 {
     const FreeYarn& free = fitted.free;
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.", name,
-                                    free.diameter, section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
+        notes.push_back(fmt::format("{}, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.", name, free.diameter,
+                                    section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
     if (fitted.narrowed)
-        notes.push_back(
-            fmt::format("The {} yarns are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
-                        "{:.3g} to {:.3g}.",
-                        name, section.width, pitch, free.packing_factor, fitted.packing_factor));
+        notes.push_back(fmt::format("{} are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
+                                    "{:.3g} to {:.3g}.",
+                                    name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
-        notes.push_back(fmt::format("The {} yarns become {:.3g} mm wide, keeping their area.", name, section.width));
+        notes.push_back(fmt::format("{} become {:.3g} mm wide, keeping their area.", name, section.width));
+}
+
+void note_sections(std::vector<std::string>& notes, const WovenYarns& yarns, bool warp)
+{
+    const bool to_fit = yarns.fabric.thickness_mm.has_value();
+    for (std::size_t type = 0; type < yarns.types(warp).size(); ++type) {
+        const int yarn = yarns.order(warp).yarns[type];
+        const std::string name = yarn > 0 ? fmt::format("The {} of extra yarn {}", warp ? "ends" : "picks", yarn)
+                                          : fmt::format("The {} yarns", warp ? "warp" : "weft");
+        note_section(notes, name, yarns.types(warp)[type], to_fit, yarns.pitch_mm(warp));
+    }
 }
 
 FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
 {
-    const FittedYarns fitted = fit_yarns(design, fabric);
-    const FittedYarn &warp = fitted.warp[0], &weft = fitted.weft[0];
+    const WovenYarns yarns = woven_yarns(design, fabric);
+    const FittedYarns& fitted = yarns.fitted;
 
     FabricQuantities q;
-    q.warp = describe(warp, fabric, fabric.ends_per_cm);
-    q.weft = describe(weft, fabric, fabric.picks_per_cm);
-    q.warp.rise_mm = 2 * fitted.at(0, 0).warp;
-    q.weft.rise_mm = 2 * fitted.at(0, 0).weft;
-
-    // A yarn runs longer than the fabric only where it changes sides.
-    const double warp_changes = share_of_changes(fabric.weave, true);
-    const double weft_changes = share_of_changes(fabric.weave, false);
-    q.warp.cover = mean_width_of(fitted, true, q.weft.pitch_mm, warp_changes) / q.warp.pitch_mm;
-    q.weft.cover = mean_width_of(fitted, false, q.warp.pitch_mm, weft_changes) / q.weft.pitch_mm;
-    q.warp.crimp_percent = crimp_percent(fitted, true, 0, q.weft.pitch_mm, warp_changes);
-    q.weft.crimp_percent = crimp_percent(fitted, false, 0, q.warp.pitch_mm, weft_changes);
+    q.warp = yarn_quantities(yarns, true, 0);
+    q.weft = yarn_quantities(yarns, false, 0);
+    q.warp.cover = mean_cover(yarns, true);
+    q.weft.cover = mean_cover(yarns, false);
     q.jammed = fitted.jammed;
 
-    q.cover_factor = 1 - open_share(fitted, q.warp.pitch_mm, q.weft.pitch_mm, warp_changes, weft_changes);
-    const SystemMass warp_mass = mass_of(fitted, true, fabric.ends_per_cm, q.weft.pitch_mm, warp_changes);
-    const SystemMass weft_mass = mass_of(fitted, false, fabric.picks_per_cm, q.warp.pitch_mm, weft_changes);
+    q.cover_factor = 1 - open_share(fitted, q.warp.pitch_mm, q.weft.pitch_mm, yarns.warp_changes, yarns.weft_changes);
+    const SystemMass warp_mass = mass_of(yarns, true), weft_mass = mass_of(yarns, false);
     q.areal_density_g_m2 = warp_mass.areal + weft_mass.areal;
 
     q.yarn_layer_thickness_mm = fitted.thickness();
@@ -193,9 +146,7 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);
     q.inter_yarn_pore_radius_um = 1e3 * q.gap_warp_mm * q.gap_weft_mm / (q.gap_warp_mm + q.gap_weft_mm);
 
-    const bool to_fit = fabric.thickness_mm.has_value();
-    note_section(q.notes, "warp", warp, to_fit, q.warp.pitch_mm);
-    note_section(q.notes, "weft", weft, to_fit, q.weft.pitch_mm);
+    for (bool warp : {true, false}) note_sections(q.notes, yarns, warp);
     const double hair = q.thickness_mm - q.yarn_layer_thickness_mm;
     if (fabric.thickness_mm && hair > 0.005 * q.thickness_mm)
         q.notes.push_back(

@@ -61,6 +61,7 @@ void validate_material(const Material& material, const std::string& where, Issue
 void validate_weave(const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list);
 void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
-void validate_experiment(const Experiment& experiment, const std::string& where, IssueList& list);
+void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& list);
+void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list);
 
 } // namespace hygroloom

@@ -32,6 +32,7 @@ std::vector<Material> read_library()
         material.contact_angle_deg = value("contact_angle_deg");
         material.thermal_conductivity_w_mk = value("thermal_conductivity_w_mk");
         material.specific_heat_j_kgk = value("specific_heat_j_kgk");
+        material.heat_of_wetting_j_g = value("heat_of_wetting_j_g");
         library.push_back(material);
     }
     return library;

@@ -36,6 +36,7 @@ struct Material {
     double contact_angle_deg = 0; ///< of water, advancing
     double thermal_conductivity_w_mk = 0;
     double specific_heat_j_kgk = 0;
+    double heat_of_wetting_j_g = 0; ///< from dry to saturated, per g of fibre; 0: what the law of sorption heats gives
     bool operator==(const Material&) const = default;
 };
 

@@ -5,12 +5,15 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/fibres_json.cpp
   design/design.cpp
   design/draft.cpp
+  design/experiment.cpp
   design/fabric_quantities.cpp
   design/flyaway.cpp
   design/interlacing.cpp
   design/jam.cpp
+  design/liquid.cpp
   design/material.cpp
   design/validate.cpp
+  design/validate_experiment.cpp
   design/validate_fabric.cpp
   design/validate_weave.cpp
   design/weave.cpp
@@ -18,5 +21,6 @@ target_sources(hygroloom_core PRIVATE
   design/weave_effects.cpp
   design/weave_grounds.cpp
   design/weave_patterns.cpp
+  design/yarn_quantities.cpp
   design/yarn_sections.cpp
 )

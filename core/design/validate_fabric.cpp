@@ -138,18 +138,22 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
         return;
     }
     const FittedYarns fitted = fit_yarns(design, fabric);
-    const auto check = [&](const char* name, const char* key, double sett, const FittedYarn& yarn) {
+    const auto check = [&](const std::string& name, const char* key, double sett, const FittedYarn& yarn) {
         if (yarn.packing_factor <= densest_packing) return;
         list.error(
             "ends_do_not_fit", where + "." + key,
-            fmt::format(
-                "{} {} per cm of {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
-                "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
-                sett, name, yarn.free.linear_density_tex, yarn.free.diameter, yarn.section.width, yarn.section.height, yarn.packing_factor,
-                densest_packing));
+            fmt::format("{} {} {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
+                        "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
+                        sett, name, yarn.free.linear_density_tex, yarn.free.diameter, yarn.section.width, yarn.section.height,
+                        yarn.packing_factor, densest_packing));
     };
-    for (const FittedYarn& yarn : fitted.warp) check("ends", "ends_per_cm", fabric.ends_per_cm, yarn);
-    for (const FittedYarn& yarn : fitted.weft) check("picks", "picks_per_cm", fabric.picks_per_cm, yarn);
+    const auto name = [](const char* threads, int yarn) {
+        return yarn > 0 ? fmt::format("{} per cm of extra yarn {},", threads, yarn) : fmt::format("{} per cm of", threads);
+    };
+    for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+        check(name("ends", fitted.warp_order.yarns[i]), "ends_per_cm", fabric.ends_per_cm, fitted.warp[i]);
+    for (std::size_t i = 0; i < fitted.weft.size(); ++i)
+        check(name("picks", fitted.weft_order.yarns[i]), "picks_per_cm", fabric.picks_per_cm, fitted.weft[i]);
     validate_sett(fabric, fitted, where, list);
 }
 
@@ -207,6 +211,9 @@ void note_wicking(const Design& design, const Fabric& fabric, const std::string&
     }
     note(where + ".warp.material", blended_material(design, fabric.warp.material).contact_angle_deg);
     note(where + ".weft.material", blended_material(design, fabric.weft.material).contact_angle_deg);
+    for (std::size_t i = 0; i < fabric.extra_yarns.size(); ++i)
+        note(fmt::format("{}.extra_yarns[{}].material", where, i),
+             blended_material(design, fabric.extra_yarns[i].material).contact_angle_deg);
 }
 
 } // namespace

@@ -12,8 +12,8 @@ void warn_of_unbound(const char* name, const std::vector<int>& unbound, int thre
 {
     if (unbound.empty()) return;
     list.add(Severity::warning, "unbound_thread", where,
-             fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is number {}.", unbound.size(), threads, name,
-                         unbound.front() + 1));
+             fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is number {}.", unbound.size(), threads,
+                         name, unbound.front() + 1));
 }
 
 void warn_of_floats(const char* name, const Floats& face, const Floats& back, double crossed_per_cm, const std::string& where,
@@ -28,13 +28,14 @@ void warn_of_floats(const char* name, const Floats& face, const Floats& back, do
                          longest_float_mm));
 }
 
-void warn_of_jam(const char* name, const JamOfSystem& jam, const std::string& where, IssueList& list)
+void warn_of_jam(const char* name, bool striped, const JamOfSystem& jam, const std::string& where, IssueList& list)
 {
     if (jam.ashenhurst_percent <= 100) return;
     list.add(Severity::warning, "jammed", where,
-             fmt::format("{:.4g} {} per cm are {:.0f} % of Ashenhurst's limit of {:.3g} for this weave and these yarns, and {:.0f} % of "
+             fmt::format("{:.4g} {} per cm are {:.0f} % of Ashenhurst's limit of {:.3g} for this weave and {}, and {:.0f} % of "
                          "Peirce's of {:.3g}; woven so close the yarns must flatten.",
-                         jam.sett_per_cm, name, jam.ashenhurst_percent, jam.ashenhurst_per_cm, jam.peirce_percent, jam.peirce_per_cm));
+                         jam.sett_per_cm, name, jam.ashenhurst_percent, jam.ashenhurst_per_cm,
+                         striped ? "the mean diameter of own and extra yarns" : "these yarns", jam.peirce_percent, jam.peirce_per_cm));
 }
 
 } // namespace
@@ -64,8 +65,9 @@ void validate_weave(const Fabric& fabric, const std::string& where, IssueList& l
 void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list)
 {
     const JamGauge jam = jam_gauge(fabric, yarns);
-    warn_of_jam("ends", jam.warp, where + ".ends_per_cm", list);
-    warn_of_jam("picks", jam.weft, where + ".picks_per_cm", list);
+    const bool striped = yarns.warp.size() > 1 || yarns.weft.size() > 1;
+    warn_of_jam("ends", striped, jam.warp, where + ".ends_per_cm", list);
+    warn_of_jam("picks", striped, jam.weft, where + ".picks_per_cm", list);
 }
 
 } // namespace hygroloom

@@ -48,4 +48,12 @@ HL_FN double saturation_pressure(double temperature)
 /// Vapour concentration over water, kg/m3 (C* of the paper).
 HL_FN double saturation_concentration(double temperature) { return saturation_pressure(temperature) / (vapour_gas_constant * temperature); }
 
+/// Its slope with temperature, kg/(m3 K).
+HL_FN double saturation_concentration_slope(double temperature)
+{
+    const double t = celsius_from_kelvin(temperature), below = 257.14 + t;
+    const double exponent_slope = ((18.678 - 2.0 * t / 234.5) * below - (18.678 - t / 234.5) * t) / (below * below);
+    return saturation_concentration(temperature) * (exponent_slope - 1.0 / temperature);
+}
+
 } // namespace hygroloom

@@ -33,6 +33,20 @@ HL_FN double saturated_liquid_diffusivity(double surface_tension, double contact
     return tension > 1e-12 * surface_tension ? tension * pore_radius / (20.0 * viscosity) : 0.0;
 }
 
+/// What a closure says of flow along a yarn: D = diffusivity x s^exponent.
+struct PoreFlow {
+    double diffusivity = 0; ///< m2/s at saturation, tortuosity included; 0: does not wick
+    double exponent = spreading_exponent;
+    double fall = 0;        ///< s, speed of the liquid of full pores per acceleration along them
+};
+
+/// The pores' permeability and suction are one closure with D: permeability x suction / viscosity = D / (p s^(p-1) porosity), so that a
+/// column that hangs in liquid stands as high as Jurin says whatever p is, s = (1 - z / h)^(1/p). Suction in Pa at an empty pore.
+HL_FN PoreFlow pore_flow(double diffusivity, double exponent, double suction, double density)
+{
+    return {diffusivity, exponent, suction > 0 ? diffusivity * density / (exponent * suction) : 0.0};
+}
+
 HL_FN double saturation_power(double saturation, double exponent)
 {
     if (saturation <= 0) return 0.0;

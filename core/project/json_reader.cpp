@@ -203,6 +203,14 @@ void ObjectReader::read(const std::string& key, int& value)
     value = static_cast<int>(number);
 }
 
+void ObjectReader::read(const std::string& key, bool& value)
+{
+    const ProjectJson* member = find(key);
+    if (!member) return;
+    if (!member->is_boolean()) refuse(key, fmt::format("This must be true or false; given is {}.", in_words(*member)));
+    value = member->get<bool>();
+}
+
 void ObjectReader::read(const std::string& key, std::string& value)
 {
     if (const ProjectJson* member = find(key)) value = text_in(*member, file_, path_of(key));

@@ -32,6 +32,7 @@ public:
     /// Leave value alone when the key is absent.
     void read(const std::string& key, double& value);
     void read(const std::string& key, int& value);
+    void read(const std::string& key, bool& value);
     void read(const std::string& key, std::string& value);
     void read(const std::string& key, std::optional<double>& value);
     void read(const std::string& key, std::array<double, 2>& value);

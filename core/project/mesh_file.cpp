@@ -63,8 +63,9 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
             "smaller piece.",
             1e-9 * static_cast<double>(size.triangles));
     if (job.format == MeshFormat::glb && size.bytes > std::numeric_limits<std::uint32_t>::max())
-        return fmt::format("A GLB file ends at 4 GiB, and this one would have {:.1f} GiB; write .gltf or .ply, or take a smaller piece.",
-                           size.bytes / 1073741824.0);
+        return fmt::format(
+            "A GLB file ends at 4 GiB (4.294 GB), and this one would have {:.3f} GB; write .gltf or .ply, or take a smaller piece.",
+            1e-3 * std::ceil(1e-6 * size.bytes));
     if (job.format == MeshFormat::gltf && layout.yarn_too_large)
         return "One yarn alone would have more than the 2 GiB of a glTF buffer; write .ply, or take a smaller piece.";
     if (format.streamed && size.memory > largest_stream_memory)

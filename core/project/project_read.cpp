@@ -77,6 +77,7 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     number("contact_angle_deg", material.contact_angle_deg);
     number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
     number("specific_heat_j_kgk", material.specific_heat_j_kgk);
+    object.read("heat_of_wetting_j_g", material.heat_of_wetting_j_g);
     object.finish();
     return material;
 }
@@ -257,41 +258,125 @@ Droplet read_droplet(const ProjectJson& value, const std::string& file, const st
     return droplet;
 }
 
-void check_type(const ObjectReader& object, const std::string& type)
+template <typename Kind> Kind kind_in(ObjectReader& object, const std::string& key, Kind value, int kinds)
 {
-    if (type == "droplet") return;
-    const std::vector<std::string> later{
-        "moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat"};
-    if (std::find(later.begin(), later.end(), type) != later.end())
-        object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; \"{}\" is one it cannot run yet.", type));
-    object.refuse("type", fmt::format("This version runs experiments of type \"droplet\"; given is {}.", in_words(type)));
+    const ProjectJson* member = object.find(key);
+    if (!member) return value;
+    const std::string given = text_in(*member, object.file(), object.path_of(key));
+    std::vector<std::string> known;
+    for (int i = 0; i < kinds; ++i) {
+        known.push_back(name_of(static_cast<Kind>(i)));
+        if (known.back() == given) return static_cast<Kind>(i);
+    }
+    const std::string near = nearest_word(given, known);
+    std::string all;
+    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
+    object.refuse(key, near.empty() ? fmt::format("This must be one of {}; given is {}.", all, in_words(given))
+                                    : fmt::format("This must be one of {}; given is {}; did you mean \"{}\"?", all, in_words(given), near));
+}
+
+bool choice_in(ObjectReader& object, const std::string& key, const char* yes, const char* no, bool value)
+{
+    std::string given = value ? yes : no;
+    object.read(key, given);
+    if (given != yes && given != no)
+        object.refuse(key, fmt::format("This must be \"{}\" or \"{}\"; given is {}.", yes, no, in_words(given)));
+    return given == yes;
+}
+
+void read_air(ObjectReader& air, Climate& climate)
+{
+    air.read("temperature_c", climate.temperature_c);
+    air.read("relative_humidity", climate.relative_humidity);
+    air.read("air_speed_m_s", climate.air_speed_m_s);
+    air.finish();
+}
+
+void read_climates(ObjectReader& object, Experiment& experiment)
+{
+    const ProjectJson* climate = object.find("climate");
+    if (!climate) return;
+    const std::string path = object.path_of("climate");
+    if (!climate->is_array()) {
+        ObjectReader air(*climate, object.file(), path);
+        return read_air(air, experiment.climate);
+    }
+    if (climate->empty()) object.refuse("climate", "A course of climates needs at least the one at 0 s.");
+    Climate before = experiment.climate;
+    for (std::size_t i = 0; i < climate->size(); ++i) {
+        ObjectReader air((*climate)[i], object.file(), fmt::format("{}[{}]", path, i));
+        ClimateMoment moment{0, before}; // what a moment does not say stays
+        if (i > 0) air.require("time_s");
+        air.read("time_s", moment.time_s);
+        read_air(air, moment.climate);
+        before = moment.climate;
+        if (i > 0)
+            experiment.climates.push_back(moment);
+        else if (moment.time_s == 0)
+            experiment.climate = moment.climate;
+        else
+            air.refuse("time_s", fmt::format("A course of climates begins at 0 s; given is {}.", moment.time_s));
+    }
+}
+
+void read_droplets(ObjectReader& object, Experiment& experiment)
+{
+    const std::string path = object.path_of("droplets");
+    const ProjectJson& droplets = array_in(object.require("droplets"), object.file(), path);
+    experiment.droplets.clear();
+    for (std::size_t i = 0; i < droplets.size(); ++i)
+        experiment.droplets.push_back(read_droplet(droplets[i], object.file(), fmt::format("{}[{}]", path, i)));
 }
 
 Experiment read_experiment(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
-    Experiment experiment;
+    object.require("type");
+    Experiment experiment = standard_experiment(kind_in(object, "type", ExperimentType::droplet, experiment_types));
     object.require("name");
     object.read("name", experiment.name);
-    check_type(object, text_in(object.require("type"), file, object.path_of("type")));
-    if (const ProjectJson* climate = object.find("climate")) {
-        if (climate->is_array()) object.refuse("climate", "This version keeps the climate constant; give one object, not a list.");
-        ObjectReader air(*climate, file, object.path_of("climate"));
-        air.read("temperature_c", experiment.climate.temperature_c);
-        air.read("relative_humidity", experiment.climate.relative_humidity);
-        air.read("air_speed_m_s", experiment.climate.air_speed_m_s);
-        air.finish();
-    }
+    read_climates(object, experiment);
     object.read("liquid", experiment.liquid);
-    object.read("sample_mm", experiment.sample_mm);
-    object.require("duration_s");
+    experiment.closure = kind_in(object, "closure", experiment.closure, closures);
+    object.read("swelling", experiment.swelling);
+    object.read(experiment.type == ExperimentType::vertical_wicking ? "strip_mm" : "sample_mm", experiment.sample_mm);
+    if (experiment.type == ExperimentType::droplet) object.require("duration_s");
     object.read("duration_s", experiment.duration_s);
-    const ProjectJson& droplets = array_in(object.require("droplets"), file, object.path_of("droplets"));
-    experiment.droplets.clear();
-    for (std::size_t i = 0; i < droplets.size(); ++i)
-        experiment.droplets.push_back(read_droplet(droplets[i], file, fmt::format("{}[{}]", object.path_of("droplets"), i)));
+    switch (experiment.type) {
+    case ExperimentType::droplet: read_droplets(object, experiment); break;
+    case ExperimentType::moisture_management: object.read("feed_s", experiment.feed_s); [[fallthrough]];
+    case ExperimentType::horizontal_wicking: object.read("volume_ul", experiment.volume_ul); break;
+    case ExperimentType::vertical_wicking:
+        experiment.along_weft = choice_in(object, "direction", "weft", "warp", experiment.along_weft);
+        object.read("immersion_mm", experiment.immersion_mm);
+        break;
+    case ExperimentType::drying: object.read("initial_water_g_m2", experiment.initial_water_g_m2); break;
+    case ExperimentType::conditioning:
+        if (const ProjectJson* initial = object.find("initial")) {
+            ObjectReader air(*initial, file, object.path_of("initial"));
+            read_air(air, experiment.initial);
+        }
+        break;
+    case ExperimentType::sweat:
+        object.read("rate_g_m2_h", experiment.rate_g_m2_h);
+        experiment.from_top = choice_in(object, "side", "top", "bottom", experiment.from_top);
+        break;
+    }
     object.finish();
     return experiment;
+}
+
+Liquid read_liquid(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Liquid liquid;
+    object.require("name");
+    object.read("name", liquid.name);
+    object.read("surface_tension_mn_m", liquid.surface_tension_mn_m);
+    object.read("viscosity_mpa_s", liquid.viscosity_mpa_s);
+    object.read("density_kg_m3", liquid.density_kg_m3);
+    object.finish();
+    return liquid;
 }
 
 int read_version(ObjectReader& object, int newest)
@@ -329,6 +414,7 @@ Design design_from_json(ProjectJson project, const std::string& file, const std:
         for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], file, fmt::format("{}[{}]", key, i));
     };
     each("materials", [&](const auto&... from) { design.materials.push_back(read_material(from...)); });
+    each("liquids", [&](const auto&... from) { design.liquids.push_back(read_liquid(from...)); });
     each("fabrics", [&](const auto&... from) { design.fabrics.push_back(read_fabric(from...)); });
     each("experiments", [&](const auto&... from) { design.experiments.push_back(read_experiment(from...)); });
     each("garments", [&](const auto&...) { object.refuse("garments", "This version does not read garments; leave the list empty."); });

@@ -118,6 +118,17 @@ ProjectJson value_from(const std::string& text, const ProjectJson* old)
     return value;
 }
 
+/// Digits, one comma, digits.
+bool has_decimal_comma(const std::string& text)
+{
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos || comma == 0 || comma + 1 == text.size()) return false;
+    double number = 0;
+    const std::string pointed = std::string(text).replace(comma, 1, ".");
+    const auto [end, failure] = std::from_chars(pointed.data(), pointed.data() + pointed.size(), number);
+    return failure == std::errc() && end == pointed.data() + pointed.size();
+}
+
 } // namespace
 
 Design with_value(const Design& design, const std::string& path, const std::string& value)
@@ -138,6 +149,8 @@ Design with_value(const Design& design, const std::string& path, const std::stri
         }
         const auto old = holder.find(key);
         ProjectJson fresh = value_from(value, old == holder.end() ? nullptr : &*old);
+        if (fresh.is_string() && has_decimal_comma(value) && (old == holder.end() || !old->is_string()))
+            refuse(path, fmt::format("Numbers are written with a decimal point: {}.", std::string(value).replace(value.find(','), 1, ".")));
         if (fresh.is_string() && old != holder.end() && old->is_number())
             refuse(path, fmt::format("This must be a number; given is {}.", in_words(fresh)));
         holder[key] = std::move(fresh);

@@ -37,6 +37,7 @@ ProjectJson write_material(const Material& material)
     number("contact_angle_deg", &Material::contact_angle_deg);
     number("thermal_conductivity_w_mk", &Material::thermal_conductivity_w_mk);
     number("specific_heat_j_kgk", &Material::specific_heat_j_kgk);
+    if (material.heat_of_wetting_j_g != (base ? base->heat_of_wetting_j_g : 0)) json["heat_of_wetting_j_g"] = material.heat_of_wetting_j_g;
     return json;
 }
 
@@ -118,23 +119,73 @@ ProjectJson write_fabric(const Fabric& fabric)
     return json;
 }
 
+ProjectJson write_climate(const Climate& climate)
+{
+    return {{"temperature_c", climate.temperature_c},
+            {"relative_humidity", climate.relative_humidity},
+            {"air_speed_m_s", climate.air_speed_m_s}};
+}
+
+ProjectJson write_climates(const Experiment& experiment)
+{
+    if (experiment.climates.empty()) return write_climate(experiment.climate);
+    ProjectJson course = ProjectJson::array();
+    const auto add = [&](double time, const Climate& climate) {
+        ProjectJson moment{{"time_s", time}};
+        moment.update(write_climate(climate));
+        course.push_back(moment);
+    };
+    add(0, experiment.climate);
+    for (const ClimateMoment& moment : experiment.climates) add(moment.time_s, moment.climate);
+    return course;
+}
+
+ProjectJson write_droplets(const Experiment& experiment)
+{
+    ProjectJson json = ProjectJson::array();
+    for (const Droplet& drop : experiment.droplets)
+        json.push_back({{"volume_ul", drop.volume_ul},
+                        {"time_s", drop.time_s},
+                        {"at_mm", ProjectJson::array({drop.at_mm[0], drop.at_mm[1]})},
+                        {"height_mm", drop.height_mm},
+                        {"speed_m_s", drop.speed_m_s}});
+    return json;
+}
+
 ProjectJson write_experiment(const Experiment& experiment)
 {
-    ProjectJson json{{"name", experiment.name}, {"type", "droplet"}};
-    json["climate"] = {{"temperature_c", experiment.climate.temperature_c},
-                       {"relative_humidity", experiment.climate.relative_humidity},
-                       {"air_speed_m_s", experiment.climate.air_speed_m_s}};
+    ProjectJson json{{"name", experiment.name}, {"type", name_of(experiment.type)}};
+    json["climate"] = write_climates(experiment);
     json["liquid"] = experiment.liquid;
-    json["sample_mm"] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
+    if (experiment.closure != Closure::kissa) json["closure"] = name_of(experiment.closure);
+    if (experiment.swelling) json["swelling"] = true;
+    json[experiment.type == ExperimentType::vertical_wicking ? "strip_mm" : "sample_mm"] =
+        ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
     json["duration_s"] = experiment.duration_s;
-    json["droplets"] = ProjectJson::array();
-    for (const Droplet& drop : experiment.droplets)
-        json["droplets"].push_back({{"volume_ul", drop.volume_ul},
-                                    {"time_s", drop.time_s},
-                                    {"at_mm", ProjectJson::array({drop.at_mm[0], drop.at_mm[1]})},
-                                    {"height_mm", drop.height_mm},
-                                    {"speed_m_s", drop.speed_m_s}});
+    switch (experiment.type) {
+    case ExperimentType::droplet: json["droplets"] = write_droplets(experiment); break;
+    case ExperimentType::moisture_management: json["feed_s"] = experiment.feed_s; [[fallthrough]];
+    case ExperimentType::horizontal_wicking: json["volume_ul"] = experiment.volume_ul; break;
+    case ExperimentType::vertical_wicking:
+        json["direction"] = experiment.along_weft ? "weft" : "warp";
+        json["immersion_mm"] = experiment.immersion_mm;
+        break;
+    case ExperimentType::drying: json["initial_water_g_m2"] = experiment.initial_water_g_m2; break;
+    case ExperimentType::conditioning: json["initial"] = write_climate(experiment.initial); break;
+    case ExperimentType::sweat:
+        json["rate_g_m2_h"] = experiment.rate_g_m2_h;
+        json["side"] = experiment.from_top ? "top" : "bottom";
+        break;
+    }
     return json;
+}
+
+ProjectJson write_liquid(const Liquid& liquid)
+{
+    return {{"name", liquid.name},
+            {"surface_tension_mn_m", liquid.surface_tension_mn_m},
+            {"viscosity_mpa_s", liquid.viscosity_mpa_s},
+            {"density_kg_m3", liquid.density_kg_m3}};
 }
 
 void print(std::string& text, const ProjectJson& value, const std::string& indent, const std::string& path)
@@ -173,6 +224,8 @@ ProjectJson json_from_design(const Design& design)
     ProjectJson json{{"format", "hygroloom-project"}, {"version", project_version}};
     json["materials"] = ProjectJson::array();
     for (const Material& material : design.materials) json["materials"].push_back(write_material(material));
+    if (!design.liquids.empty()) json["liquids"] = ProjectJson::array();
+    for (const Liquid& liquid : design.liquids) json["liquids"].push_back(write_liquid(liquid));
     json["fabrics"] = ProjectJson::array();
     for (const Fabric& fabric : design.fabrics) json["fabrics"].push_back(write_fabric(fabric));
     json["experiments"] = ProjectJson::array();

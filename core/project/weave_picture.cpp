@@ -117,6 +117,13 @@ std::string assumed_numbers(const Fabric& fabric)
                        fabric.picks_per_cm, *fabric.warp.diameter_mm);
 }
 
+/// The first of these rows with one of these marks; their number when there is none.
+std::size_t first_line_with(std::string_view marks, const std::vector<std::string_view>& rows)
+{
+    const auto has = [marks](std::string_view row) { return row.find_first_of(marks) != std::string_view::npos; };
+    return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), has) - rows.begin());
+}
+
 DraftImport import_grid(std::string_view bytes, const std::string& name)
 {
     const std::string text = decoded_text(bytes, name);
@@ -136,12 +143,11 @@ DraftImport import_grid(std::string_view bytes, const std::string& name)
         refuse_size(name, static_cast<long long>(ends), static_cast<long long>(rows.size()));
 
     // Blanks are crossings only where x draws the others; there an editor may have cut them from a line's end.
-    bool crosses = false, others = false;
-    for (char c : text) {
-        crosses = crosses || c == 'x' || c == 'X';
-        others = others || c == '0' || c == '1' || c == '.' || c == '#';
-    }
-    if (crosses && others) throw FileError(name + ": The drawing mixes x with other marks; use 0 and 1, or . and #, or blanks and x.");
+    const std::size_t first_cross = first_line_with("xX", rows), first_other = first_line_with("01.#", rows);
+    const bool crosses = first_cross < rows.size(), others = first_other < rows.size();
+    if (crosses && others)
+        throw FileError(fmt::format("{}: line {}: The drawing mixes x with other marks; use 0 and 1, or . and #, or blanks and x.", name,
+                                    empty + std::max(first_cross, first_other) + 1));
     std::vector<std::uint8_t> up(ends * rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (!crosses && rows[row].size() != ends)
@@ -186,13 +192,23 @@ DraftImport import_draft(const std::filesystem::path& path, const Design& known)
 
 void take_suggestions(DraftImport& draft)
 {
-    const auto take = [](const Suggestion& suggestion, auto& value) {
-        if (suggestion.value && suggestion.plausible) value = *suggestion.value;
+    Fabric& fabric = draft.fabric;
+    const std::string assumed = assumed_numbers(fabric);
+    std::string taken, left;
+    const auto take = [&](const Suggestion& suggestion, auto& value, const char* what) {
+        const bool takes = suggestion.value && suggestion.plausible;
+        if (takes) value = *suggestion.value;
+        std::string& list = takes ? taken : left;
+        list += fmt::format("{}{} {:.4g}", list.empty() ? "" : ", ", what, std::optional<double>(value).value());
     };
-    take(draft.ends_per_cm, draft.fabric.ends_per_cm);
-    take(draft.picks_per_cm, draft.fabric.picks_per_cm);
-    take(draft.warp_diameter_mm, draft.fabric.warp.diameter_mm);
-    take(draft.weft_diameter_mm, draft.fabric.weft.diameter_mm);
+    take(draft.ends_per_cm, fabric.ends_per_cm, "ends per cm");
+    take(draft.picks_per_cm, fabric.picks_per_cm, "picks per cm");
+    take(draft.warp_diameter_mm, fabric.warp.diameter_mm, "mm of warp diameter");
+    take(draft.weft_diameter_mm, fabric.weft.diameter_mm, "mm of weft diameter");
+    for (ImportLine& line : draft.report)
+        if (!taken.empty() && line.text == assumed)
+            line.text =
+                fmt::format("Taken from the file: {}. Assumed: {}{}cotton; give the real ones.", taken, left, left.empty() ? "" : ", ");
 }
 
 } // namespace hygroloom

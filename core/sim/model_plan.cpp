@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -23,6 +24,7 @@ struct Level {
     int shells;
     double network_step;       // s
     double saturation_change;
+    double step_error;
     double density_tolerance;
     int burst_steps;
     double neglected;          // part of the delivered water, or of the wicking rate, below which a part is left out
@@ -31,23 +33,24 @@ struct Level {
 Level level_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 0.02, 20, 0.01};
-    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 0.01, 10, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 0.01, 0, 0.0};
+    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 2e-3, 0.02, 20, 0.01};
+    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 5e-4, 0.01, 10, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0, 0.0};
     }
     return {};
 }
 
 /// Quantities that the bounds are made of.
 struct Bounds {
-    double delivered = 0;        // kg
-    double capacity = 0;         // kg/m2 that the fabric's pores hold
-    double wet_area = 0;         // m2 at 20 % of that: what wicks no further
-    double sorbable = 0;         // kg the fibres of that area can take
+    double delivered = 0;        // kg that come as liquid
+    double at_stake = 0;         // kg that what is left out is compared with
+    double capacity = 0;         // kg/m2 that the wicking yarns' pores hold, at least, where liquid is
+    double wet_area = 0;         // m2 that can get wet, or that the air works on
+    double sorbable = 0;         // kg the fibres of that area can take or give
     double evaporated = 0;       // kg from both its faces in the duration
     double temperature_rise = 0; // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
-    double finest = 0;              // m, height of the thinnest yarn
+    double finest = 0;           // m, height of the thinnest yarn
     bool wicks = false;
 };
 
@@ -63,38 +66,91 @@ std::vector<double> shares_of_types(const Textile& textile, YarnKind kind)
     return shares;
 }
 
-Bounds find_bounds(const Textile& textile, const Experiment& experiment)
+/// The driest, windiest and warmest of a course.
+Climate hardest_climate(const Experiment& experiment)
+{
+    Climate hardest = experiment.climate;
+    for (const ClimateMoment& moment : experiment.climates) {
+        hardest.temperature_c = std::max(hardest.temperature_c, moment.climate.temperature_c);
+        hardest.relative_humidity = std::min(hardest.relative_humidity, moment.climate.relative_humidity);
+        hardest.air_speed_m_s = std::max(hardest.air_speed_m_s, moment.climate.air_speed_m_s);
+    }
+    return hardest;
+}
+
+/// Liquid that the experiment brings, kg; of a strip that hangs in liquid, what all its pores hold.
+double delivered_water(const Experiment& experiment, double sample, double capacity, double density)
+{
+    double volume = 0;
+    switch (experiment.type) {
+    case ExperimentType::droplet:
+        for (const Droplet& d : experiment.droplets) volume += cubic_metre_from_ul(d.volume_ul);
+        return volume * density;
+    case ExperimentType::moisture_management:
+    case ExperimentType::horizontal_wicking: return cubic_metre_from_ul(experiment.volume_ul) * density;
+    case ExperimentType::vertical_wicking: return capacity * sample;
+    case ExperimentType::drying: return 1e-3 * experiment.initial_water_g_m2 * sample;
+    case ExperimentType::sweat: return 1e-3 * experiment.rate_g_m2_h / 3600.0 * experiment.duration_s * sample;
+    case ExperimentType::conditioning: break;
+    }
+    return 0;
+}
+
+Bounds find_bounds(const Design& design, const Textile& textile, const Experiment& experiment)
 {
     Bounds b;
     b.finest = textile.thickness;
-    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const double humidity = experiment.climate.relative_humidity;
-    for (const Droplet& d : experiment.droplets) b.delivered += cubic_metre_from_ul(d.volume_ul) * water_density(temperature);
+    const Climate air = hardest_climate(experiment);
+    const double temperature = kelvin_from_celsius(air.temperature_c);
+    const double humidity = air.relative_humidity;
+    const double density = find_liquid(design, experiment.liquid)->density_kg_m3;
+    const bool conditioning = experiment.type == ExperimentType::conditioning;
 
-    double sorbable = 0, heat = 0, thermal = 0; // per m2 of fabric
-    const auto add = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
-        b.capacity += along * type.area * (1.0 - type.packing) * water_density(temperature);
-        const double fibres = along * type.area * type.packing * type.fibre.density_kg_m3;
+    double sorbable = 0, everything = 0; // kg/m2 of fabric: that fibres take, that all pores hold
+    double thirst = 0;                   // kg that fibres take per kg of liquid, where liquid barely moves, of the thirstiest wicking yarn
+    const auto look_at = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
+        const double pores = type.area * (1.0 - type.packing) * density, fibres = type.area * type.packing * type.fibre.density_kg_m3;
+        const bool wicks = std::cos(type.contact_angle) > 1e-12;
         const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
                                 type.fibre.gab.c, type.fibre.gab.k};
-        const double gain =
-            std::max(0.0, equilibrium_regain(isotherm, 1.0, temperature) - equilibrium_regain(isotherm, humidity, temperature));
-        sorbable += fibres * gain;
-        heat += fibres * gain * heat_of_sorption(humidity);
-        thermal += fibres * type.fibre.specific_heat_j_kgk;
+        const auto regain = [&](const Climate& climate) {
+            return equilibrium_regain(isotherm, climate.relative_humidity, kelvin_from_celsius(climate.temperature_c));
+        };
+        double gain = equilibrium_regain(isotherm, 1.0, temperature) - regain(air);
+        if (conditioning) gain = std::abs(regain(experiment.initial) - regain(experiment.climate));
+        for (const ClimateMoment& moment : experiment.climates) gain = std::max(gain, std::abs(regain(moment.climate) - regain(experiment.climate)));
+        everything += along * pores;
+        sorbable += along * fibres * gain;
+        const double liquid = conditioning ? 0.0 : least_mobile_saturation * pores;
+        if (wicks && liquid > 0) thirst = std::max(thirst, fibres * gain / liquid);
+        const double heat = heat_of_sorption(std::min(humidity, conditioning ? experiment.initial.relative_humidity : 1.0)) +
+                            (conditioning ? heat_of_evaporation(temperature) : 0.0);
+        b.temperature_rise = std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
-        b.wicks = b.wicks || std::cos(type.contact_angle) > 1e-12;
+        b.wicks = b.wicks || wicks;
+        return wicks ? along * pores : 0.0;
     };
+    // Liquid may run along the yarns of one type alone, whichever holds least: bounds are those of the worst type, not of the mean.
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         const YarnSystem& system = textile.system(kind);
         const std::vector<double> shares = shares_of_types(textile, kind);
-        for (std::size_t type = 0; type < shares.size(); ++type)
-            if (shares[type] > 0) add(system.types[type], shares[type] / system.pitch);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t type = 0; type < shares.size(); ++type) {
+            if (shares[type] <= 0) continue;
+            const double holds = look_at(system.types[type], shares[type] / system.pitch) / shares[type];
+            if (holds > 0) least = std::min(least, holds);
+        }
+        if (std::isfinite(least)) b.capacity += least;
     }
-    const double sample = metre_from_mm(experiment.sample_mm[0]) * metre_from_mm(experiment.sample_mm[1]);
-    b.wet_area = std::min(sample, b.delivered / (least_mobile_saturation * b.capacity));
-    b.sorbable = sorbable * b.wet_area;
-    const double convection = convective_heat_transfer(experiment.climate.air_speed_m_s, metre_from_mm(std::max(experiment.sample_mm[0], experiment.sample_mm[1])));
+    const auto [width, height] = sample_extent_mm(experiment);
+    const double sample = metre_from_mm(width) * metre_from_mm(height);
+    b.delivered = delivered_water(experiment, sample, everything, density);
+    const bool spot = experiment.type == ExperimentType::droplet || experiment.type == ExperimentType::moisture_management ||
+                      experiment.type == ExperimentType::horizontal_wicking;
+    b.wet_area = spot && b.capacity > 0 ? std::min(sample, b.delivered / (least_mobile_saturation * b.capacity)) : sample;
+    b.sorbable = spot ? std::min(sorbable * sample, thirst * b.delivered) : sorbable * sample;
+    b.at_stake = std::max(b.delivered, conditioning ? b.sorbable : 0.0);
+    const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
                    saturation_concentration(temperature);
     // The psychrometer's balance with the slope of the saturation curve at the air's temperature taken as its chord over 1 K.
@@ -102,7 +158,6 @@ Bounds find_bounds(const Textile& textile, const Experiment& experiment)
     const double latent = mass_transfer(convection, temperature) * heat_of_evaporation(temperature);
     const double dry_transfer = convection + radiative_heat_transfer(temperature);
     b.wet_bulb_depression = latent * (1.0 - humidity) * saturation_concentration(temperature) / (dry_transfer + latent * slope);
-    b.temperature_rise = heat / (thermal + (b.wet_area > 0 ? b.delivered / b.wet_area : 0.0) * water_specific_heat);
     return b;
 }
 
@@ -128,44 +183,74 @@ PlannedPart decide(const char* name, bool on, std::string reason, const ForcedPa
     return part;
 }
 
+/// How the experiment brings its water, in words.
+std::string supply_in_words(const Experiment& experiment, const Bounds& b)
+{
+    switch (experiment.type) {
+    case ExperimentType::droplet:
+        if (experiment.droplets.empty()) return "No drop falls in this experiment.";
+        return fmt::format("{} {:.4g} mg.",
+                           experiment.droplets.size() == 1 ? "One drop brings" : fmt::format("{} drops bring", experiment.droplets.size()),
+                           1e6 * b.delivered);
+    case ExperimentType::moisture_management:
+    case ExperimentType::horizontal_wicking: return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * b.delivered);
+    case ExperimentType::vertical_wicking: return "The strip hangs in the liquid; no drop falls.";
+    case ExperimentType::drying: return fmt::format("{:.4g} mg are in the cloth at the start; no drop falls.", 1e6 * b.delivered);
+    case ExperimentType::sweat: return fmt::format("{:.4g} mg are fed straight into one face; no drop falls.", 1e6 * b.delivered);
+    case ExperimentType::conditioning: break;
+    }
+    return "The cloth meets no liquid in this experiment.";
+}
+
 void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
 {
-    const auto& drops = experiment.droplets;
-    plan.parts.push_back(decide("liquid", !drops.empty(),
-                                drops.empty() ? "No drop falls in this experiment." : fmt::format("{} {:.4g} mg.", drops.size() == 1 ? "One drop brings" : fmt::format("{} drops bring", drops.size()), 1e6 * b.delivered),
-                                forced));
-    const bool liquid = plan.parts.back().on;
-    plan.parts.push_back(decide("wicking", liquid && b.wicks,
-                                b.wicks ? "At least one yarn's contact angle is below 90 degrees."
-                                        : "All yarns' contact angles are 90 degrees or more: their pores draw no liquid.",
+    const bool drops = experiment.type == ExperimentType::droplet;
+    const bool conditioning = experiment.type == ExperimentType::conditioning;
+    plan.parts.push_back(decide("liquid", drops && !experiment.droplets.empty(), supply_in_words(experiment, b), forced));
+    const bool wet = drops ? plan.parts.back().on : b.delivered > 0;
+    plan.parts.push_back(decide("wicking", wet && b.wicks,
+                                !wet      ? "No liquid comes to the yarns."
+                                : b.wicks ? "At least one yarn's contact angle is below 90 degrees."
+                                          : "The contact angles of all yarns are 90 degrees or more: their pores draw no liquid.",
                                 forced));
     const bool wicking = plan.parts.back().on;
-    const double delivered = std::max(b.delivered, 1e-30);
+    const bool moist = wicking || conditioning || (wet && !drops); // water can get to the fibres
+    const double at_stake = std::max(b.at_stake, 1e-30);
     const auto share_reason = [&](const char* what, double share) {
-        return fmt::format("{} at most {:.3g} % of the water delivered; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
-                           100 * level.neglected);
+        return fmt::format("{} at most {:.3g} % of the water {}; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
+                           conditioning ? "that fibres exchange" : "delivered", 100 * level.neglected);
     };
-    plan.parts.push_back(decide("sorption", wicking && b.sorbable / delivered > level.neglected,
-                                share_reason("The fibres of the area that can get wet take up", b.sorbable / delivered), forced));
+    const double sorbed = b.sorbable / at_stake;
+    plan.parts.push_back(decide("sorption", moist && b.sorbable > 0 && sorbed > level.neglected,
+                                share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), forced));
     const bool sorption = plan.parts.back().on;
-    plan.parts.push_back(decide("vapour", wicking && b.evaporated / delivered > level.neglected,
-                                share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / delivered), forced));
+    // A sample in a new climate exchanges vapour or nothing; without liquid it is the only way.
+    const bool only_way = conditioning || !experiment.climates.empty();
+    plan.parts.push_back(decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > level.neglected),
+                                only_way ? std::string("What fibres exchange comes and goes as vapour.")
+                                         : share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / at_stake),
+                                forced));
     const bool vapour = plan.parts.back().on;
     // Two per cent per kelvin is how surface tension over viscosity follows temperature; saturation pressure follows it faster.
-    const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour ? b.wet_bulb_depression : 0.0;
-    const double effect = 0.02 * std::max(warming, cooling);
-    plan.parts.push_back(decide("heat", (sorption || vapour) && effect > level.neglected,
-                                fmt::format("Sorption warms the wet area by at most {:.3g} K and evaporation cools it by at most {:.3g} K; at 2 % "
-                                            "a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this fidelity.",
-                                            warming, cooling, 100 * effect, 100 * level.neglected),
+    const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour && b.delivered > 0 ? b.wet_bulb_depression : 0.0;
+    double change = conditioning ? std::abs(experiment.initial.temperature_c - experiment.climate.temperature_c) : 0.0;
+    for (const ClimateMoment& moment : experiment.climates)
+        change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
+    const double effect = 0.02 * std::max({warming, cooling, change});
+    plan.parts.push_back(decide("heat", moist && effect > level.neglected,
+                                fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
+                                            "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
+                                            "fidelity.",
+                                            warming, cooling, change, 100 * effect, 100 * level.neglected),
                                 forced));
 }
 
 TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experiment& experiment, const Bounds& b)
 {
-    const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
+    const auto [width, height] = sample_extent_mm(experiment);
+    const TextileRegion sample = region_of_sample(fabric, width, height);
     plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm² of its {:.3g} mm².", sample.ends,
-                                     sample.picks, 1e6 * b.wet_area, experiment.sample_mm[0] * experiment.sample_mm[1]);
+                                     sample.picks, 1e6 * b.wet_area, width * height);
     return sample;
 }
 
@@ -174,7 +259,11 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
 {
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and network step.
     constexpr double particle_step = 1.5e-6, segment_step = 0.7e-6;
-    constexpr double moving_time = 0.3, resting_time = 6.0, liquid_step = 5e-5; // s: till a drop rests, till a wetting cloth has drunk it
+    constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
+    const double drops = static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
+    const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
+    const double liquid_step = 0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
     const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(experiment.droplets.size());
     const double rests = std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
     const double resting_steps = plan.burst_steps > 0 ? rests / plan.network_step_limit * plan.burst_steps : rests / liquid_step;
@@ -228,9 +317,10 @@ ForcedParts parse_forced_parts(const std::string& text)
 ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced)
 {
     const Level level = level_of(fidelity);
-    const TextileRegion sample = region_of_sample(fabric, experiment.sample_mm[0], experiment.sample_mm[1]);
+    const auto [width, height] = sample_extent_mm(experiment);
+    const TextileRegion sample = region_of_sample(fabric, width, height);
     const Textile textile = build_textile(design, fabric, sample);
-    const Bounds bounds = find_bounds(textile, experiment);
+    const Bounds bounds = find_bounds(design, textile, experiment);
 
     ModelPlan plan;
     plan.fidelity = fidelity;
@@ -241,6 +331,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.fibre_shells = plan.on("sorption") ? level.shells : 1;
     plan.network_step_limit = level.network_step;
     plan.saturation_change = level.saturation_change;
+    plan.step_error = level.step_error;
     plan.density_tolerance = level.density_tolerance;
     plan.burst_steps = level.burst_steps;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);

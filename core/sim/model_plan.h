@@ -33,7 +33,8 @@ struct ModelPlan {
     int fibre_shells = 0;           ///< radial cells in a fibre
     double frame_interval = 0;      ///< s
     double network_step_limit = 0;  ///< s
-    double saturation_change = 0;   ///< that a network step aims at
+    double saturation_change = 0;   ///< that a network step aims at while drops are about
+    double step_error = 0;          ///< of a step without drops: part of the water and heat at stake that it may misplace
     double density_tolerance = 0;   ///< of the pressure loop, fraction
     int burst_steps = 0;            ///< liquid steps between two network steps once the liquid rests; 0: all
     std::string resolution_reason;

@@ -23,7 +23,7 @@ std::string plan_json(const ModelPlan& plan)
         {"resolution",
          {{"particles_per_droplet", plan.particles_per_droplet}, {"segments", plan.segments}, {"fibre_shells", plan.fibre_shells},
           {"frame_interval_s", plan.frame_interval}, {"network_step_limit_s", plan.network_step_limit},
-          {"saturation_change", plan.saturation_change}, {"density_tolerance", plan.density_tolerance},
+          {"saturation_change", plan.saturation_change}, {"step_error", plan.step_error}, {"density_tolerance", plan.density_tolerance},
           {"burst_steps", plan.burst_steps}, {"reason", plan.resolution_reason}}},
         {"expected",
          {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
@@ -47,6 +47,7 @@ try {
     plan.frame_interval = resolution.at("frame_interval_s");
     plan.network_step_limit = resolution.at("network_step_limit_s");
     plan.saturation_change = resolution.at("saturation_change");
+    plan.step_error = resolution.value("step_error", 0.0);
     plan.density_tolerance = resolution.at("density_tolerance");
     plan.burst_steps = resolution.at("burst_steps");
     plan.resolution_reason = resolution.at("reason");

@@ -188,7 +188,7 @@ try : file_(std::make_unique<File>()) {
     if (!fabric || !find_experiment(run.design, run.experiment) || has_error(validate(run.design)))
         throw FileError("the recording's design is not valid; it is damaged.");
     const TextileRegion& region = run.plan.region;
-    const auto& sample = find_experiment(run.design, run.experiment)->sample_mm;
+    const std::array<double, 2> sample = sample_extent_mm(*find_experiment(run.design, run.experiment));
     const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
     if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks)
         throw FileError("the recording's region does not lie in its sample; it is damaged.");

@@ -47,7 +47,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();
-    backend.load(build_scene(run.textile, *experiment, run.plan, options.seed));
+    backend.load(build_scene(design, run.textile, *experiment, run.plan, options.seed));
 
     std::optional<RecordingWriter> recording;
     if (!options.recording.empty()) recording.emplace(options.recording, run);
@@ -58,7 +58,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         frame->time = time;
         // Water may not appear or vanish; if it does, the result is worth nothing.
         const Ledger& l = frame->ledger;
-        if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial)))
+        if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
             throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
         if (recording) recording->append(*frame);
         if (callbacks.frame) callbacks.frame(frame);

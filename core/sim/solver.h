@@ -7,13 +7,16 @@
 #include "core/sim/frame.h"
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
-#include "core/sim/steps/yarn_exchange.h"
+#include "core/sim/steps/supply.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 namespace hygroloom {
+
+constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
+constexpr double first_step = 1e-3; ///< s, of the yarns after something sudden
 
 template <typename Executor> class Solver {
 public:
@@ -28,15 +31,22 @@ public:
         scene_ = scene;
         time_ = network_time_ = exchange_time_ = 0;
         sync_time_ = -1;
-        network_dt_ = std::min(1e-3, scene.network_step);
+        exchange_time_ = 0;
+        wicking_watch_ = exchange_watch_ = {};
         next_droplet_ = 0;
         count_ = 0;
         liquid_steps_ = 0;
         delivered_ = calm_time_ = 0;
         burst_ = 0;
+        pool_.assign(scene.pools.size(), 0);
+        pumped_ = ran_off_ = 0;
         load_segments();
         load_liquid();
-        initial_ = ledger().water_bound + ledger().water_vapour;
+        const Ledger start = ledger();
+        initial_ = start.water_bound + start.water_vapour - scene.initial_bound;
+        delivered_ = start.water_liquid + scene.initial_bound;
+        initial_energy_ = start.energy_stored;
+        begin_anew();
     }
 
     /// Towards until, for about the given wall time; what is reached never depends on where a call ends.
@@ -46,9 +56,8 @@ public:
         while (time_ < until) {
             if (sync_time_ < 0) {
                 release_droplets();
-                double target = until;
-                if (next_droplet_ < scene_.droplets.size()) target = std::min(target, scene_.droplets[next_droplet_].time);
-                const double steps = steps_to(target, network_dt_);
+                const double target = std::min(until, next_event());
+                const double steps = steps_to(target, std::min(network_dt_, exchange_dt_));
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
             while (time_ < sync_time_ && count_ > 0) {
@@ -92,6 +101,29 @@ private:
     template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
 
     void load_segments();
+    void note_start(std::vector<double>& regain);
+    void set_climate();
+    double next_event() const;
+    /// Short steps again: something sudden has happened.
+    void begin_anew()
+    {
+        network_dt_ = std::min(first_step, step_limit());
+        exchange_dt_ = scene_.step_error > 0 ? std::min(first_step, exchange_limit()) : exchange_limit();
+    }
+    double step_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
+    double exchange_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step; }
+    void supply(double dt);
+    void drink(double dt);
+    void sweat(double dt);
+    /// How changes compare with those of the step before.
+    struct Watch {
+        double dt = 0;      ///< of the step before
+        bool known = false; ///< whether there was one
+    };
+    double growth(double error) const { return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_.step_error)), 0.3, 1.5); }
+    void choose_network_step(double dt);
+    void choose_exchange_step(double dt);
+    double water_at_stake() const;
     void load_liquid();
     void release_droplets();
     void step_network(double dt, bool frame_due);
@@ -121,10 +153,19 @@ private:
     double calm_time_ = 0;  ///< from which the free liquid has had time to settle
     double fastest_ = 0;    ///< m/s, of the last liquid step
     std::size_t next_droplet_ = 0;
-    double delivered_ = 0, initial_ = 0;
+    double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
+    double exchange_dt_ = 0;
+    Watch wicking_watch_, exchange_watch_;
+    double heat_scale_ = 0;      ///< J that an error of a step is compared with
+    double water_scale_ = 0;     ///< kg
+    std::vector<std::int64_t> pool_; ///< quanta that stand in each pool
+    std::int64_t pumped_ = 0;    ///< quanta, into pools and as sweat
+    std::int64_t ran_off_ = 0;   ///< quanta of sweat that found no room
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
+    Buffer<double> pores_, supplied_, uptake_, liquid_rate_, bound_, bound_rate_, heat_, heat_rate_;
+    Buffer<std::uint8_t> fed_;
     Buffer<std::uint8_t> warp_up_, type_;
     Buffer<YarnParameters> yarns_;
     Buffer<CrossingParameters> crossing_;
@@ -145,6 +186,7 @@ private:
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> sums_;  ///< density error, dripped quanta
     Buffer<std::int64_t> content_, sorted_content_;
+    Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
     Buffer<int> maxima_;         ///< fastest, largest change of saturation
     CellGrid grid_;
 };

@@ -4,11 +4,10 @@
 
 #include "core/sim/solver.h"
 
+#include <limits>
 #include <numeric>
 
 namespace hygroloom {
-
-constexpr double exchange_steps = 4.0; // network steps of full length between exchanges with fibres and air, which are slower
 
 /// The largest change of saturation since before[], as bits of a float; before[] is brought up to date.
 struct TrackChange {
@@ -20,12 +19,11 @@ struct TrackChange {
     {
         const double change = s.liquid[i] - before[i];
         if (change == 0) return;
-        const YarnParameters& yarn = s.yarn_of(i);
         union {
             float value;
             int bits;
         } moved;
-        moved.value = static_cast<float>((change < 0 ? -change : change) / (density * yarn.pore_area * s.length[i]));
+        moved.value = static_cast<float>((change < 0 ? -change : change) / (density * s.pores[i]));
         if (moved.value > 0) atomic_max(largest, moved.bits);
         before[i] = s.liquid[i];
     }
@@ -41,8 +39,17 @@ template <typename Executor> void Solver<Executor>::load_segments()
     type_.upload(scene_.type);
     yarns_.upload(scene_.yarns);
     crossing_.upload(scene_.crossing);
-    for (auto* b : {&liquid_, &warmth_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_}) {
+    for (auto* b : {&liquid_, &evaporated_, &released_, &lost_, &work0_, &work1_, &work2_, &flux_, &before_, &uptake_}) {
         b->resize(n);
+        b->fill(0.0);
+    }
+    warmth_.resize(n);
+    warmth_.fill(scene_.initial_warmth);
+    fed_.upload(scene_.fed);
+    supplied_.resize(scene_.fed.size());
+    supplied_.fill(0.0);
+    for (auto* b : {&liquid_rate_, &bound_, &bound_rate_, &heat_, &heat_rate_}) {
+        b->resize(scene_.step_error > 0 ? n : 0);
         b->fill(0.0);
     }
     if (!scene_.initial_liquid.empty()) liquid_.upload(scene_.initial_liquid);
@@ -52,24 +59,146 @@ template <typename Executor> void Solver<Executor>::load_segments()
     contact_.fill(no_particle);
     sums_.resize(2);
     sums_.fill(0);
+    supply_.resize(5);
+    supply_.fill(0);
     maxima_.resize(2);
     maxima_.fill(0);
 
-    std::vector<double> vapour(n), regain(n * shells);
-    const double background = scene_.climate.humidity * saturation_concentration(scene_.climate.temperature);
+    std::vector<double> vapour(n), regain(n * shells), pores(n);
+    const ClimateParameters& climate = scene_.climate;
+    const double humidity = scene_.initial_humidity < 0 ? climate.humidity : scene_.initial_humidity;
+    const double pore_vapour = humidity * saturation_concentration(climate.temperature + scene_.initial_warmth);
     const Yarns yarns = yarns_on_host();
+    water_scale_ = heat_scale_ = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
         const double liquid = scene_.initial_liquid.empty() ? 0.0 : scene_.initial_liquid[i];
-        vapour[i] = background * pore_air(yarn, scene_.length[i], liquid, scene_.climate.density);
+        const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double dry = scene_.pores.empty() ? yarn.pore_area * scene_.length[i] : scene_.pores[i];
+        pores[i] = std::max({0.05 * dry, liquid / climate.density, dry - scene_.swelling * yarn.initial_regain * fibres});
+        vapour[i] = pore_vapour * pore_air(pores[i], liquid, climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
+        water_scale_ += (scene_.sorption ? std::abs(yarn.initial_regain - yarn.resting_regain) * fibres : 0.0);
+        heat_scale_ += 50.0 * heat_capacity(yarn, scene_.length[i], liquid); // K: temperatures settle at once, so errors of steps do not add up
     }
+    // What is still to come counts too, or the first drops would have to be followed exactly.
+    constexpr double filled = 0.2; // of the pores, by a bath
+    if (!scene_.fed.empty()) water_scale_ += filled * climate.density * std::accumulate(pores.begin(), pores.end(), 0.0);
+    for (const ScenePool& pool : scene_.pools) water_scale_ += pool.rate * (pool.end - pool.start) * climate.density;
+    water_scale_ += scene_.sweat * scene_.cell_area * scene_.crossings() * climate.density * scene_.calm_network_step;
+    pores_.upload(pores);
     vapour_.upload(vapour);
     regain_.upload(regain);
+    if (scene_.step_error > 0) note_start(regain);
+}
+
+/// Water and heat of the fibres, from which the first changes count.
+template <typename Executor> void Solver<Executor>::note_start(std::vector<double>& regain)
+{
+    const Segments s = fibres_on_host(regain);
+    const std::vector<double> liquid = liquid_.download();
+    std::vector<double> bound(liquid.size()), heat(liquid.size());
+    for (std::size_t i = 0; i < liquid.size(); ++i) {
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
+        bound[i] = bound_water(s, yarn, static_cast<int>(i));
+        heat[i] = heat_capacity(yarn, s.length[i], liquid[i] + bound[i]) * scene_.initial_warmth;
+    }
+    bound_.upload(bound);
+    heat_.upload(heat);
+}
+
+/// The air of this moment, and the regain it leaves fibres alone with.
+template <typename Executor> void Solver<Executor>::set_climate()
+{
+    if (scene_.course.empty()) return;
+    const auto after = std::upper_bound(scene_.course.begin(), scene_.course.end(), time_,
+                                        [](double time, const SceneClimate& moment) { return time < moment.time; });
+    const SceneClimate& last = *(after - 1);
+    SceneClimate now = last;
+    if (after != scene_.course.end()) {
+        const double share = (time_ - last.time) / (after->time - last.time);
+        const auto between = [&](double SceneClimate::* value) { now.*value += share * (*after.*value - last.*value); };
+        between(&SceneClimate::air_warmth);
+        between(&SceneClimate::humidity);
+        between(&SceneClimate::heat_transfer);
+        between(&SceneClimate::mass_transfer);
+    }
+    ClimateParameters& climate = scene_.climate;
+    climate.air_warmth = now.air_warmth;
+    climate.humidity = now.humidity;
+    climate.vapour = now.humidity * saturation_concentration(climate.temperature + now.air_warmth);
+    climate.heat_transfer = now.heat_transfer;
+    climate.mass_transfer = now.mass_transfer;
+    for (YarnParameters& yarn : scene_.yarns)
+        yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature + climate.air_warmth);
+    yarns_.upload(scene_.yarns);
+}
+
+/// The next moment at which something begins or ends; steps end there.
+template <typename Executor> double Solver<Executor>::next_event() const
+{
+    double next = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double time) {
+        if (time > time_) next = std::min(next, time);
+    };
+    if (next_droplet_ < scene_.droplets.size()) consider(scene_.droplets[next_droplet_].time);
+    for (const ScenePool& pool : scene_.pools) {
+        consider(pool.start);
+        consider(pool.end);
+    }
+    for (const SceneClimate& moment : scene_.course) consider(moment.time);
+    return next;
+}
+
+/// Liquid that came without drops in the last dt.
+template <typename Executor> void Solver<Executor>::supply(double dt)
+{
+    if (!scene_.fed.empty()) each_segment("keep fed", KeepFed{segments(), scene_.climate.density});
+    drink(dt);
+    if (scene_.sweat > 0) sweat(dt);
+}
+
+/// Pools fill, and the yarns under them drink: a pool lies within the circle of a half ball of its volume.
+template <typename Executor> void Solver<Executor>::drink(double dt)
+{
+    const double density = scene_.climate.density;
+    for (std::size_t k = 0; k < pool_.size(); ++k) {
+        const ScenePool& pool = scene_.pools[k];
+        const double running = std::clamp(time_, pool.start, pool.end) - std::clamp(time_ - dt, pool.start, pool.end);
+        const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
+        pool_[k] += came;
+        pumped_ += came;
+        if (pool_[k] <= 0) continue;
+        const double volume = static_cast<double>(pool_[k]) * water_quantum / density;
+        const double radius = std::max({std::cbrt(1.5 * volume / pi), scene_.warp_pitch, scene_.weft_pitch});
+        supply_.write(0, 0);
+        supply_.write(1, 0);
+        const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, supply_.data()};
+        each_segment("ask pool", ask);
+        const std::int64_t asked = supply_.read(0);
+        if (asked <= 0) continue;
+        const double share = asked > pool_[k] ? static_cast<double>(pool_[k]) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
+        each_segment("take from pool", TakeFromPool{ask, share, supply_.data() + 1});
+        pool_[k] -= supply_.read(1);
+    }
+}
+
+/// Each segment of the face gets its share; what finds no room runs off.
+template <typename Executor> void Solver<Executor>::sweat(double dt)
+{
+    const double each = scene_.sweat * scene_.cell_area * scene_.climate.density * dt;
+    const std::int64_t offered = static_cast<std::int64_t>(each / water_quantum) * scene_.crossings();
+    supply_.write(1, 0);
+    const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, nullptr};
+    each_segment("sweat", TakeFromPool{ask, 1.0, supply_.data() + 1});
+    pumped_ += offered;
+    ran_off_ += offered - supply_.read(1);
 }
 
 template <typename Executor> void Solver<Executor>::step_network(double dt, bool frame_due)
 {
+    set_climate();
+    supply(dt);
     const ClimateParameters& climate = scene_.climate;
     each_segment("take absorbed", TakeAbsorbed{segments()});
     maxima_.write(1, 0);
@@ -77,20 +206,60 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     if (scene_.wicking || scene_.heat) {
         maxima_.write(1, 0);
         const int lines = yarns().lines();
-        if (scene_.wicking) exec_.for_each("wick", lines, WickAlongYarn{segments(), dt, climate.density, scene_.fed_segments});
-        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), dt, climate.density});
+        if (scene_.wicking)
+            exec_.for_each("wick", lines, WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
+        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), climate, dt, scene_.face_only});
         exec_.for_each("cross", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
-        each_segment("change", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     }
-    if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_steps * scene_.network_step) exchange(time_ - exchange_time_);
+    choose_network_step(dt);
+    if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
+    if (next_event() <= time_ + 1e-12) begin_anew();
+}
 
-    union {
-        float value;
-        int bits;
-    } change;
-    change.bits = maxima_.read(1);
-    const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
-    network_dt_ = std::clamp(network_dt_ * std::clamp(wanted, 0.5, 1.3), std::min(1e-4, scene_.network_step), scene_.network_step);
+template <typename Executor> double Solver<Executor>::water_at_stake() const
+{
+    return std::max(1e-30, water_scale_ + delivered_);
+}
+
+/// From the error of the last step, and from the change of saturation while drops or pools are about.
+template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
+{
+    const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
+    const bool watched = scene_.step_error > 0 && count_ == 0;
+    double grow = 1.5;
+    if (watched && scene_.wicking) {
+        supply_.write(2, 0);
+        exec_.for_each("wicking error", yarns().lines(),
+                       EstimateWicking{segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
+        grow = growth(static_cast<double>(supply_.read(2)) * water_quantum / water_at_stake());
+    }
+    wicking_watch_ = {dt, watched};
+    if (!watched || standing) {
+        each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), maxima_.data() + 1});
+        union {
+            float value;
+            int bits;
+        } change;
+        change.bits = maxima_.read(1);
+        const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
+        grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
+    }
+    network_dt_ = std::clamp(network_dt_ * grow, std::min(1e-4, scene_.network_step), step_limit());
+}
+
+template <typename Executor> void Solver<Executor>::choose_exchange_step(double dt)
+{
+    if (scene_.step_error <= 0) return;
+    supply_.write(3, 0);
+    supply_.write(4, 0);
+    const Watch& watch = exchange_watch_;
+    exec_.for_each("exchange error", yarns().lines(),
+                   EstimateExchange{segments(), {bound_rate_.data(), dt, watch.dt, watch.known}, {heat_rate_.data(), dt, watch.dt, watch.known},
+                                    bound_.data(), heat_.data(), supply_.data() + 3});
+    const double water = static_cast<double>(supply_.read(3)) * water_quantum / water_at_stake();
+    const double heat = static_cast<double>(supply_.read(4)) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
+    exchange_watch_ = {dt, true};
+    exchange_dt_ = std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
 }
 
 template <typename Executor> void Solver<Executor>::exchange(double dt)
@@ -99,11 +268,12 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
     if (scene_.vapour) {
-        const double background = climate.humidity * saturation_concentration(climate.temperature);
-        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, background, scene_.heat});
+        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, climate.vapour, scene_.heat, scene_.face_only});
         exec_.for_each("cross vapour", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, false, false, true});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
+    if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
+    choose_exchange_step(dt);
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()
@@ -124,6 +294,10 @@ template <typename Executor> Segments Solver<Executor>::segments()
     s.shells = scene_.fibre_shells;
     s.length = length_.data();
     s.warp_up = warp_up_.data();
+    s.fed = scene_.fed.empty() ? nullptr : fed_.data();
+    s.pores = pores_.data();
+    s.supplied = supplied_.data();
+    s.uptake = uptake_.data();
     s.liquid = liquid_.data();
     s.vapour = vapour_.data();
     s.warmth = warmth_.data();
@@ -165,9 +339,10 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     Ledger l;
     l.time = time_;
     l.water_initial = initial_;
-    l.water_delivered = delivered_;
+    l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
     const std::vector<std::int64_t> content = content_.download();
-    l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, std::int64_t(0))) * water_quantum;
+    const std::int64_t standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
+    l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, standing)) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
@@ -179,8 +354,9 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(sums_.read(1)) * water_quantum;
+    l.water_dripped = static_cast<double>(sums_.read(1) + ran_off_) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
+    l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());
     l.energy_lost = sum(lost_.download());
     return l;
@@ -195,6 +371,7 @@ template <typename Executor> Frame Solver<Executor>::frame()
     const std::vector<double> liquid = liquid_.download(), vapour = vapour_.download(), warmth = warmth_.download();
     std::vector<double> regain = regain_.download();
     const Segments s = fibres_on_host(regain);
+    const std::vector<double> pores = pores_.download();
     const auto n = liquid.size();
     for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -202,8 +379,8 @@ template <typename Executor> Frame Solver<Executor>::frame()
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
         const double bound = bound_water(s, yarn, static_cast<int>(i));
-        const double air = pore_air(yarn, scene_.length[i], liquid[i], scene_.climate.density);
-        f.saturation[i] = static_cast<float>(liquid[i] / (scene_.climate.density * yarn.pore_area * scene_.length[i]));
+        const double air = pore_air(pores[i], liquid[i], scene_.climate.density);
+        f.saturation[i] = static_cast<float>(liquid[i] / (scene_.climate.density * pores[i]));
         f.liquid[i] = static_cast<float>(liquid[i]);
         f.regain[i] = static_cast<float>(bound / fibres);
         f.vapour[i] = static_cast<float>(vapour[i] / air);

@@ -46,12 +46,16 @@ struct Segments : Yarns {
     int shells = 0;
     const double* length = nullptr;
     const std::uint8_t* warp_up = nullptr; ///< per crossing
+    const std::uint8_t* fed = nullptr;     ///< whether it stays full; null: none does
+    double* pores = nullptr;         ///< m3
+    double* supplied = nullptr;      ///< kg since the start by hanging in liquid; null where none does
     double* liquid = nullptr;        ///< kg
     double* vapour = nullptr;        ///< kg
     double* warmth = nullptr;        ///< K over the climate
     double* regain = nullptr;        ///< per shell, from the fibre's middle outwards
     std::int64_t* absorbed = nullptr;///< quanta taken from particles since the last network step
     int* contact = nullptr;          ///< lowest particle that touches, or none
+    double* uptake = nullptr;        ///< m3: how much more water fibres and air took in the last exchange per kg/m3 more of pore vapour
     double* evaporated = nullptr;    ///< kg to the air since the start
     double* released = nullptr;      ///< J by phase change since the start
     double* lost = nullptr;          ///< J to the air since the start

@@ -67,6 +67,7 @@ Scene drying_scene(const AirExchange& air, double humidity)
 {
     Scene scene = bare_scene(1, 1, 1e-3, air.temperature);
     scene.vapour = scene.heat = true;
+    scene.face_only = true;
     scene.climate.humidity = humidity;
     scene.climate.vapour = air.vapour;
     scene.climate.heat_transfer = air.heat_transfer;

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/heat_cases.cpp
+  verify/laboratory_cases.cpp
   verify/moisture_cases.cpp
   verify/set_ups.cpp
   verify/verify.cpp

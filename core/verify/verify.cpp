@@ -20,7 +20,7 @@ const std::vector<VerifyCase>& verify_cases()
 {
     static const std::vector<VerifyCase> cases = [] {
         std::vector<VerifyCase> all;
-        for (auto part : {wicking_cases(), moisture_cases(), whole_run_cases()}) all.insert(all.end(), part.begin(), part.end());
+        for (auto part : {wicking_cases(), moisture_cases(), heat_cases(), laboratory_cases(), whole_run_cases()}) all.insert(all.end(), part.begin(), part.end());
         return all;
     }();
     return cases;

@@ -54,6 +54,8 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
 // The cases by subject; each file adds its own.
 std::vector<VerifyCase> wicking_cases();
 std::vector<VerifyCase> moisture_cases();
+std::vector<VerifyCase> heat_cases();
+std::vector<VerifyCase> laboratory_cases();
 std::vector<VerifyCase> whole_run_cases();
 
 } // namespace hygroloom

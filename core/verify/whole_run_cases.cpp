@@ -70,7 +70,7 @@ Scene wet_spot()
     plan.fibre_shells = 6;
     plan.network_step_limit = 5e-3;
     plan.saturation_change = 0.1;
-    Scene scene = build_scene(textile, design.experiments[0], plan, 1);
+    Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
     scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
     for (int end = 12; end < 25; ++end)
         for (int pick = 14; pick < 27; ++pick) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Liquid along yarns and across the network against Lucas and Washburn, Darcy, and Barenblatt.
+#include "core/base/error.h"
 #include "core/physics/water.h"
 #include "core/physics/wicking.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace hygroloom {
@@ -25,7 +29,8 @@ std::vector<double> front_distances(Backend& backend, double temperature, double
     scene.wicking = true;
     scene.yarns[0].exponent = tube_exponent;
     scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
-    scene.fed_segments = 1;
+    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    scene.fed[0] = 1;
     scene.network_step = time / 4000;
     const double capacity = scene.climate.density * scene.yarns[0].pore_area;
     std::vector<double> distances;
@@ -49,6 +54,120 @@ double front_exponent(const std::vector<double>& distances)
         squares += t * t;
     }
     return sum / squares;
+}
+
+/// A tube that stands in liquid: time for the front to reach each cell's end, or less than nothing when it did not.
+struct StandingTube {
+    Scene scene;
+    double cell = 0; ///< m
+
+    StandingTube(double temperature, double radius, double contact_angle, double length, double step)
+    {
+        constexpr int cells = 800;
+        cell = length / cells;
+        scene = bare_scene(1, cells, cell, temperature);
+        scene.wicking = true;
+        const double suction = capillary_pressure(scene.climate.surface_tension, contact_angle, radius);
+        const double mobility = radius * radius / 8.0 * suction / scene.climate.viscosity;
+        const PoreFlow flow = pore_flow(mobility * (tube_exponent + 1), tube_exponent, suction, scene.climate.density);
+        scene.yarns[0].exponent = flow.exponent;
+        scene.yarns[0].liquid_diffusivity = flow.diffusivity;
+        scene.yarns[0].fall = flow.fall;
+        scene.gravity_along_warp = gravity_acceleration;
+        scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+        scene.fed[0] = 1;
+        scene.network_step = step;
+    }
+    /// The liquid in it as length of full tube above the middle of the cell that hangs in the liquid.
+    double height(const Frame& frame) const
+    {
+        const double capacity = scene.climate.density * scene.yarns[0].pore_area;
+        return std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.picks, 0.0) / capacity + 0.5 * cell;
+    }
+};
+
+/// Time to rise to a height (Washburn 1921 with gravity).
+double rising_time(double radius, double equilibrium, double viscosity, double density, double height)
+{
+    return 8.0 * viscosity / (density * gravity_acceleration * radius * radius) * (-height - equilibrium * std::log1p(-height / equilibrium));
+}
+
+double equilibrium_for(const VerifyValues& v, double temperature)
+{
+    return equilibrium_height(water_surface_tension(temperature), radian_from_degree(value(v, "contact_angle_deg")),
+                              metre_from_um(value(v, "radius_um")), water_density(temperature));
+}
+
+std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backend)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
+    const double height = metre_from_mm(value(v, "height_mm")), highest = equilibrium_for(v, temperature);
+    if (height >= 0.98 * highest)
+        throw Error(fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
+    const double expected = rising_time(radius, highest, water_viscosity(temperature), water_density(temperature), height);
+    constexpr int moments = 150;
+    std::vector<double> times;
+    for (int i = 1; i <= moments; ++i) times.push_back(1.5 * expected * i / moments);
+    const StandingTube tube(temperature, radius, radian_from_degree(value(v, "contact_angle_deg")), std::min(1.4 * height, 1.05 * highest),
+                            expected / 2000);
+    double before = 0, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
+    for (const Frame& frame : frames_at(backend, tube.scene, times)) {
+        const double now = tube.height(frame);
+        if (now >= height) {
+            computed = before_time + (height - before) / (now - before) * (frame.time - before_time);
+            break;
+        }
+        before = now;
+        before_time = frame.time;
+    }
+    return {{"time_s", computed, expected, 0.03 * expected}};
+}
+
+std::vector<VerifyResult> jurin(const VerifyValues& v, Backend& backend)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
+    const double expected = equilibrium_for(v, temperature);
+    const double slowness = 8.0 * water_viscosity(temperature) * expected / (water_density(temperature) * gravity_acceleration * radius * radius);
+    const StandingTube tube(temperature, radius, radian_from_degree(value(v, "contact_angle_deg")), 1.2 * expected, 0.02 * slowness);
+    const Frame frame = frames_at(backend, tube.scene, {12.0 * slowness}).back();
+    return {{"height_mm", 1e3 * tube.height(frame), 1e3 * expected, 0.01 * 1e3 * expected}};
+}
+
+/// A plane that drinks from a round source in its middle, as one wedge of it: a yarn that widens with the distance.
+std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c")), porosity = value(v, "porosity");
+    const double source = metre_from_mm(value(v, "source_radius_mm")), radius = metre_from_mm(value(v, "radius_mm"));
+    if (radius <= source) throw Error(fmt::format("radius_mm: The front starts at the source's radius of {} mm; give more.", 1e3 * source));
+    const double mobility = value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * porosity);
+    const double expected = (0.5 * radius * radius * (std::log(radius / source) - 0.5) + 0.25 * source * source) / mobility;
+    constexpr int cells = 1000;
+    const double cell = (1.1 * radius - source) / cells;
+    Scene scene = bare_scene(1, cells, cell, temperature);
+    scene.wicking = true;
+    scene.yarns[0].exponent = tube_exponent;
+    scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
+    constexpr double width = 1e-4; // m2 of pores per m of radius
+    scene.pores.assign(static_cast<std::size_t>(scene.segments()), 1e-12);
+    for (int i = 0; i < cells; ++i) scene.pores[static_cast<std::size_t>(i)] = width * (source + i * cell) * cell;
+    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    scene.fed[0] = 1;
+    scene.network_step = expected / 3000;
+    constexpr int moments = 150;
+    std::vector<double> times;
+    for (int i = 1; i <= moments; ++i) times.push_back(1.2 * expected * i / moments);
+    double before = source, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
+    for (const Frame& frame : frames_at(backend, scene, times)) {
+        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0) / (scene.climate.density * width);
+        const double now = std::sqrt((source + 0.5 * cell) * (source + 0.5 * cell) + 2.0 * held);
+        if (now >= radius) {
+            computed = before_time + (radius - before) / (now - before) * (frame.time - before_time);
+            break;
+        }
+        before = now;
+        before_time = frame.time;
+    }
+    return {{"time_s", computed, expected, 0.03 * expected}};
 }
 
 std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
@@ -136,6 +255,14 @@ std::vector<VerifyCase> wicking_cases()
         {"darcy_strip", "A strip draws water in under a given suction: distance against Darcy with a sharp front.",
          {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""}, {"pressure_pa", 5e3, 1e-2, 1e7, ""}, {"porosity", 0.6, 0.01, 1, ""}, {"time_s", 30, 1e-3, 1e5, ""}, temperature},
          darcy_strip},
+        {"washburn_gravity", "An upright tube draws water up: time to a height against Washburn with gravity.",
+         {{"radius_um", 50, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, {"height_mm", 50, 1e-2, 1e4, ""}, temperature}, washburn_gravity},
+        {"jurin", "An upright tube left long in water: the height of the column.",
+         {{"radius_um", 100, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, temperature}, jurin},
+        {"radial_wicking", "A plane draws water from a round source under a given suction: time for the front to reach a radius.",
+         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""}, {"pressure_pa", 5e3, 1e-2, 1e7, ""}, {"porosity", 0.6, 0.01, 1, ""},
+          {"source_radius_mm", 2, 0.1, 100, ""}, {"radius_mm", 10, 0.2, 1000, ""}, temperature},
+         radial_wicking},
         {"barenblatt", "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
          {{"exponent", 2, 0.5, 5, ""}, {"volume_ul", 50, 1e-3, 5e3, ""}, {"thickness_mm", 0.4, 1e-3, 10, ""}, {"porosity", 0.6, 0.01, 1, ""},
           {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""}, {"time_s", 20, 1e-3, 1e5, ""}, temperature},

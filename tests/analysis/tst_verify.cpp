@@ -57,6 +57,16 @@ private Q_SLOTS:
         QTest::newRow("damp wool") << "regain" << "material=wool relative_humidity=0.9";
         QTest::newRow("cold silk") << "regain" << "material=silk temperature_c=-5 relative_humidity=0.5";
         QTest::newRow("hot polyester") << "regain" << "material=polyester temperature_c=55";
+        QTest::newRow("upright, fine") << "washburn_gravity" << "radius_um=100 contact_angle_deg=40 height_mm=70";
+        QTest::newRow("column in a fine tube") << "jurin" << "radius_um=20 contact_angle_deg=60 temperature_c=40";
+        QTest::newRow("small source") << "radial_wicking" << "source_radius_mm=1 radius_mm=6 permeability_m2=3e-12 porosity=0.4";
+        QTest::newRow("early slab") << "slab_conduction" << "fourier=0.2";
+        QTest::newRow("late slab off the middle") << "slab_conduction" << "fourier=1 position=0.5";
+        QTest::newRow("late half space") << "half_space" << "time_s=20";
+        QTest::newRow("damp wool sheet with diffusion") << "sorption_heating" << "humidity_to=0.95 fibre_diffusivity_m2_s=1e-13";
+        QTest::newRow("cotton sheet, fitted isotherm") << "sorption_heating" << "material=cotton humidity_from=0.3 isotherm=gab";
+        QTest::newRow("wool half wetted") << "adiabatic_wetting" << "material=wool regain=0.2";
+        QTest::newRow("poor management") << "management_indices" << "absorption_rate_bottom_pct_s=5 one_way_transport_pct=-200 spreading_speed_bottom_mm_s=0.4 wetting_time_top_s=60";
         QTest::newRow("repellent") << "conservation" << "contact_angle_deg=120 duration_s=0.1";
     }
     void otherValuesPassToo()

@@ -77,7 +77,9 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const QString project = folder.filePath("cloth.hygro");
         QCOMPARE(run_cli({"presets", "Denim", "Textile F", "-o", project}).code, 0);
-        QCOMPARE(run_cli({"presets", "Denim", "-o", project}).code, 0);
+        const Answer again = run_cli({"presets", "Denim", "-o", project});
+        QCOMPARE(again.code, 0);
+        QVERIFY2(again.err.contains("is called \"Denim 2\"."), again.err);
         const Answer check = run_cli({"check", project, "--fabric", "Denim 2"});
         QCOMPARE(check.code, 0);
         QVERIFY(check.out.contains("laboratory"));
@@ -137,7 +139,7 @@ private Q_SLOTS:
         const QStringList call{"check", example("textile-F.hygro"), "--set", "fabrics[0].weave.pattern=satin 8/3"};
         const Answer text = run_cli(call);
         QVERIFY(text.out.contains("satin 8/3: smallest repeat 8 ends x 8 picks, warp up at 87.5 % of the crossings"));
-        QVERIFY2(text.out.contains("7 (2 mm)"), text.out); // 7 picks at 35 per cm
+        QVERIFY2(text.out.contains("7 (2 mm)"), text.out);                      // 7 picks at 35 per cm
         QVERIFY2(text.out.contains("% of Ashenhurst's limit 40/cm"), text.out); // 50 x 8/10
         const QJsonObject fabric = run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject();
         QCOMPARE(fabric["weave"].toObject()["floats"].toObject()["warp_face"].toObject()["longest"].toInt(), 7);
@@ -157,12 +159,61 @@ private Q_SLOTS:
         QCOMPARE(first.json()["added"].toBool(true), false);
         QCOMPARE(first.json()["weave"].toObject()["ends"].toInt(), 4);
         QVERIFY(first.json()["report"].toArray().size() > 5);
-        const Answer second = run_cli({"import", wif, "-o", project, "--json", "--use-suggestions"});
+        const Answer second = run_cli({"import", wif, "-o", project, "--json", "--no-suggestions"});
         QCOMPARE(second.json()["fabric"].toString(), QString("many color single treadles.wpo 2"));
         QCOMPARE(run_cli({"check", project, "--json"}).json()["fabrics"].toArray().size(), 2);
         QCOMPARE(run_cli({"import", HYGROLOOM_SOURCE_DIR "/tests/data/wif/bad_wif__missing_tieup.wif"}).code, 3);
         QCOMPARE(run_cli({"import", "/nowhere.wif"}).code, 3);
         QCOMPARE(run_cli({"import", wif, "-o", folder.filePath("x.json")}).code, 2);
+    }
+    void importTakesPlausibleNumbersUnlessTold()
+    {
+        QTemporaryDir folder;
+        QFile wif(folder.filePath("d.wif"));
+        QVERIFY(wif.open(QIODevice::WriteOnly));
+        wif.write("[WIF]\nVersion=1.1\n[CONTENTS]\nWEAVING=1\nWARP=1\nWEFT=1\nTHREADING=1\nTIEUP=1\nTREADLING=1\n"
+                  "[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=2\nUnits=Centimeters\nSpacing=0.04\n"
+                  "[WEFT]\nThreads=2\nUnits=Centimeters\nSpacing=0.05\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n");
+        wif.close();
+        const auto ends = [&](const QStringList& options) {
+            const QString project = folder.filePath(QString("p%1.hygro").arg(QDir(folder.path()).count()));
+            const Answer answer = run_cli(QStringList{"import", wif.fileName(), "-o", project, "--json"} + options);
+            const QJsonObject suggested = answer.json()["suggestions"].toObject()["ends_per_cm"].toObject();
+            const double pitch = run_cli({"check", project, "--json"})
+                                     .json()["fabrics"]
+                                     .toArray()[0]
+                                     .toObject()["derived"]
+                                     .toObject()["warp"]
+                                     .toObject()["pitch_mm"]
+                                     .toDouble();
+            return std::make_pair(suggested["taken"].toBool(), qRound(10 / pitch));
+        };
+        QCOMPARE(ends({}), std::make_pair(true, 25));
+        QCOMPARE(ends({"--use-suggestions"}), std::make_pair(true, 25));
+        QCOMPARE(ends({"--no-suggestions"}), std::make_pair(false, 20));
+        QCOMPARE(run_cli({"import", wif.fileName(), "--use-suggestions", "--no-suggestions"}).code, 2);
+    }
+    void checkDescribesTheYarnsOfStripes()
+    {
+        const QStringList call{
+            "check", example("textile-F.hygro"),
+            "--set", "fabrics[0].extra_yarns=[{\"material\":\"wool\",\"diameter_mm\":0.1},{\"material\":\"wool\",\"diameter_mm\":0.1}]",
+            "--set", "fabrics[0].warp_order=[{\"yarn\":0,\"count\":4},{\"yarn\":1,\"count\":2}]"};
+        const Answer text = run_cli(call);
+        QCOMPARE(text.code, 0);
+        QVERIFY2(text.out.contains("extra yarn 1") && text.out.contains("extra yarn 2: neither order has it"), text.out + text.err);
+        const QJsonArray yarns =
+            run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject()["derived"].toObject()["extra_yarns"].toArray();
+        QCOMPARE(yarns.size(), 2);
+        QCOMPARE(yarns[0].toObject()["diameter_mm"].toDouble(), 0.1);
+        QVERIFY(yarns[0].toObject()["warp"].toObject()["pore_radius_um"].toDouble() > 0);
+        QVERIFY(!yarns[0].toObject().contains("weft") && !yarns[1].toObject().contains("warp"));
+    }
+    void aDecimalCommaIsExplained()
+    {
+        const Answer answer = run_cli({"check", example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=35,5"});
+        QCOMPARE(answer.code, 2);
+        QVERIFY2(answer.err.contains("Numbers are written with a decimal point: 35.5."), answer.err);
     }
     void aDraftGoesOutAndComesBack()
     {
@@ -170,7 +221,9 @@ private Q_SLOTS:
         const QString wif = folder.filePath("f.wif"), project = folder.filePath("f.hygro");
         QCOMPARE(run_cli({"export", example("textile-F.hygro"), "-o", wif, "--quiet"}).code, 0);
         QCOMPARE(run_cli({"import", wif, "-o", project}).code, 0);
-        const auto fabric = [](const QString& file) { return run_cli({"check", file, "--json"}).json()["fabrics"].toArray()[0].toObject(); };
+        const auto fabric = [](const QString& file) {
+            return run_cli({"check", file, "--json"}).json()["fabrics"].toArray()[0].toObject();
+        };
         QCOMPARE(fabric(project), fabric(example("textile-F.hygro")));
     }
     void exportWritesMeshesAndSaysHowLarge()
@@ -194,11 +247,16 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         const QString file = folder.filePath("cloth.ply");
-        const QStringList arguments{"export", example("textile-A.hygro"), "--detail", "fibre", "--repeats", "2x3", "--open-ends", "--json", "-o", file};
+        const QStringList arguments{
+            "export", example("textile-A.hygro"), "--detail", "fibre", "--repeats", "2x3", "--open-ends", "--json", "-o", file};
         const QJsonObject foretold = run_cli(arguments + QStringList{"--estimate"}).json();
+        const Answer told = run_cli({"export", example("textile-A.hygro"), "--estimate", "--quiet", "-o", file});
+        QVERIFY2(told.out.contains("triangles, about "), told.out);
+        QCOMPARE(told.err, QByteArray());
         QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
         const QJsonObject written = run_cli(arguments).json();
-        for (const char* key : {"vertices", "faces", "bytes", "ends", "picks"}) QVERIFY2(foretold[key].toDouble() > 0 && foretold[key] == written[key], key);
+        for (const char* key : {"vertices", "faces", "bytes", "ends", "picks"})
+            QVERIFY2(foretold[key].toDouble() > 0 && foretold[key] == written[key], key);
         QCOMPARE(written["bytes"].toInteger(), QFileInfo(file).size());
         QCOMPARE(written["files"].toArray().size(), 1);
         QVERIFY(written["seconds"].toDouble() > 0);
@@ -207,7 +265,8 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         QProcess process;
-        process.start(HYGROLOOM_CLI, {"export", example("textile-F.hygro"), "--detail", "fibre", "--size-mm", "40x40", "-o", folder.filePath("f.obj")});
+        process.start(HYGROLOOM_CLI,
+                      {"export", example("textile-F.hygro"), "--detail", "fibre", "--size-mm", "40x40", "-o", folder.filePath("f.obj")});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden), 20000);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);

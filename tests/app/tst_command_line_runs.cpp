@@ -55,12 +55,18 @@ private Q_SLOTS:
                 QCOMPARE(run_cli({"measure", recording, "--map", side, "--cells", "2", "-o", file}).code, 0);
                 QVERIFY(QFile(file).size() > 100);
             }
+        const QStringList map{"measure", recording, "--map", "top", "-o", folder_.filePath("late.csv"), "--time"};
+        const Answer late = run_cli(map + QStringList{"99", "--quiet"});
+        QCOMPARE(late.code, 0);
+        QVERIFY2(late.err.contains("warning: The recording ends at "), late.err);
+        QVERIFY(!run_cli(map + QStringList{"0"}).err.contains("warning"));
         QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
     }
     void waterIsExportedOnThePieceThatWasSimulated()
     {
-        const QString recording = folder_.filePath("wet.hygrorec"), file = folder_.filePath("wet.ply"), project = example("one-drop-on-cotton.hygro");
+        const QString recording = folder_.filePath("wet.hygrorec"), file = folder_.filePath("wet.ply"),
+                      project = example("one-drop-on-cotton.hygro");
         QCOMPARE(run_cli(short_run(recording), 300).code, 0);
         const Answer answer = run_cli({"export", project, "--water", recording, "--time", "0.02", "--json", "-o", file});
         QCOMPARE(answer.code, 0);

@@ -74,7 +74,7 @@ void network(benchmark::State& state)
     double segments = 0, bytes = 0;
     for (auto _ : state) {
         const ModelPlan plan = plan_model(textile_f(), fabric, experiment, Fidelity::draft, {});
-        const Scene scene = build_scene(build_textile(textile_f(), fabric, plan.region), experiment, plan, 1);
+        const Scene scene = build_scene(textile_f(), build_textile(textile_f(), fabric, plan.region), experiment, plan, 1);
         segments = scene.segments();
         bytes = static_cast<double>(scene.length.size() * sizeof(double) + scene.shift.size() * sizeof(float) + scene.warp_up.size());
         benchmark::DoNotOptimize(scene.length.data());

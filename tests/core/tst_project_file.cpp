@@ -60,6 +60,7 @@ Design rich()
     Material free = *find_library_material("polyester");
     free.name = "free";
     free.density_kg_m3 = 1401.0 / 3.0;
+    free.heat_of_wetting_j_g = 12.5;
     design.materials = {own, free};
     Fabric fabric = design.fabrics[0];
     fabric.name = "satin";
@@ -73,6 +74,25 @@ Design rich()
     fabric.thickness_mm.reset();
     design.fabrics.push_back(fabric);
     design.experiments[0].droplets.resize(3);
+    design.liquids.push_back({"dye bath", 45.5, 1.2, 1010});
+    for (int type = 1; type < experiment_types; ++type) {
+        Experiment experiment = standard_experiment(static_cast<ExperimentType>(type));
+        experiment.name = name_of(experiment.type);
+        experiment.liquid = "dye bath";
+        experiment.closure = static_cast<Closure>(type % closures);
+        experiment.swelling = type % 2 == 0;
+        if (type % 2) experiment.climates = {{60, {30, 0.8, 0.5}}, {90.5, {30, 0.4, 0.5}}};
+        design.experiments.push_back(experiment);
+    }
+    design.experiments[1].volume_ul = 150.5;
+    design.experiments[1].feed_s = 10;
+    design.experiments[2].along_weft = true;
+    design.experiments[2].immersion_mm = 3;
+    design.experiments[3].volume_ul = 1234;
+    design.experiments[4].initial_water_g_m2 = 55;
+    design.experiments[5].initial = {35, 0.2, 0};
+    design.experiments[6].rate_g_m2_h = 650;
+    design.experiments[6].from_top = true;
     return design;
 }
 
@@ -109,6 +129,26 @@ private Q_SLOTS:
         QCOMPARE(*design.fabrics.at(0).contact_angle_deg, 30.0);
         QCOMPARE(design.fabrics.at(0).flyaway.hair_density_per_mm, 10.0);
         QCOMPARE(design.experiments.at(0).droplets.at(0).volume_ul, 15.0);
+    }
+    void climatesMayTakeACourse()
+    {
+        const std::string good = format_project(rich());
+        const Experiment e = parse_project(good, "text").experiments.at(1);
+        QCOMPARE(e.climates.size(), std::size_t(2));
+        QCOMPARE(climate_at(e, 30).temperature_c, 25.5);
+        QCOMPARE(climate_at(e, 75.25).relative_humidity, 0.6);
+        QCOMPARE(climate_at(e, 1000), (Climate{30, 0.4, 0.5}));
+        const std::string course =
+            "\"climate\": [{\"temperature_c\": 30}, {\"time_s\": 9, \"relative_humidity\": 0.1}], \"type\": \"sweat\", \"name\": \"s\"";
+        const std::string project = "{\"format\": \"hygroloom-project\", \"version\": 1, \"experiments\": [{" + course + "}]}";
+        const Experiment sweat = parse_project(project, "text").experiments.at(0);
+        QCOMPARE(sweat.climates.at(0).climate.temperature_c, 30.0); // what a moment does not say stays
+        const auto refusal = [&](const std::string& from, const std::string& to) {
+            return QString::fromStdString(message_of([&] { parse_project(replaced(project, from, to), "text"); }));
+        };
+        QVERIFY(refusal("\"time_s\": 9, ", "").contains("climate[1]: The key \"time_s\" is missing"));
+        QVERIFY(refusal("{\"temperature_c\": 30}", "{\"time_s\": 1}").contains("begins at 0 s; given is 1"));
+        QVERIFY(refusal("{\"temperature_c\": 30}, ", "").contains("begins at 0 s"));
     }
     void theSchemaNamesEveryKey()
     {
@@ -181,10 +221,14 @@ private Q_SLOTS:
         row("no rows", replaced(good, "\"pattern\": \"plain\"", "\"rows\": []"), "from 1 to 2000");
         row("a draft", replaced(good, "\"pattern\": \"plain\"", "\"draft\": {}"), "fabrics[0].weave.draft: The key \"shafts\" is missing.");
         row("twist direction", replaced(good, "\"Z\"", "\"X\""), "\"Z\" or \"S\"");
-        row("experiment of later", replaced(good, "\"type\": \"droplet\"", "\"type\": \"drying\""),
-            "This version runs experiments of type \"droplet\"; \"drying\"");
-        row("experiment of never", replaced(good, "\"type\": \"droplet\"", "\"type\": \"x\""),
-            "This version runs experiments of type \"droplet\"");
+        const std::string type = "\"type\": \"droplet\"";
+        row("experiment of never", replaced(good, type, "\"type\": \"x\""),
+            "must be one of droplet, moisture_management, vertical_wicking, horizontal_wicking, drying, conditioning, sweat");
+        row("experiment misspelt", replaced(good, type, "\"type\": \"dryng\""), "did you mean \"drying\"?");
+        row("key of another type", replaced(good, type, type + ", \"feed_s\": 3"), "The key \"feed_s\" is not known here");
+        row("closure", replaced(good, type, type + ", \"closure\": \"mine\""), "must be one of kissa, li_zhu, paper");
+        row("swelling", replaced(good, type, type + ", \"swelling\": 1"), "must be true or false; given is 1");
+        row("liquid of nothing", replaced(good, "\"materials\": []", "\"liquids\": [{}]"), "liquids[0]: The key \"name\" is missing");
         row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"),
             "has no material \"coton\"");
         row("material of nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\"}]"),

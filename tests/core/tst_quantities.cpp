@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/units.h"
 #include "core/design/fabric_quantities.h"
-#include "core/design/yarn_sections.h"
+#include "core/design/yarn_quantities.h"
 #include "core/project/project_file.h"
 
 #include <QTest>
@@ -227,6 +227,23 @@ private Q_SLOTS:
         const double mean = 24.347 * (1 + 0.75) / 4;
         QVERIFY2(near(q.areal_density_g_m2, 2 * mean + 2 * 24.347 * (1 + 0.01 * q.weft.crimp_percent), 0.3),
                  qPrintable(QString::number(q.areal_density_g_m2)));
+    }
+    void aStripesYarnIsDescribedWhereItLies()
+    {
+        Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
+        fabric.extra_yarns = {yarn("cotton", 0.1), yarn("wool", 0.3)};
+        fabric.warp_order = {{0, 1}, {1, 3}};
+        const std::vector<StripeYarn> stripes = stripe_yarns({}, fabric);
+        QCOMPARE(stripes.size(), std::size_t(2));
+        QVERIFY(stripes[0].as_end && !stripes[0].as_pick);
+        QVERIFY(near(stripes[0].as_end->linear_density_tex, 24.347 / 4, 0.001));
+        QCOMPARE(stripes[0].as_end->diameter_mm, 0.1);
+        // Unsqueezed, half of it fibre: pores are as wide as the fibres are thick.
+        QCOMPARE(stripes[0].as_end->packing_factor_in_fabric, 0.5);
+        QCOMPARE(stripes[0].as_end->pore_radius_um, blended_material({}, {{"cotton", 1}}).fibre_radius_um);
+        QVERIFY(!stripes[1].as_end && !stripes[1].as_pick);
+        QCOMPARE(stripes[1].free.diameter, 0.3);
+        QCOMPARE(stripes[1].contact_angle_deg, 55.0);
     }
     void theFabricsContactAngleReplacesTheFibres()
     {

@@ -45,6 +45,39 @@ class TestValidate : public QObject {
 
 private Q_SLOTS:
     void aSoundDesignHasNoIssues() { QVERIFY(validate(sound()).empty()); }
+    void everyStandardExperimentIsSound()
+    {
+        for (int type = 0; type < experiment_types; ++type) {
+            Design design = sound();
+            design.experiments[0] = standard_experiment(static_cast<ExperimentType>(type));
+            design.experiments[0].name = "standard";
+            design.experiments[0].climates = {{60, {30, 0.5, 0}}};
+            const auto issues = validate(design);
+            QVERIFY2(issues.empty(), issues.empty() ? "" : issues[0].text.c_str());
+        }
+    }
+    void aProjectsOwnLiquidIsKnown()
+    {
+        Design design = sound();
+        design.liquids.push_back({"dye bath"});
+        design.experiments[0].liquid = "dye bath";
+        QVERIFY(validate(design).empty());
+    }
+
+    void aStripesYarnThatDoesNotFitIsNamed()
+    {
+        Design design = sound();
+        Fabric& fabric = design.fabrics[0];
+        fabric.extra_yarns.resize(2, fabric.warp);
+        fabric.extra_yarns[1].diameter_mm = 0.9;
+        fabric.thickness_mm = 0.4;
+        fabric.weft_order = {{0, 3}, {2, 1}};
+        const auto issues = validate(design);
+        const Issue* issue = find(issues, "ends_do_not_fit");
+        QVERIFY(issue);
+        QCOMPARE(issue->where, std::string("fabrics[0].picks_per_cm"));
+        QVERIFY2(issue->text.find("picks per cm of extra yarn 2") != std::string::npos, issue->text.c_str());
+    }
 
     void everyWrongValueIsAnErrorAtItsPlace_data()
     {
@@ -98,6 +131,29 @@ private Q_SLOTS:
             d.fabrics[0].picks_per_cm = 40;
         });
         row("experiments[0].duration_s", "range", [](Design& d) { d.experiments[0].duration_s = 0; });
+        const auto set_up = [](Design& d, ExperimentType type) -> Experiment& {
+            d.experiments[0] = standard_experiment(type);
+            d.experiments[0].name = "set up";
+            return d.experiments[0];
+        };
+        row("experiments[0].feed_s", "range", [=](Design& d) { set_up(d, ExperimentType::moisture_management).feed_s = 0; });
+        row("experiments[0].volume_ul", "range", [=](Design& d) { set_up(d, ExperimentType::horizontal_wicking).volume_ul = -1; });
+        row("experiments[0].strip_mm[0]", "range", [=](Design& d) { set_up(d, ExperimentType::vertical_wicking).sample_mm[0] = 0; });
+        row("experiments[0].immersion_mm", "range", [=](Design& d) { set_up(d, ExperimentType::vertical_wicking).immersion_mm = 150; });
+        row("experiments[0].initial_water_g_m2", "range", [=](Design& d) { set_up(d, ExperimentType::drying).initial_water_g_m2 = nan; });
+        row("experiments[0].initial.temperature_c", "range",
+            [=](Design& d) { set_up(d, ExperimentType::conditioning).initial.temperature_c = -11; });
+        row("experiments[0].rate_g_m2_h", "range", [=](Design& d) { set_up(d, ExperimentType::sweat).rate_g_m2_h = -1; });
+        row("experiments[0].climate[1].time_s", "range", [](Design& d) { d.experiments[0].climates = {{0, {}}}; });
+        row("experiments[0].climate[2].relative_humidity", "range", [](Design& d) {
+            d.experiments[0].climates = {{1, {}}, {2, {20, 1.5, 0}}};
+        });
+        row("liquids[0].viscosity_mpa_s", "range", [](Design& d) { d.liquids = {{"glue", 50, 1e5, 1000}}; });
+        row("liquids[1].name", "duplicate_name", [](Design& d) { d.liquids = {{"glue"}, {"glue"}}; });
+        row("materials[0].heat_of_wetting_j_g", "range", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].heat_of_wetting_j_g = -1;
+        });
         row("experiments[0].duration_s ", "range", [inf](Design& d) { d.experiments[0].duration_s = inf; });
         row("experiments[0].droplets[0].volume_ul", "range", [](Design& d) { d.experiments[0].droplets[0].volume_ul = 0; });
         row("experiments[0].droplets[0].volume_ul ", "range", [](Design& d) { d.experiments[0].droplets[0].volume_ul = 5001; });

@@ -106,7 +106,8 @@ private Q_SLOTS:
         QCOMPARE(refusal("10\n1a\n"),
                  std::string("w.txt: line 2, column 2: A drawing is made of 0 and 1, of . and #, or of blanks and x (warp up)."));
         QVERIFY(refusal("\n\n10\n1\n").find("line 4: ") != std::string::npos); // empty lines count
-        QVERIFY(refusal("x.\n.x\n").find("mixes x with other marks") != std::string::npos);
+        QVERIFY(refusal("x \n x\nx.\n").find("w.txt: line 3: The drawing mixes x with other marks") != std::string::npos);
+        QVERIFY(refusal("\n10\n0x\n").find("w.txt: line 3: The drawing mixes x") != std::string::npos);
         QVERIFY(refusal("\n\n").find("a weave has from 1 to 2000") != std::string::npos);
         QVERIFY(refusal(std::string(2001, '1')).find("2001 ends") != std::string::npos);
         QVERIFY(refusal(std::string("1\0", 2)).find("no text file") != std::string::npos);

@@ -305,6 +305,10 @@ private Q_SLOTS:
         take_suggestions(draft);
         QCOMPARE(draft.fabric.ends_per_cm, 20.0);
         QCOMPARE(draft.fabric.picks_per_cm, 25.0);
+        QVERIFY(std::any_of(draft.report.begin(), draft.report.end(), [](const ImportLine& line) {
+            return line.text.starts_with("Taken from the file: picks per cm 25") &&
+                   line.text.find("Assumed: ends per cm 20") != std::string::npos;
+        }));
         // Inches for the spacing, the untouched centimetres for the thickness.
         const DraftImport mixed = import_text(twill({}, "Threads=4\nUnits=Inches\nSpacing=0.083\nThickness=.212\n"));
         QVERIFY(!mixed.ends_per_cm.plausible && !mixed.warp_diameter_mm.plausible);

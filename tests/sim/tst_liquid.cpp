@@ -60,16 +60,15 @@ struct HostShape {
 
     explicit HostShape(const Scene& scene) : shapes(yarn_shapes(scene, profiles))
     {
-        view = {
-            {scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data()},
-            static_cast<Real>(scene.half_thickness),
-            static_cast<Real>(scene.warp_pitch),
-            static_cast<Real>(scene.weft_pitch),
-            scene.profile_samples,
-            shapes.data(),
-            profiles.data(),
-            scene.warp_up.data(),
-            scene.shift.data()};
+        view = {{scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data()},
+                static_cast<Real>(scene.half_thickness),
+                static_cast<Real>(scene.warp_pitch),
+                static_cast<Real>(scene.weft_pitch),
+                scene.profile_samples,
+                shapes.data(),
+                profiles.data(),
+                scene.warp_up.data(),
+                scene.shift.data()};
     }
 };
 
@@ -204,8 +203,7 @@ private Q_SLOTS:
         const Design design = thick_and_thin();
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
         QCOMPARE(int(textile.warp.types.size()), 2);
-        const Scene scene =
-            build_scene(textile, design.experiments[0], plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+        const Scene scene = build_scene(design, textile, design.experiments[0], plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
         const HostShape host(scene);
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)

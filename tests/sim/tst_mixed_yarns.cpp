@@ -115,8 +115,8 @@ private Q_SLOTS:
     void ledgersCloseAndContentsStayInBounds()
     {
         QFETCH(bool, waxed);
-        const std::vector<Frame> frames = run(waxed ? cotton_stripe_in_wax(0.2) : cotton_and_polyester_checks(0.2), 0,
-                                              {{"vapour", true}, {"heat", true}, {"sorption", true}});
+        const std::vector<Frame> frames =
+            run(waxed ? cotton_stripe_in_wax(0.2) : cotton_and_polyester_checks(0.2), 0, {{"vapour", true}, {"heat", true}, {"sorption", true}});
         for (const Frame& f : frames) {
             QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-9 * 2e-6);
             for (std::size_t i = 0; i < f.saturation.size(); ++i) {
@@ -155,15 +155,14 @@ private Q_SLOTS:
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 21, 21});
         const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
                                           {{"liquid", false}, {"wicking", true}, {"sorption", true}, {"vapour", true}, {"heat", true}});
-        Scene scene = build_scene(textile, design.experiments[0], plan, 1);
+        Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
         for (int e = 6; e < 15; ++e)
             for (int p = 6; p < 15; ++p) scene.initial_liquid[static_cast<std::size_t>(textile.segment(YarnKind::warp, e, p))] = 2e-9;
         const auto backend = make_cpu_backend();
         const Frame end = frames_at(*backend, scene, {0.5}).back();
         const auto apart = [&](const std::vector<float>& field, YarnKind kind, int e, int p, int e2, int p2) {
-            return std::abs(field[static_cast<std::size_t>(textile.segment(kind, e, p))] -
-                            field[static_cast<std::size_t>(textile.segment(kind, e2, p2))]);
+            return std::abs(field[static_cast<std::size_t>(textile.segment(kind, e, p))] - field[static_cast<std::size_t>(textile.segment(kind, e2, p2))]);
         };
         for (const auto* field : {&end.saturation, &end.regain, &end.vapour, &end.temperature}) {
             // Only the direction of the eliminations tells left from right: rounding of doubles, seen through floats.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The network's stages alone: conserved, bounded, and in agreement with what they approximate.
-#include "core/sim/steps/yarn_exchange.h"
+#include "core/sim/steps/supply.h"
 
 #include <QTest>
 
@@ -13,8 +13,8 @@ namespace {
 /// Arrays behind the views, one line of segments in each system unless said.
 struct Network {
     int ends, picks, shells;
-    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux;
-    std::vector<std::uint8_t> warp_up, type;
+    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake, supplied;
+    std::vector<std::uint8_t> warp_up, type, fed;
     std::vector<YarnParameters> yarns;
     CrossingParameters crossing;
     std::vector<std::int64_t> absorbed;
@@ -26,8 +26,11 @@ struct Network {
         type.assign(static_cast<std::size_t>(ends), 0);
         type.resize(static_cast<std::size_t>(ends + picks), 1);
         const auto n = static_cast<std::size_t>(2 * ends * picks);
-        for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux}) v->assign(n, 0.0);
+        for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux, &uptake, &supplied})
+            v->assign(n, 0.0);
         length.assign(n, 3e-4);
+        pores.assign(n / 2, warp.pore_area * 3e-4);
+        pores.resize(n, weft.pore_area * 3e-4);
         regain.assign(n * static_cast<std::size_t>(shells), 0.0);
         warp_up.assign(n / 2, 1);
         absorbed.assign(n, 0);
@@ -44,6 +47,10 @@ struct Network {
         s.shells = shells;
         s.length = length.data();
         s.warp_up = warp_up.data();
+        s.fed = fed.empty() ? nullptr : fed.data();
+        s.pores = pores.data();
+        s.uptake = uptake.data();
+        s.supplied = supplied.data();
         s.liquid = liquid.data();
         s.vapour = vapour.data();
         s.warmth = warmth.data();
@@ -139,7 +146,7 @@ private Q_SLOTS:
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 97; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity * (i % 7 == 0 ? 1.0 : i % 3 == 0 ? 0.4 : 0.0);
         const double before = total(n.liquid);
-        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), dt, 997}(0);
+        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), room(), dt, 0, 0}(0);
         QVERIFY(std::abs(total(n.liquid) - before) < 1e-14 * before);
         for (int i = 0; i < 97; ++i) {
             QVERIFY(n.liquid[static_cast<std::size_t>(i)] >= 0);
@@ -152,7 +159,7 @@ private Q_SLOTS:
         Network n(1, 30, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 15; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity;
-        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), 10, 997}(0);
+        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), room(), 10, 0, 0}(0);
         for (int i = 0; i < 30; ++i) QVERIFY(std::abs(n.liquid[static_cast<std::size_t>(i)] / capacity - 0.5) < 1e-3);
     }
     void wickingAgreesWithTinyExplicitSteps()
@@ -170,7 +177,7 @@ private Q_SLOTS:
                 flux[i + 1] = yarn.liquid_diffusivity * (std::pow(s[i], 3) - std::pow(s[i + 1], 3)) / 3.0 / (h * h);
             for (std::size_t i = 0; i < 40; ++i) s[i] += dt * (flux[i] - flux[i + 1]);
         }
-        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), time / 1000, 997}(0);
+        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), room(), time / 1000, 0, 0}(0);
         for (std::size_t i = 0; i < 40; ++i) QVERIFY(std::abs(n.liquid[i] / capacity - s[i]) < 2e-3);
     }
     void heatAlongAYarnIsConservedWhileLiquidCarriesIt()
@@ -189,12 +196,78 @@ private Q_SLOTS:
             return sum;
         };
         const double before = heat();
+        ClimateParameters still = room();
+        still.heat_transfer = 0;
         for (double dt : {1e-4, 1e-2, 1.0}) {
-            WickAlongYarn{s, dt, 997}(0);
-            ConductAlongYarn{s, dt, 997}(0);
+            WickAlongYarn{s, room(), dt, 0, 0}(0);
+            ConductAlongYarn{s, still, dt}(0);
             QVERIFY(std::abs(heat() - before) < 1e-12 * std::abs(before));
             for (double w : n.warmth) QVERIFY(w <= 5.0 + 1e-12 && w >= -3.0 - 1e-12);
         }
+    }
+    void liquidInAHangingYarnStandsAsJurinSays_data()
+    {
+        QTest::addColumn<double>("exponent");
+        for (double exponent : {1.0 / 3.0, 1.0, 2.0, 20.0}) QTest::addRow("p %g", exponent) << exponent;
+    }
+    void liquidInAHangingYarnStandsAsJurinSays() // s = (1 - z / h)^(1/p)
+    {
+        QFETCH(double, exponent);
+        const ClimateParameters climate = room();
+        YarnParameters yarn = cotton();
+        const double suction = 200, height = suction / (climate.density * gravity_acceleration); // 20 mm
+        const PoreFlow flow = pore_flow(2e-5, exponent, suction, climate.density);
+        yarn.exponent = flow.exponent;
+        yarn.liquid_diffusivity = flow.diffusivity;
+        yarn.fall = flow.fall;
+        Network n(1, 100, yarn, yarn); // 30 mm
+        n.fed.assign(200, 0);
+        n.fed[0] = 1;
+        for (int step = 0; step < 3000; ++step) {
+            KeepFed{n.views(), climate.density}(0);
+            WickAlongYarn{n.views(), climate, 10, gravity_acceleration, 0}(0);
+        }
+        const double capacity = climate.density * n.pores[0];
+        for (std::size_t i = 1; i < 100; ++i) {
+            const double share = std::max(0.0, 1 - static_cast<double>(i) * n.length[0] / height);
+            const double expected = std::pow(share, 1 / exponent), found = n.liquid[i] / capacity;
+            const double slack = std::abs(std::pow(std::min(1.0, share + 0.03), 1 / exponent) - std::pow(std::max(0.0, share - 0.03), 1 / exponent));
+            QVERIFY2(std::abs(found - expected) < 0.01 + slack, qPrintable(QString("%1: %2, not %3").arg(i).arg(found).arg(expected)));
+        }
+        double warp = 0;
+        for (std::size_t i = 0; i < 100; ++i) warp += n.liquid[i];
+        QVERIFY(std::abs(n.supplied[0] - warp) < 1e-12 * warp); // all of it came from the bath
+    }
+    void warmLiquidFlowsFaster() // 2 % a kelvin: surface tension over viscosity
+    {
+        ClimateParameters climate = room();
+        climate.flow_slope = 0.02;
+        const YarnParameters yarn = cotton();
+        const auto moved = [&](double warmth) {
+            Network n(1, 2, yarn, yarn);
+            n.liquid[0] = climate.density * n.pores[0];
+            n.warmth[0] = n.warmth[1] = warmth;
+            WickAlongYarn{n.views(), climate, 1e-9, 0, 0}(0);
+            return n.liquid[1];
+        };
+        QVERIFY(std::abs(moved(10) / moved(0) - 1.2) < 1e-6);
+    }
+    void aBathKeepsItsYarnsFullAndCool()
+    {
+        const ClimateParameters climate = room();
+        const YarnParameters yarn = cotton();
+        Network n(1, 3, yarn, yarn);
+        n.fed = {1, 0, 0, 0, 0, 0};
+        n.warmth[0] = 4;
+        n.liquid[0] = 1e-12;
+        Segments s = n.views();
+        const double heat = heat_capacity(yarn, s.length[0], 1e-12) * 4;
+        for (int i = 0; i < 6; ++i) KeepFed{s, climate.density}(i);
+        QCOMPARE(n.warmth[0], 0.0);
+        QCOMPARE(n.lost[0], heat);
+        QCOMPARE(n.liquid[0], climate.density * n.pores[0]);
+        QCOMPARE(n.supplied[0], climate.density * n.pores[0] - 1e-12);
+        QCOMPARE(n.liquid[1], 0.0);
     }
     void finerPoresSuckLiquidOver()
     {
@@ -228,7 +301,7 @@ private Q_SLOTS:
         yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, 0.65, climate.temperature);
         Network n(1, 1, yarn, yarn);
         std::fill(n.regain.begin(), n.regain.end(), yarn.initial_regain);
-        for (std::size_t i = 0; i < 2; ++i) n.vapour[i] = climate.vapour * pore_air(yarn, n.length[i], 0, climate.density);
+        for (std::size_t i = 0; i < 2; ++i) n.vapour[i] = climate.vapour * pore_air(n.pores[i], 0, climate.density);
         const Network before = n;
         for (int step = 0; step < 100; ++step) ExchangeInSegment{n.views(), climate, 8e-8, 10.0, true, true, true}(0);
         QCOMPARE(n.regain, before.regain);
@@ -264,7 +337,7 @@ private Q_SLOTS:
         std::fill(n.regain.begin(), n.regain.end(), 0.03);
         const double capacity = climate.density * yarn.pore_area * n.length[0];
         n.liquid = {saturation * capacity, 0};
-        n.vapour[0] = 0.5 * saturation_concentration(climate.temperature) * pore_air(yarn, n.length[0], n.liquid[0], climate.density);
+        n.vapour[0] = 0.5 * saturation_concentration(climate.temperature) * pore_air(n.pores[0], n.liquid[0], climate.density);
         n.warmth[0] = 2.0;
         Segments s = n.views();
         const auto water = [&] { return s.liquid[0] + s.vapour[0] + bound_water(s, yarn, 0) + s.evaporated[0]; };
@@ -282,6 +355,34 @@ private Q_SLOTS:
             QVERIFY(std::abs(water() - water_before) < 1e-12 * (water_before + std::abs(s.evaporated[0])));
             QVERIFY(std::abs(energy() - energy_before) < 1e-10 * (std::abs(energy_before) + std::abs(s.released[0]) + std::abs(s.lost[0])));
         }
+    }
+    void newtonAndTheBracketedSearchAgree()
+    {
+        const ClimateParameters climate = room();
+        YarnParameters yarn = cotton();
+        int closed = 0, tried = 0;
+        for (double regain : {0.0, 0.02, 0.07, 0.15})
+            for (double saturation : {0.0, 0.01, 0.5})
+                for (double dt : {1e-3, 0.1, 20.0}) {
+                    Network n(1, 1, yarn, yarn);
+                    std::fill(n.regain.begin(), n.regain.end(), regain);
+                    n.liquid[0] = saturation * climate.density * n.pores[0];
+                    n.vapour[0] = 0.5 * climate.vapour * pore_air(n.pores[0], n.liquid[0], climate.density);
+                    const ExchangeInSegment stage{n.views(), climate, 8e-8, dt, true, true, true};
+                    double base[largest_shell_count], response[largest_shell_count];
+                    const double air = pore_air(n.pores[0], n.liquid[0], climate.density), capacity = heat_capacity(yarn, n.length[0], n.liquid[0]);
+                    const auto fibre = stage.prepare_fibre(0, yarn, base, response);
+                    double warmth = 0;
+                    ExchangeInSegment::Outcome fast{};
+                    ++tried;
+                    if (!stage.newton(0, yarn, fibre, air, saturation, capacity, warmth, fast)) continue;
+                    ++closed;
+                    const double searched = stage.find_warmth(0, yarn, fibre, air, saturation, capacity);
+                    const auto slow = stage.pore_balance(0, yarn, fibre, air, saturation, searched);
+                    QVERIFY2(std::abs(warmth - searched) < 1e-5, qPrintable(QString("%1 %2").arg(warmth).arg(searched)));
+                    QVERIFY(std::abs(fast.pore_vapour - slow.pore_vapour) < 1e-6 * saturation_concentration(climate.temperature));
+                }
+        QVERIFY2(closed > 0.8 * tried, qPrintable(QString("%1 of %2").arg(closed).arg(tried)));
     }
     void dryFibreInSaturatedAirWarms() // the heat of sorption leaves through the face
     {

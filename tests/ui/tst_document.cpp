@@ -5,10 +5,12 @@
 #include "ui/examples.h"
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
+#include "ui/issues_panel.h"
 #include "ui/point_paper.h"
 #include "ui/quantity_edit.h"
 #include "ui/weave_editor.h"
 
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -49,6 +51,74 @@ private Q_SLOTS:
             }
         }
         QVERIFY(stepped > 20);
+    }
+
+    void aYarnOfTheStripesHasTheFieldsOfAYarn()
+    {
+        FabricPanel panel(*document_);
+        auto* choice = named<QComboBox>(panel, "Yarn of the stripes");
+        QVERIFY(choice);
+        QVERIFY(!choice->isVisibleTo(&panel));
+        document_->edit("stripes", {}, [](Design& d) {
+            d.fabrics[0].extra_yarns = {d.fabrics[0].warp, d.fabrics[0].warp};
+            d.fabrics[0].weft_order = {{0, 4}, {2, 2}};
+        });
+        QVERIFY(choice->isVisibleTo(&panel));
+        QCOMPARE(choice->count(), 2);
+        panel.showYarn(2);
+        QCOMPARE(choice->currentIndex(), 1);
+        const std::string before = text();
+        auto* diameter = panel.findChild<QuantityEdit*>("stripe yarn diameter");
+        QVERIFY(diameter);
+        diameter->setText("0.3 mm");
+        diameter->setModified(true);
+        QTest::keyClick(diameter, Qt::Key_Return);
+        QCOMPARE(document_->fabric()->extra_yarns[1].diameter_mm, std::optional(0.3));
+        QVERIFY(document_->fabric()->extra_yarns[0] == document_->fabric()->warp);
+        QCOMPARE(document_->history()->undoText(), QString("stripe yarn diameter"));
+        checkUndoAndRedo(before);
+        for (const char* field : {"stripe yarn twist", "stripe yarn plies", "stripe yarn fibre count"}) {
+            const Yarn was = document_->fabric()->extra_yarns[1];
+            QTest::keyClick(panel.findChild<QuantityEdit*>(field), Qt::Key_Up);
+            QVERIFY2(document_->fabric()->extra_yarns[1] != was, field);
+        }
+        // With fewer yarns, the last one is shown.
+        document_->edit("remove yarn", {}, [](Design& d) {
+            d.fabrics[0].extra_yarns.resize(1);
+            d.fabrics[0].weft_order.clear();
+        });
+        QCOMPARE(choice->currentIndex(), 0);
+        QCOMPARE(diameter->value(), document_->fabric()->extra_yarns[0].diameter_mm);
+    }
+
+    void issuesSayWhatTheyAreAboutAndErrorsComeFirst()
+    {
+        document_->edit("wrong", {}, [](Design& d) {
+            d.fabrics.resize(1);
+            d.fabrics[0].name = "Denim";
+            d.fabrics[0].contact_angle_deg.reset();
+            d.fabrics[0].warp.material = {{"polyester", 1}};
+            d.fabrics[0].weft = d.fabrics[0].warp;
+            d.fabrics[0].warp.twist_per_m = d.fabrics[0].weft.twist_per_m = -1;
+            d.fabrics[0].extra_yarns = {Yarn{}};
+            d.fabrics[0].extra_yarns[0].diameter_mm = -1;
+            d.fabrics[0].weave = Weave(2, 1, {1, 0}); // ends that never change sides: a warning
+        });
+        QStringList sentences;
+        Severity last = Severity::error;
+        for (const Issue* issue : issuesToTell(*document_)) {
+            QVERIFY(issue->severity <= last);
+            last = issue->severity;
+            sentences << issueInWords(*document_->design(), *issue);
+        }
+        QCOMPARE(last, Severity::warning);
+        QCOMPARE(sentences.filter("Denim, warp: ").size(), 1);
+        QCOMPARE(sentences.filter("Denim, weft: ").size(), 0); // the same as the warp
+        QCOMPARE(sentences.filter("Denim, yarn B (extra yarn 1): ").size(), 1);
+        document_->edit("apart", {}, [](Design& d) { d.fabrics[0].weft.twist_per_m = -2; });
+        sentences.clear();
+        for (const Issue* issue : issuesToTell(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
+        QCOMPARE(sentences.filter("Denim, weft: ").size(), 1);
     }
 
     void editsOfThePanelsCanBeUndone_data()
@@ -218,6 +288,13 @@ private Q_SLOTS:
 private:
     std::string text() const { return format_project(*document_->design()); }
 
+    template <typename Widget> static Widget* named(const QWidget& panel, const QString& name)
+    {
+        for (Widget* widget : panel.findChildren<Widget*>()) {
+            if (widget->accessibleName() == name) { return widget; }
+        }
+        return nullptr;
+    }
     void checkUndoAndRedo(const std::string& before)
     {
         const std::string after = text();

@@ -10,7 +10,9 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 
@@ -159,6 +161,19 @@ private Q_SLOTS:
         QVERIFY(document_->fabric()->extra_yarns.empty());
     }
 
+    void aDoubleClickOnAYarnAsksForItsFields()
+    {
+        OrderEditor* order = editor_->order();
+        order->addYarn();
+        QSignalSpy asked(order, &OrderEditor::yarnActivated);
+        auto* list = order->findChild<QListWidget*>();
+        const QPoint at = list->visualItemRect(list->item(1)).center();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(asked.first().first().toInt(), 1);
+    }
+
     void anOrderCanBeTyped()
     {
         editor_->order()->addYarn();
@@ -171,7 +186,13 @@ private Q_SLOTS:
         ends->setText("3C");
         Q_EMIT ends->editingFinished();
         QCOMPARE(document_->fabric()->warp_order, expected);
+        QCOMPARE(ends->text(), QString("3C"));
+        QVERIFY(ends->accessibleDescription().contains("no yarn C"));
+        document_->edit("name", {}, [](Design& d) { d.fabrics[0].name += "!"; });
+        QCOMPARE(ends->text(), QString("3C"));
+        QTest::keyClick(ends, Qt::Key_Escape);
         QCOMPARE(ends->text(), QString("12A 4B"));
+        QVERIFY(!ends->accessibleDescription().contains("no yarn C"));
     }
 
 private:

@@ -159,6 +159,8 @@ private Q_SLOTS:
         QVERIFY(text("Result of the export").startsWith("Cancelled."));
         QCOMPARE(QDir(folder_->path()).entryList(QDir::Files | QDir::Hidden), QStringList{"cloth.ply"});
         QCOMPARE(contents("cloth.ply"), QByteArray("as it was"));
+        type("Width along the weft", "14"); // another choice: what was said of the last one goes
+        QCOMPARE(text("Result of the export"), QString());
     }
 
     void aFileIsReplacedOnlyWhenAgreed()

@@ -19,6 +19,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -29,6 +30,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cstdlib>
 
 using namespace hygroloom;
 
@@ -346,6 +351,8 @@ private Q_SLOTS:
         QVERIFY(!palette.chosen());
         palette.search("no command has this name");
         QCOMPARE(palette.shown(), 0);
+        QVERIFY(std::any_of(palette.findChildren<QLabel*>().begin(), palette.findChildren<QLabel*>().end(),
+                            [&](const QLabel* label) { return label->isVisibleTo(&palette) && label->text() == "No command of this name."; }));
         QVERIFY(!palette.chosen());
     }
 
@@ -369,6 +376,9 @@ private Q_SLOTS:
             QCOMPARE(savedAppearance(), look);
             applyAppearance(look);
             QCOMPARE(isDark(QApplication::palette()), look != Appearance::light);
+            for (const char* heading : {"Weft yarn", "Flyaways", "Measured in the laboratory"}) {
+                QTRY_VERIFY2_WITH_TIMEOUT(drawsInTheLooksInk(heading), heading, 2000);
+            }
         }
     }
 
@@ -388,6 +398,22 @@ private Q_SLOTS:
     }
 
 private:
+    /// Whether a heading of the fabric panel has a pixel of the present look's text.
+    bool drawsInTheLooksInk(const QString& heading)
+    {
+        const QColor ink = QApplication::palette().color(QPalette::ButtonText);
+        for (auto* button : window_->findChildren<QToolButton*>()) {
+            if (button->text() != heading) { continue; }
+            const QImage picture = button->grab().toImage();
+            for (int y = 0; y < picture.height(); ++y) {
+                for (int x = 0; x < picture.width(); ++x) {
+                    const QColor c = picture.pixelColor(x, y);
+                    if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) + std::abs(c.blue() - ink.blue()) < 24) { return true; }
+                }
+            }
+        }
+        return false;
+    }
     void trigger(const QString& words)
     {
         for (QAction* action : window_->findChildren<QAction*>()) {

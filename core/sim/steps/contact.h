@@ -227,7 +227,7 @@ struct GiveToSegments {
     HL_FN void give(int i, int segment) const
     {
         const YarnParameters& yarn = s.yarn_of(segment);
-        const double capacity = density * yarn.pore_area * s.length[segment];
+        const double capacity = density * s.pores[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
         if (room <= 0) return;
         const double drunk = dt * yarn.intake_flux * yarn.face_area * room / capacity;

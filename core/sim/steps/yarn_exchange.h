@@ -23,12 +23,13 @@ struct ExchangeAtCrossing {
         const YarnParameters& warp = s.parameters[s.type_of_end(end)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
         const CrossingParameters& crossing = s.crossing_at(end, pick);
-        const double capacity_a = heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a));
-        const double capacity_b = heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b));
+        const bool warm = move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0);
+        const double capacity_a = warm ? heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a)) : 0.0;
+        const double capacity_b = warm ? heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b)) : 0.0;
         double moved = 0;
         if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
-        if (move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0)) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
-        if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
+        if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
+        if (move_vapour) diffuse(a, b, crossing.vapour_conductance);
     }
 
     /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
@@ -36,8 +37,8 @@ struct ExchangeAtCrossing {
     HL_FN double wick(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double liquid_conductance) const
     {
         if (liquid_conductance <= 0) return 0;
-        const double cap_a = climate.density * warp.pore_area * s.length[a];
-        const double cap_b = climate.density * weft.pore_area * s.length[b];
+        const double cap_a = climate.density * s.pores[a];
+        const double cap_b = climate.density * s.pores[b];
         const double finest = warp.suction_radius < weft.suction_radius ? warp.suction_radius : weft.suction_radius;
         const double ratio_a = warp.suction_radius / finest, ratio_b = weft.suction_radius / finest;
         const double scale_a = ratio_a * ratio_a * ratio_a / cap_a, scale_b = ratio_b * ratio_b * ratio_b / cap_b;
@@ -78,10 +79,10 @@ struct ExchangeAtCrossing {
         s.warmth[b] = (heat_b + passed) / new_b;
     }
 
-    HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
+    HL_FN void diffuse(int a, int b, double vapour_conductance) const
     {
-        const double air_a = pore_air(warp, s.length[a], s.liquid[a], climate.density);
-        const double air_b = pore_air(weft, s.length[b], s.liquid[b], climate.density);
+        const double air_a = pore_air(s.pores[a], s.liquid[a], climate.density);
+        const double air_b = pore_air(s.pores[b], s.liquid[b], climate.density);
         const double conductance = dt * vapour_conductance;
         const double passed = conductance * (s.vapour[a] / air_a - s.vapour[b] / air_b) / (1.0 + conductance * (1.0 / air_a + 1.0 / air_b));
         s.vapour[a] -= passed;
@@ -113,30 +114,42 @@ struct ExchangeInSegment {
     HL_FN void operator()(int i) const
     {
         const YarnParameters& yarn = s.yarn_of(i);
-        const double air = pore_air(yarn, s.length[i], s.liquid[i], climate.density);
+        const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;
         if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
 
         double base[largest_shell_count], response[largest_shell_count];
         const Fibre fibre = prepare_fibre(i, yarn, base, response);
-        const double wet = s.liquid[i] / (climate.density * yarn.pore_area * s.length[i]);
+        const double wet = s.liquid[i] / (climate.density * s.pores[i]);
         const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound);
 
         double warmth = s.warmth[i];
-        Outcome outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
-        if (heat) {
-            warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
+        Outcome outcome;
+        if (!vapour || !newton(i, yarn, fibre, air, wet, capacity, warmth, outcome)) {
+            warmth = s.warmth[i];
+            if (heat) warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
         accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
+        if (vapour) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth);
+    }
+
+    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature) const
+    {
+        double taken = dt * climate.mass_transfer * face_area;
+        const double more = 1e-3 * saturation_concentration(temperature);
+        if (sorption)
+            taken += fibre.slope * (skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature)) / more;
+        return taken > 0 ? taken : 0.0;
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
-        const double background = climate.humidity * saturation_concentration(climate.temperature);
+        const double background = climate.vapour;
         const double off = s.vapour[i] / air - background;
+        const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
-        return s.liquid[i] <= 0 && s.warmth[i] < 1e-7 && s.warmth[i] > -1e-7 && off < 1e-8 * (background + 1e-6) &&
+        return s.liquid[i] <= 0 && warmer < 1e-7 && warmer > -1e-7 && off < 1e-8 * (background + 1e-6) &&
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }
 
@@ -153,11 +166,13 @@ struct ExchangeInSegment {
         }
         const double temperature = climate.temperature + s.warmth[i];
         const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius) * n * n;
+        const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
+        const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
         double upper[largest_shell_count];
         double inner = 0; // conductance of the annulus's inner face, in units of its volume share (2k + 1)
         for (int k = 0; k < n; ++k) {
             const double at_face = k < n - 1 ? 0.5 * (regain[k] + regain[k + 1]) : regain[k];
-            const double diffusivity = fibre_diffusivity(yarn.diffusivity, at_face, temperature);
+            const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, at_face, temperature);
             // Flux through the face at (k + 1) dr is D (k + 1) x difference / distance; the skin is half a cell away.
             const double outer = scale * diffusivity * 2.0 * (k + 1) * (k < n - 1 ? 1.0 : 2.0);
             const double lower = -inner;
@@ -196,7 +211,7 @@ struct ExchangeInSegment {
         Outcome o{pore_vapour, 0, fibre.base, 0, 0};
         if (sorption) o.bound = fibre.base + fibre.slope * skin_regain(yarn, wet, pore_vapour, temperature);
         const double taken = o.bound - fibre.bound;
-        const double room = climate.density * yarn.pore_area * s.length[i] - s.liquid[i];
+        const double room = climate.density * s.pores[i] - s.liquid[i];
         o.from_liquid = fmax_(fmin_(vapour ? wet * taken : taken, s.liquid[i]), -room);
         if (vapour) {
             const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
@@ -250,31 +265,103 @@ struct ExchangeInSegment {
         return o;
     }
 
+    /// The fibre's own humidity half-way through the step: what the heat of the water it took goes by.
+    HL_FN static double half_way(const YarnParameters& yarn, const Fibre& fibre, const Outcome& o)
+    {
+        return humidity_at_reference(yarn.isotherm, 0.5 * (fibre.bound + o.bound) / fibre.dry_mass);
+    }
+
     /// Heat released by the outcome, J.
     HL_FN double phase_heat(const YarnParameters& yarn, const Fibre& fibre, const Outcome& o, double temperature) const
     {
         const double taken = o.bound - fibre.bound;
         double released = 0;
-        if (taken != 0) released += taken * heat_of_sorption(humidity_of(yarn.isotherm, o.bound / fibre.dry_mass));
+        if (taken != 0)
+            released += taken * yarn.sorption_heat_scale * heat_of_sorption(half_way(yarn, fibre, o));
         released += heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
         return released;
     }
-    /// The humidity at 20 C that a fibre of this regain is in equilibrium with.
-    HL_FN static double humidity_of(const Isotherm& isotherm, double regain)
-    {
-        double low = 0, high = 1;
-        for (int round = 0; round < 30; ++round) {
-            const double middle = 0.5 * (low + high);
-            if (regain_at_reference(isotherm, middle) < regain) low = middle; else high = middle;
-        }
-        return 0.5 * (low + high);
-    }
-
     HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double warmth) const
     {
         const Outcome o = pore_balance(i, yarn, fibre, air, wet, warmth);
-        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
         return capacity * (warmth - s.warmth[i]) + lost - phase_heat(yarn, fibre, o, climate.temperature + warmth);
+    }
+
+    /// Pore vapour and warmth together by Newton's rounds; false when they do not close in, which kinks can cause, and the bracketed
+    /// searches are to do it.
+    HL_FN bool newton(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double& warmth,
+                      Outcome& o) const
+    {
+        const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
+        const double rate = air * dt * phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
+        const double room = climate.density * s.pores[i] - s.liquid[i];
+        const double to_air = dt * climate.mass_transfer * face_area, to_air_heat = dt * climate.heat_transfer * face_area;
+        double pore = fmax_(0.0, s.vapour[i] / air);
+        for (int round = 0; round < 12; ++round) {
+            const double temperature = climate.temperature + warmth;
+            const double saturated = saturation_concentration(temperature), saturated_slope = saturation_concentration_slope(temperature);
+            o = try_vapour(i, yarn, fibre, air, wet, temperature, pore);
+            const double taken = o.bound - fibre.bound;
+            const double mass = missing(i, fibre, air, o);
+            const double joules = heat ? capacity * (warmth - s.warmth[i]) + to_air_heat * (warmth - climate.air_warmth) -
+                                             phase_heat(yarn, fibre, o, temperature)
+                                       : 0.0;
+            if (mass > -1e-10 * air * saturated && mass < 1e-10 * air * saturated && joules > -1e-8 * capacity && joules < 1e-8 * capacity)
+                return true;
+
+            // How bound water answers to pore vapour (p) and temperature (t).
+            double bound_p = 0, bound_t = 0;
+            if (sorption) {
+                const double humid = pore < saturated ? pore / saturated : 1.0;
+                const double seen = wet + (1.0 - wet) * humid;
+                const bool shifts = yarn.isotherm.shifts;
+                const double reference = shifts ? reference_humidity(seen, temperature) : seen;
+                if (reference > 0) {
+                    const double shift = shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
+                    const double stiffness = 1.0 / reference - heat_of_sorption_slope(reference) * shift;
+                    const double answer = fibre.slope * regain_slope_at_reference(yarn.isotherm, reference);
+                    const double per_humidity = answer / (stiffness * seen) * (pore < saturated ? 1.0 - wet : 0.0);
+                    bound_p = per_humidity / saturated;
+                    bound_t = -per_humidity * pore / (saturated * saturated) * saturated_slope;
+                    if (shifts)
+                        bound_t -= answer * heat_of_sorption(reference) * water_molar_mass / (gas_constant * temperature * temperature * stiffness);
+                } else {
+                    bound_p = fibre.slope * regain_slope_at_reference(yarn.isotherm, 0.0) / saturated;
+                }
+            }
+            const bool drinks = o.from_liquid < s.liquid[i] && o.from_liquid > -room;
+            const double liquid_p = drinks ? wet * bound_p : 0.0, liquid_t = drinks ? wet * bound_t : 0.0;
+            const bool dries = o.evaporated < s.liquid[i] - o.from_liquid && o.evaporated > -room - o.from_liquid;
+            const double share = saturated > pore ? wet_share(wet) : 1.0;
+            const double vapour_p = dries ? -rate * share : -liquid_p, vapour_t = dries ? rate * share * saturated_slope : -liquid_t;
+
+            const double mass_p = air - vapour_p + to_air + bound_p - liquid_p;
+            double step_p = 0, step_t = 0;
+            if (heat) {
+                const double latent = heat_of_evaporation(temperature);
+                const double held = half_way(yarn, fibre, o);
+                double sorbing = heat_of_sorption(held);
+                const double rise = regain_slope_at_reference(yarn.isotherm, held);
+                if (rise > 0) sorbing += 0.5 * taken / fibre.dry_mass * heat_of_sorption_slope(held) / rise;
+                sorbing *= yarn.sorption_heat_scale;
+                const double mass_t = -vapour_t + bound_t - liquid_t;
+                const double joules_p = -sorbing * bound_p - latent * (bound_p - liquid_p - vapour_p);
+                const double joules_t = capacity + to_air_heat - sorbing * bound_t - latent * (bound_t - liquid_t - vapour_t) +
+                                        2361.0 * (taken - o.from_liquid - o.evaporated); // the latent heat falls with temperature
+                const double determinant = mass_p * joules_t - mass_t * joules_p;
+                if (!(determinant > 0)) return false;
+                step_p = (mass * joules_t - mass_t * joules) / determinant;
+                step_t = (mass_p * joules - mass * joules_p) / determinant;
+            } else {
+                step_p = mass / mass_p;
+            }
+            if (step_t > 5.0) step_t = 5.0;
+            if (step_t < -5.0) step_t = -5.0;
+            pore = pore - step_p > 0 ? pore - step_p : 0.1 * pore;
+            warmth -= step_t;
+        }
+        return false;
     }
 
     /// The warmth at which the heat balance closes; it rises with warmth.
@@ -357,7 +444,7 @@ struct ExchangeInSegment {
         final.from_liquid = from_liquid;
         final.evaporated = evaporated;
         const double released = phase_heat(yarn, fibre, final, temperature);
-        const double lost = dt * climate.heat_transfer * face_area * warmth;
+        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
         const double reached = s.warmth[i] + (released - lost) / capacity;
         const double water_change = taken - from_liquid - evaporated; // of liquid and bound water together
         s.released[i] += released;

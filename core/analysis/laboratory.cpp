@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/laboratory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace hygroloom {
+namespace {
+
+/// Slope of the line of least squares; none through fewer than two different places.
+std::optional<double> slope(const std::vector<double>& x, const std::vector<double>& y)
+{
+    const double n = static_cast<double>(x.size());
+    double sx = 0, sy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        sx += x[i];
+        sy += y[i];
+    }
+    double sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        sxx += (x[i] - sx / n) * (x[i] - sx / n);
+        sxy += (x[i] - sx / n) * (y[i] - sy / n);
+    }
+    if (x.size() < 2 || sxx <= 0) return std::nullopt;
+    return sxy / sxx;
+}
+
+/// When a curve first comes down to a level, between two moments if need be.
+std::optional<double> falls_to(const std::vector<double>& time, const std::vector<double>& curve, double level)
+{
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (curve[i] > level) continue;
+        if (i == 0) return time[0];
+        return time[i - 1] + (curve[i - 1] - level) / (curve[i - 1] - curve[i]) * (time[i] - time[i - 1]);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height)
+{
+    WickingResult result;
+    if (time.empty()) return result;
+    result.height = height.back();
+    std::vector<double> root, risen;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (height[i] > 0) {
+            root.push_back(std::sqrt(time[i]));
+            risen.push_back(height[i]);
+        }
+    result.rate = slope(root, risen);
+    return result;
+}
+
+DryingResult drying_result(const std::vector<double>& time, const std::vector<double>& left, const std::vector<double>& temperature,
+                           double area)
+{
+    DryingResult result;
+    if (time.empty() || left.front() <= 0) return result;
+    const double first = left.front();
+    const std::optional<double> from = falls_to(time, left, 0.8 * first), to = falls_to(time, left, 0.3 * first);
+    result.time_to_dry = falls_to(time, left, 0.04 * first);
+    if (!from || !to) return result;
+    result.rate = 0.5 * first / (*to - *from) / area;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (time[i] >= *from && time[i] <= *to) {
+            sum += temperature[i];
+            ++count;
+        }
+    if (count > 0) result.steady_temperature = sum / count;
+    return result;
+}
+
+ConditioningResult conditioning_result(const std::vector<double>& time, const std::vector<double>& regain,
+                                       const std::vector<double>& temperature, const std::vector<double>& air_temperature)
+{
+    ConditioningResult result;
+    if (time.empty()) return result;
+    result.regain_start = regain.front();
+    result.regain_end = regain.back();
+    const double change = result.regain_end - result.regain_start;
+    std::vector<double> to_go;
+    for (double r : regain) to_go.push_back(change == 0 ? 0 : (result.regain_end - r) / change);
+    if (change != 0) result.half_time = falls_to(time, to_go, 0.5);
+    for (std::size_t i = 0; i < time.size(); ++i) result.peak_rise = std::max(result.peak_rise, temperature[i] - air_temperature[i]);
+    const double late = time.front() + 0.9 * (time.back() - time.front());
+    result.settled = true;
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (time[i] >= late && std::abs(to_go[i]) > 0.02) result.settled = false;
+    return result;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What laboratories read from the curves of wicking, drying and conditioning tests. All from time series; SI.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace hygroloom {
+
+/// Of a strip that hangs in liquid (AATCC 197).
+struct WickingResult {
+    double height = 0;          ///< m, at the end
+    std::optional<double> rate; ///< m/s^0.5, slope of height against the root of time, least squares from its first rise on
+};
+WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height);
+
+/// Of a wet sample in an air stream (AATCC 199 and 201).
+struct DryingResult {
+    std::optional<double> rate; ///< kg/(m2 s) of sample, mean while 80 to 30 % of the water are left: the constant-rate period
+    std::optional<double> steady_temperature; ///< K, mean over that period
+    std::optional<double> time_to_dry;        ///< s, until 4 % of the water are left
+};
+/// left: kg of the water that was added and is still there; area in m2.
+DryingResult drying_result(const std::vector<double>& time, const std::vector<double>& left, const std::vector<double>& temperature,
+                           double area);
+
+/// Of a sample in a new climate.
+struct ConditioningResult {
+    double regain_start = 0, regain_end = 0;
+    std::optional<double> half_time; ///< s, until half of the change; none where nothing changed
+    double peak_rise = 0;            ///< K, of the sample's mean temperature over the air's, at most
+    bool settled = false;            ///< whether the last tenth of the time changed the regain by less than 2 % of the whole change
+};
+ConditioningResult conditioning_result(const std::vector<double>& time, const std::vector<double>& regain,
+                                       const std::vector<double>& temperature, const std::vector<double>& air_temperature);
+
+} // namespace hygroloom

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The indices of a moisture management test (AATCC 195, after Yao et al. 2006) from two curves of water content. Simulated, not measured: a
+// tester reads conductances, a simulation knows the water.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace hygroloom {
+
+/// What one face of a sample shows during the test.
+struct FaceCurve {
+    std::vector<double> water;  ///< % of the dry mass, one per moment
+    std::vector<double> radius; ///< m, of the wetted circle, one per moment
+};
+
+/// Of one face.
+struct FaceIndices {
+    std::optional<double> wetting_time; ///< s, when the water content first rises by more than tan 15 degrees per s
+    double absorption_rate = 0;         ///< %/s, mean from there to the end of the feed
+    double maximum_wetted_radius = 0;   ///< mm, of rings 5 mm apart, 30 at most
+    double spreading_speed = 0;         ///< mm/s, mean over the wetted rings
+};
+
+struct ManagementIndices {
+    FaceIndices top, bottom;
+    double one_way_transport = 0; ///< %, difference of the areas under both curves over the time
+    double ommc = 0;              ///< overall moisture management capability, 0 .. 1
+};
+
+/// time in s from 0, rising; both curves as long. Fewer than two moments have no indices: all stays 0.
+ManagementIndices management_indices(const std::vector<double>& time, const FaceCurve& top, const FaceCurve& bottom, double feed_end);
+
+/// OMMC = 0.25 AR + 0.5 R + 0.25 SS of the bottom, each scaled to 0 .. 1 (Yao et al. 2006).
+double overall_capability(double absorption_rate_bottom, double one_way_transport, double spreading_speed_bottom);
+
+/// 1 poor to 5 excellent, by the cut points of AATCC 195; a cut point belongs to the better grade, of wetting times to the worse.
+struct ManagementGrades {
+    int wetting_time_top = 1, wetting_time_bottom = 1;
+    int absorption_rate_top = 1, absorption_rate_bottom = 1;
+    int maximum_wetted_radius_top = 1, maximum_wetted_radius_bottom = 1;
+    int spreading_speed_top = 1, spreading_speed_bottom = 1;
+    int one_way_transport = 1;
+    int ommc = 1;
+};
+ManagementGrades management_grades(const ManagementIndices& indices);
+
+/// "fast-absorbing quick-drying" and so on. The classes are Yao et al.'s, the thresholds between them our own reading of their words.
+const char* fabric_class(const ManagementIndices& indices);
+
+} // namespace hygroloom

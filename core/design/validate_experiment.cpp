@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/units.h"
+#include "core/design/issue_list.h"
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::size_t most_droplets = 64;
+constexpr std::size_t most_climates = 1000;
+
+double drop_radius_mm(const Droplet& drop) { return std::cbrt(3 * drop.volume_ul / (4 * pi)); }
+
+void validate_droplet(const Experiment& experiment, const Droplet& drop, const std::string& where, IssueList& list)
+{
+    bool sound = true;
+    if (!(std::isfinite(drop.volume_ul) && drop.volume_ul >= 1e-6 && drop.volume_ul <= 5000)) {
+        list.error("range", where + ".volume_ul",
+                   fmt::format("A droplet's volume must be from 1e-6 ul (1 pl) to 5000 ul; given is {}.", drop.volume_ul));
+        sound = false;
+    }
+    list.range(where + ".time_s", "time when a droplet appears", drop.time_s, 0, 86400, "s");
+    if (experiment.duration_s > 0 && drop.time_s >= experiment.duration_s)
+        list.error(
+            "droplet_after_end", where + ".time_s",
+            fmt::format("The droplet appears at {} s, not before the experiment's end at {} s.", drop.time_s, experiment.duration_s));
+    list.range(where + ".height_mm", "height of a droplet over the fabric", drop.height_mm, 0, 100, "mm");
+    list.range(where + ".speed_m_s", "droplet's speed", drop.speed_m_s, 0, 5, "m/s");
+    bool reaches_over = false;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double at = drop.at_mm[axis], half = 0.5 * experiment.sample_mm[axis];
+        if (!(std::abs(at) <= half)) {
+            list.error("droplet_off_sample", fmt::format("{}.at_mm[{}]", where, axis),
+                       fmt::format("The droplet must land on the sample, from {} to {} mm {}; given is {}.", -half, half,
+                                   axis == 0 ? "along the weft" : "along the warp", at));
+            return;
+        }
+        reaches_over = reaches_over || (sound && std::abs(at) + drop_radius_mm(drop) > half);
+    }
+    if (reaches_over)
+        list.add(Severity::warning, "droplet_over_edge", where + ".at_mm",
+                 fmt::format("The droplet, {:.3g} mm across, reaches over the sample's edge; some of it will miss the fabric.",
+                             2 * drop_radius_mm(drop)));
+}
+
+void validate_overlaps(const Experiment& experiment, const std::string& where, IssueList& list)
+{
+    const auto& drops = experiment.droplets;
+    for (std::size_t a = 0; a < drops.size(); ++a)
+        for (std::size_t b = a + 1; b < drops.size(); ++b) {
+            if (std::abs(drops[a].time_s - drops[b].time_s) > 1e-3) continue;
+            const double apart = std::hypot(drops[a].at_mm[0] - drops[b].at_mm[0], drops[a].at_mm[1] - drops[b].at_mm[1],
+                                            drops[a].height_mm + drop_radius_mm(drops[a]) - drops[b].height_mm - drop_radius_mm(drops[b]));
+            const double needed = drop_radius_mm(drops[a]) + drop_radius_mm(drops[b]);
+            if (apart < needed)
+                list.error("droplets_overlap", fmt::format("{}.droplets[{}]", where, b),
+                           fmt::format("Droplets {} and {} appear at the same time and overlap: {:.3g} mm apart, {:.3g} mm needed.", a, b,
+                                       apart, needed));
+        }
+}
+
+void validate_droplets(const Experiment& experiment, const std::string& where, IssueList& list)
+{
+    const int before = list.errors();
+    if (experiment.droplets.empty())
+        list.add(Severity::warning, "no_droplet", where + ".droplets", "The experiment has no droplet; nothing will get wet.");
+    if (experiment.droplets.size() > most_droplets) {
+        list.error("range", where + ".droplets",
+                   fmt::format("At most {} droplets are allowed; given are {}.", most_droplets, experiment.droplets.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < experiment.droplets.size(); ++i)
+        validate_droplet(experiment, experiment.droplets[i], fmt::format("{}.droplets[{}]", where, i), list);
+    if (list.errors() == before) validate_overlaps(experiment, where, list);
+}
+
+void validate_climate(const Climate& climate, const std::string& where, IssueList& list)
+{
+    if (list.range(where + ".temperature_c", "temperature", climate.temperature_c, -10, 60, "C") && climate.temperature_c < 0)
+        list.add(Severity::warning, "supercooled", where + ".temperature_c",
+                 fmt::format("At {} C the water is taken as supercooled liquid; freezing is not modelled.", climate.temperature_c));
+    list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, 1);
+    list.range(where + ".air_speed_m_s", "air speed", climate.air_speed_m_s, 0, 20, "m/s");
+}
+
+void validate_climates(const Experiment& experiment, const std::string& where, IssueList& list)
+{
+    if (experiment.climates.empty()) return validate_climate(experiment.climate, where + ".climate", list);
+    validate_climate(experiment.climate, where + ".climate[0]", list);
+    if (experiment.climates.size() > most_climates)
+        return list.error(
+            "range", where + ".climate",
+            fmt::format("A course of climates has at most {} moments; given are {}.", most_climates, experiment.climates.size() + 1));
+    double before = 0;
+    for (std::size_t i = 0; i < experiment.climates.size(); ++i) {
+        const std::string here = fmt::format("{}.climate[{}]", where, i + 1);
+        const double time = experiment.climates[i].time_s;
+        if (!(std::isfinite(time) && time > before && time <= 86400))
+            list.error(
+                "range", here + ".time_s",
+                fmt::format("The moments of a climate come in order of time, up to 86400 s: after {} s; given is {}.", before, time));
+        before = std::max(before, time);
+        validate_climate(experiment.climates[i].climate, here, list);
+    }
+}
+
+/// What only some types have.
+void validate_type(const Experiment& e, const std::string& where, IssueList& list)
+{
+    switch (e.type) {
+    case ExperimentType::droplet: validate_droplets(e, where, list); break;
+    case ExperimentType::moisture_management:
+        list.range(where + ".feed_s", "time the pump runs", e.feed_s, 0.01, 86400, "s");
+        [[fallthrough]];
+    case ExperimentType::horizontal_wicking: list.range(where + ".volume_ul", "volume of liquid", e.volume_ul, 1e-3, 1e5, "ul"); break;
+    case ExperimentType::vertical_wicking:
+        if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) break;
+        list.error(
+            "range", where + ".immersion_mm",
+            fmt::format("The strip's end must hang in the liquid more than 0 mm and less than the strip's length of {} mm; given is {}.",
+                        e.sample_mm[1], e.immersion_mm));
+        break;
+    case ExperimentType::drying:
+        list.range(where + ".initial_water_g_m2", "water at the start", e.initial_water_g_m2, 0, 1e5, "g/m2");
+        break;
+    case ExperimentType::conditioning: validate_climate(e.initial, where + ".initial", list); break;
+    case ExperimentType::sweat: list.range(where + ".rate_g_m2_h", "rate of sweat", e.rate_g_m2_h, 0, 1e5, "g/(m2 h)"); break;
+    }
+}
+
+} // namespace
+
+void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& list)
+{
+    list.range(where + ".surface_tension_mn_m", "surface tension", liquid.surface_tension_mn_m, 1, 500, "mN/m");
+    list.range(where + ".viscosity_mpa_s", "viscosity", liquid.viscosity_mpa_s, 0.05, 1000, "mPa s");
+    list.range(where + ".density_kg_m3", "density", liquid.density_kg_m3, 500, 2000, "kg/m3");
+}
+
+void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list)
+{
+    validate_climates(experiment, where, list);
+    if (!find_liquid(design, experiment.liquid))
+        list.error("unknown_liquid", where + ".liquid",
+                   fmt::format("There is no liquid \"{}\"; there are water, saline, sweat and the project's own.", experiment.liquid));
+    const bool strip = experiment.type == ExperimentType::vertical_wicking;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        list.range(fmt::format("{}.{}[{}]", where, strip ? "strip_mm" : "sample_mm", axis), strip ? "strip's size" : "sample's size",
+                   experiment.sample_mm[axis], 0.1, 2000, "mm");
+    if (!(std::isfinite(experiment.duration_s) && experiment.duration_s > 0 && experiment.duration_s <= 86400))
+        list.error("range", where + ".duration_s",
+                   fmt::format("The duration must be more than 0 and at most 86400 s; given is {}.", experiment.duration_s));
+    validate_type(experiment, where, list);
+}
+
+} // namespace hygroloom

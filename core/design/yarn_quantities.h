@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Numbers of one yarn as it lies in the fabric, by formula alone: of the fabric's own and of those of its stripes.
+#pragma once
+
+#include "core/design/fabric_quantities.h"
+#include "core/design/yarn_sections.h"
+
+namespace hygroloom {
+
+/// A fabric's yarns in their places.
+struct WovenYarns {
+    const Fabric& fabric;
+    FittedYarns fitted;
+    double warp_changes = 0; ///< share of crossings after which an end changes sides
+    double weft_changes = 0;
+
+    const std::vector<FittedYarn>& types(bool warp) const { return warp ? fitted.warp : fitted.weft; }
+    const YarnOrder& order(bool warp) const { return warp ? fitted.warp_order : fitted.weft_order; }
+    double sett_per_cm(bool warp) const { return warp ? fabric.ends_per_cm : fabric.picks_per_cm; }
+    double pitch_mm(bool warp) const { return 10 / sett_per_cm(warp); }
+    double changes(bool warp) const { return warp ? warp_changes : weft_changes; }
+};
+
+/// The fabric must outlive it. Precondition as for fit_yarns().
+WovenYarns woven_yarns(const Design& design, const Fabric& fabric);
+
+/// One type of the warp's (weft's) yarns.
+YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t type);
+
+/// Crimp of one type over all it crosses, percent.
+double crimp_percent(const WovenYarns& yarns, bool warp, std::size_t type);
+
+/// Mean share of the pitch under a system's yarns: all types, in the shares they come in.
+double mean_cover(const WovenYarns& yarns, bool warp);
+
+/// An extra yarn, and how it lies among the ends and among the picks where their orders have it.
+struct StripeYarn {
+    FreeYarn free;
+    double contact_angle_deg = 0;
+    std::optional<YarnQuantities> as_end;
+    std::optional<YarnQuantities> as_pick;
+};
+
+/// Of each extra yarn, laboratory values left aside. Precondition: validate() found no error in this fabric.
+std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric);
+
+} // namespace hygroloom

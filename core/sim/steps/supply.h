@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid that comes to the yarns without drops: from a bath they hang in, a pool on a face, or an even feed.
+#pragma once
+
+#include "core/base/portable.h"
+#include "core/sim/steps/yarn_exchange.h"
+
+namespace hygroloom {
+
+/// Segments that hang in the liquid are full and have its temperature.
+struct KeepFed {
+    Segments s;
+    double density;
+
+    HL_FN void operator()(int i) const
+    {
+        if (s.fed[i] == 0) return;
+        const YarnParameters& yarn = s.yarn_of(i);
+        s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i)) * s.warmth[i];
+        s.warmth[i] = 0;
+        s.supplied[i] += density * s.pores[i] - s.liquid[i];
+        s.liquid[i] = density * s.pores[i];
+    }
+};
+
+/// Where a face is fed: within a circle round the sample's middle.
+struct FedFace {
+    bool top = true;
+    double radius = 0;   ///< m; less than 0: the whole face
+    double warp_pitch = 0, weft_pitch = 0;
+
+    /// Whether it is the segment of a crossing that lies on the fed face.
+    HL_FN bool feeds(const Segments& s, int i) const
+    {
+        const int crossing = s.crossing_of(i);
+        if (((s.warp_up[crossing] != 0) == s.is_warp(i)) != top) return false;
+        if (radius < 0) return true;
+        const double x = (crossing / s.picks - 0.5 * (s.ends - 1)) * warp_pitch, y = (crossing % s.picks - 0.5 * (s.picks - 1)) * weft_pitch;
+        return x * x + y * y <= radius * radius;
+    }
+};
+
+/// What each fed segment could take now, in quanta, summed up.
+struct AskPool {
+    Segments s;
+    FedFace face;
+    double density;
+    double dt;
+    double evenly;       ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
+    std::int64_t* asked;
+
+    HL_FN std::int64_t wanted(int i) const
+    {
+        if (!face.feeds(s, i)) return 0;
+        const double capacity = density * s.pores[i];
+        const double room = capacity - s.liquid[i] - static_cast<double>(s.absorbed[i]) * water_quantum;
+        if (room <= 0) return 0;
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double drawn = evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
+    }
+    HL_FN void operator()(int i) const
+    {
+        const std::int64_t quanta = wanted(i);
+        if (quanta > 0) atomic_add(asked, quanta);
+    }
+};
+
+/// Gives each what it asked for, or the same share of it, in whole quanta.
+struct TakeFromPool {
+    AskPool ask;
+    double share;
+    std::int64_t* given;
+
+    HL_FN void operator()(int i) const
+    {
+        const auto quanta = static_cast<std::int64_t>(share * static_cast<double>(ask.wanted(i)));
+        if (quanta <= 0) return;
+        ask.s.absorbed[i] += quanta;
+        atomic_add(given, quanta);
+    }
+};
+
+/// Fibres that bound water narrow the pores; never below the liquid in them, nor below a twentieth.
+struct Swell {
+    Segments s;
+    double density;
+    double swelling; ///< m3 per kg
+
+    HL_FN void operator()(int i) const
+    {
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double dry = yarn.pore_area * s.length[i];
+        double pores = dry - swelling * bound_water(s, yarn, i);
+        if (pores < 0.05 * dry) pores = 0.05 * dry;
+        if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
+        s.pores[i] = pores;
+    }
+};
+
+/// How much rates of change differ from those of the step before: the leading error of an implicit Euler step.
+struct RateHistory {
+    double* rate;        ///< of the step before, per segment
+    double dt, dt_before;
+    bool known;          ///< whether there was a step before
+
+    HL_FN double error(int i, double change) const
+    {
+        const double now = change / dt;
+        const double difference = now > rate[i] ? now - rate[i] : rate[i] - now;
+        rate[i] = now;
+        return known ? difference * dt * dt / (dt + dt_before) : 0.0;
+    }
+};
+
+/// Error of the liquid that wicking moved since before[], summed up in quanta, yarn by yarn.
+struct EstimateWicking {
+    Segments s;
+    RateHistory history;
+    const double* before;
+    std::int64_t* sum;
+
+    HL_FN void operator()(int index) const
+    {
+        const YarnLine line = s.line(index);
+        std::int64_t quanta = 0;
+        for (int i = line.first; i < line.last; ++i) quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
+        if (quanta > 0) atomic_add(sum, quanta);
+    }
+};
+
+/// Error of the fibres' water and of the heat since the last exchange, in quanta of each, yarn by yarn. What there was then stands in
+/// bound and heat, which are brought up to date.
+struct EstimateExchange {
+    Segments s;
+    RateHistory bound_history, heat_history;
+    double* bound;
+    double* heat;
+    std::int64_t* sums; ///< of water and of heat
+
+    static constexpr double heat_quantum = 0x1.0p-50; ///< J
+    HL_FN void operator()(int index) const
+    {
+        const YarnLine line = s.line(index);
+        std::int64_t water = 0, joules = 0;
+        for (int i = line.first; i < line.last; ++i) {
+            const double bound_now = bound_water(s, line.yarn, i);
+            const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
+            water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
+            joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
+            bound[i] = bound_now;
+            heat[i] = heat_now;
+        }
+        if (water > 0) atomic_add(sums, water);
+        if (joules > 0) atomic_add(sums + 1, joules);
+    }
+};
+
+} // namespace hygroloom

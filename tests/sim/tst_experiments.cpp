@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Every type of experiment on a small sample: balanced after every step, within its bounds, and in the direction it must go.
+#include "core/analysis/metrics.h"
+#include "core/base/units.h"
+#include "core/sim/cpu_executor.h"
+#include "core/sim/scene.h"
+#include "core/sim/solver.h"
+#include "tests/support/drop_design.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+/// A small sample of cotton and one experiment of a type.
+Design small(ExperimentType type, double contact_angle = 35)
+{
+    Design design = drop_design(contact_angle);
+    Experiment experiment = standard_experiment(type);
+    experiment.name = "test";
+    experiment.sample_mm = type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 25} : std::array<double, 2>{6, 5};
+    experiment.volume_ul = 3;
+    experiment.feed_s = 2;
+    experiment.immersion_mm = 2;
+    experiment.duration_s = type == ExperimentType::drying || type == ExperimentType::conditioning ? 1800 : 10;
+    design.experiments = {experiment};
+    return design;
+}
+
+struct Result {
+    Metrics metrics;
+    std::vector<Frame> frames;
+};
+
+Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {})
+{
+    const auto backend = make_cpu_backend();
+    RunOptions options;
+    options.fidelity = fidelity;
+    options.forced = forced;
+    RunControl control;
+    Result result;
+    MetricsCollector collector;
+    RunCallbacks callbacks;
+    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+        collector.add(*frame);
+        result.frames.push_back(*frame);
+    };
+    run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks);
+    result.metrics = collector.metrics();
+    return result;
+}
+
+double moved_water(const Ledger& l) { return l.water_delivered + l.water_initial + std::abs(l.water_evaporated) + l.water_bound; }
+double moved_heat(const Ledger& l)
+{
+    return std::abs(l.energy_released) + std::abs(l.energy_lost) + std::abs(l.energy_delivered) + std::abs(l.energy_stored) + 1e-9;
+}
+
+} // namespace
+
+class TestExperiments : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyStepIsBalancedAndBounded_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<int>("closure");
+        QTest::addColumn<bool>("swelling");
+        for (int type = 1; type < experiment_types; ++type)
+            QTest::newRow(name_of(static_cast<ExperimentType>(type))) << type << type % closures << (type % 2 == 0);
+    }
+    void everyStepIsBalancedAndBounded()
+    {
+        QFETCH(int, type);
+        QFETCH(int, closure);
+        QFETCH(bool, swelling);
+        Design design = small(static_cast<ExperimentType>(type));
+        Experiment& experiment = design.experiments[0];
+        experiment.closure = static_cast<Closure>(closure);
+        experiment.swelling = swelling;
+        experiment.duration_s = 5;
+        experiment.climates = {{2, {35, 0.2, 1}}, {4, {10, 0.95, 0}}};
+        const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft,
+                                          {{"sorption", true}, {"vapour", true}, {"heat", true}});
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        Solver<CpuExecutor> solver;
+        solver.executor().set_threads(2);
+        solver.load(build_scene(design, textile, experiment, plan, 1));
+        int steps = 0;
+        for (double time = 0; time < experiment.duration_s; ++steps) {
+            time = solver.advance(experiment.duration_s, 0.0); // one step
+            const Frame frame = solver.frame();
+            const Ledger& l = frame.ledger;
+            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l), qPrintable(QString("%1 at %2").arg(l.water_imbalance()).arg(time)));
+            QVERIFY2(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l),
+                     qPrintable(QString("%1 of %2 at %3").arg(l.energy_imbalance()).arg(moved_heat(l)).arg(time)));
+            for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
+                QVERIFY(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f);
+                QVERIFY(frame.regain[i] >= 0 && frame.regain[i] <= 0.2401f);
+                QVERIFY(frame.temperature[i] > 253 && frame.temperature[i] < 340);
+                QVERIFY(std::isfinite(frame.vapour[i]));
+            }
+        }
+        QVERIFY2(steps > 20 && steps < 20000, qPrintable(QString::number(steps)));
+    }
+    void aStripDrinksByTheRootOfTime()
+    {
+        const Result strip = run(small(ExperimentType::vertical_wicking));
+        QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
+        QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3, qPrintable(QString::number(strip.metrics.wicking->height)));
+        // Height against time doubles when time is four times as long.
+        const Series& s = strip.metrics.series;
+        const double late = s.wick_height.back(), early = s.wick_height[s.wick_height.size() / 4];
+        QVERIFY2(std::abs(late / early - 2) < 0.25, qPrintable(QString::number(late / early)));
+        Design weft = small(ExperimentType::vertical_wicking);
+        weft.experiments[0].along_weft = true; // a balanced cloth
+        QVERIFY(std::abs(run(weft).metrics.wicking->height / strip.metrics.wicking->height - 1) < 0.05);
+        const Result repellent = run(small(ExperimentType::vertical_wicking, 95));
+        QCOMPARE(repellent.metrics.wicking->height, 0.0);
+        QVERIFY(!repellent.metrics.wicking->rate);
+    }
+    void aPoolIsDrunkToTheLastQuantum()
+    {
+        for (ExperimentType type : {ExperimentType::moisture_management, ExperimentType::horizontal_wicking}) {
+            const Metrics m = run(small(type)).metrics;
+            QVERIFY(std::abs(m.ledger.water_delivered - 3e-9 * 998) < 0.02 * 3e-9 * 998);
+            QVERIFY(m.ledger.water_free < 1e-9 * m.ledger.water_delivered);
+            QVERIFY(m.maximum_wetted_radius_top > 1e-3);
+            QCOMPARE(m.management.has_value(), type == ExperimentType::moisture_management);
+        }
+    }
+    void sweatComesAtItsRate()
+    {
+        Design design = small(ExperimentType::sweat);
+        const Metrics m = run(design).metrics;
+        const TextileRegion region = region_of_sample(design.fabrics[0], 6, 5);
+        const double area = region.ends / design.fabrics[0].ends_per_cm * region.picks / design.fabrics[0].picks_per_cm * 1e-4;
+        const double expected = 0.3 / 3600 * 10 * area; // 300 g/m2 h for 10 s
+        QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected, qPrintable(QString("%1 %2").arg(m.ledger.water_delivered).arg(expected)));
+    }
+    void aWetSampleDriesToItsRegain()
+    {
+        Design design = small(ExperimentType::drying);
+        design.experiments[0].initial_water_g_m2 = 60;
+        const Metrics m = run(design).metrics;
+        QVERIFY(m.drying && m.drying->rate && m.drying->time_to_dry && m.drying->steady_temperature);
+        const double air = kelvin_from_celsius(21);
+        QVERIFY(*m.drying->steady_temperature < air - 1 && *m.drying->steady_temperature > air - 6); // between wet bulb and air
+        QVERIFY(*m.drying->time_to_dry > 60e-3 / *m.drying->rate);
+        QVERIFY(std::abs(m.series.temperature_mean.back() - air) < 0.1);
+        QVERIFY(m.ledger.water_liquid < 1e-12);
+        QVERIFY(std::abs(m.series.regain_mean.back() - 0.0697) < 0.002); // cotton at 21 C and 65 %
+    }
+    void aDrySampleTakesUpItsRegainAndWarms()
+    {
+        const Result damp = run(small(ExperimentType::conditioning));
+        QVERIFY(damp.metrics.conditioning);
+        QCOMPARE(damp.metrics.conditioning->regain_start, 0.0);
+        QVERIFY(std::abs(damp.metrics.conditioning->regain_end - 0.0706) < 0.002);
+        QVERIFY(damp.metrics.conditioning->peak_rise > 2 && damp.metrics.conditioning->peak_rise < 25);
+        QVERIFY(damp.metrics.conditioning->half_time && *damp.metrics.conditioning->half_time > 10);
+        // The step's length follows its error: a tighter one changes the answer little.
+        const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
+        QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
+    }
+    void theClothFollowsTheAir()
+    {
+        Design design = small(ExperimentType::conditioning);
+        design.experiments[0].initial = design.experiments[0].climate;
+        design.experiments[0].climates = {{600, {35, 0.3, 1}}};
+        const Result result = run(design);
+        QVERIFY(std::abs(result.frames.back().temperature[0] - kelvin_from_celsius(35)) < 0.2);
+        QVERIFY(result.metrics.conditioning->regain_end < result.metrics.conditioning->regain_start - 0.02);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExperiments)
+#include "tst_experiments.moc"
