@@ -20,6 +20,8 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace hygroloom {
 
 namespace {
@@ -179,7 +181,11 @@ void OrderEditor::refresh()
     }
     list_->setCurrentRow(std::clamp(chosen, 0, list_->count() - 1));
     remove_->setEnabled(list_->currentRow() > 0);
+    const bool another = std::exchange(fabric_, document_.fabricIndex()) != document_.fabricIndex();
     for (int system = 0; system < 2; ++system) {
+        if (another) {
+            orders_[system]->setComplaint({}); // what was typed was for the other one
+        }
         orders_[system]->showOrder(orderText(system == 0 ? fabric->warp_order : fabric->weft_order));
     }
 }

@@ -41,6 +41,7 @@ private:
     QListWidget* list_;
     QToolButton* remove_;
     OrderEdit* orders_[2]; ///< warp, weft
+    int fabric_ = -1;      ///< the one shown
 };
 
 } // namespace hygroloom

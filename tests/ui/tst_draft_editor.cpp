@@ -193,6 +193,11 @@ private Q_SLOTS:
         QTest::keyClick(ends, Qt::Key_Escape);
         QCOMPARE(ends->text(), QString("12A 4B"));
         QVERIFY(!ends->accessibleDescription().contains("no yarn C"));
+        ends->setText("3C");
+        Q_EMIT ends->editingFinished();
+        document_->edit("another", {}, [](Design& d) { d.fabrics.push_back(d.fabrics[0]); });
+        document_->setFabricIndex(static_cast<int>(document_->design()->fabrics.size()) - 1);
+        QCOMPARE(ends->text(), QString("12A 4B"));
     }
 
 private:

@@ -169,12 +169,15 @@ private Q_SLOTS:
         QVERIFY(old.open(QIODevice::WriteOnly));
         old.close();
         dialog_->setFile(old.fileName());
-        QTimer::singleShot(0, this, [] {
+        bool byDefault = false;
+        QTimer::singleShot(0, this, [&byDefault] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                byDefault = box->defaultButton() == box->button(QMessageBox::No);
                 box->button(QMessageBox::No)->click();
             }
         });
         dialog_->start();
+        QVERIFY(byDefault);
         QVERIFY(!dialog_->writing());
         QVERIFY(contents("cloth.ply").isEmpty());
     }

@@ -351,8 +351,10 @@ private Q_SLOTS:
         QVERIFY(!palette.chosen());
         palette.search("no command has this name");
         QCOMPARE(palette.shown(), 0);
-        QVERIFY(std::any_of(palette.findChildren<QLabel*>().begin(), palette.findChildren<QLabel*>().end(),
-                            [&](const QLabel* label) { return label->isVisibleTo(&palette) && label->text() == "No command of this name."; }));
+        const auto labels = palette.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisibleTo(&palette) && label->text() == "No command of this name.";
+        }));
         QVERIFY(!palette.chosen());
     }
 
