@@ -154,7 +154,7 @@ private Q_SLOTS:
         row("comma too many", replaced(good, "0.2,", "0.2,,"), "line 10, column 28");
         row("two documents", good + "{}", "not valid JSON");
         row("not utf-8", replaced(good, "Textile F", "Textile \xff"), "line 7, column");
-        row("a number too large", replaced(good, "0.635", "1e999"), "not valid JSON");
+        row("a number too large", replaced(good, "0.635", "1e999"), "This is not valid JSON: number overflow parsing '1e999'.");
         row("NaN", replaced(good, "0.635", "NaN"), "line");
         row("a list", "[1, 2]", "must be an object");
         row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""),
