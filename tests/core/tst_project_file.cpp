@@ -251,6 +251,22 @@ private Q_SLOTS:
         QVERIFY(fs::is_symlink(dangling) && fs::is_regular_file(later));
         QVERIFY(read_project(file) == rich());
     }
+    void aLoopOfLinksIsRefused()
+    {
+        fs::create_directory(path("loop"));
+        fs::create_symlink("b.hygro", path("loop/a.hygro"));
+        fs::create_symlink("a.hygro", path("loop/b.hygro"));
+        QVERIFY(has(message_of([&] { write_project(rich(), path("loop/a.hygro")); }), "The link cannot be followed"));
+        QVERIFY(fs::is_symlink(path("loop/a.hygro")) && fs::is_symlink(path("loop/b.hygro")));
+        QCOMPARE(files_in(path("loop")), 2);
+    }
+    void aNameThatIsTooLongIsRefusedBeforeAnythingIsWritten()
+    {
+        bool began = false;
+        const auto write = [&](const fs::path&) { began = true; };
+        QVERIFY(has(message_of([&] { write_file_with(path(std::string(300, 'n').c_str()), write); }), "The file cannot be written"));
+        QVERIFY(!began);
+    }
     void failedSaveLeavesEverythingAsItWas()
     {
         fs::create_directory(path("full"));
