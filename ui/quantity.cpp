@@ -186,6 +186,9 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
     if (!isNumber) {
         return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” does not begin with a number.").arg(typed.trimmed()));
     }
+    if (decimals == 0 && number != std::round(number)) {
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a whole number.").arg(typed.trimmed()));
+    }
     const QString spelled = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
     if (spelled.isEmpty()) {
         return number / shown_per_stored;

@@ -174,9 +174,6 @@ void QuantityEdit::commit()
             QToolTip::showText(mapToGlobal(QPoint(0, height())), complaint_, this);
             return;
         }
-        if (quantity_.decimals == 0) {
-            typed = std::round(*typed);
-        }
     }
     const bool changed = typed != value_;
     value_ = typed;
