@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPointer>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QTreeView>
@@ -52,7 +53,7 @@ void addCommands(const QList<QAction*>& actions, const QString& way, QStandardIt
         }
         auto* name = new QStandardItem(way + text.first() + (action->isChecked() ? QStringLiteral(" ✓") : QString()));
         auto* keys = new QStandardItem(text.size() > 1 ? text.last() : action->shortcut().toString(QKeySequence::NativeText));
-        name->setData(QVariant::fromValue(action), Qt::UserRole);
+        name->setData(QVariant::fromValue(QPointer<QAction>(action)), Qt::UserRole); // menus change while this is open
         name->setToolTip(action->statusTip());
         for (QStandardItem* item : {name, keys}) {
             item->setEnabled(action->isEnabled());
@@ -93,7 +94,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     layout->addWidget(words_);
     layout->addWidget(list_);
     resize(520, 400);
-    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::search);
+    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::filter);
     const auto take = [this] {
         if (chosen()) {
             accept();
@@ -102,12 +103,16 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     connect(words_, &QLineEdit::returnPressed, this, take);
     connect(list_, &QTreeView::activated, this, take);
     connect(list_, &QTreeView::clicked, this, take);
-    search({});
+    filter({});
 }
 
 void CommandPalette::search(const QString& words)
 {
     words_->setText(words);
+}
+
+void CommandPalette::filter(const QString& words)
+{
     static_cast<AllWords*>(found_)->setWords(words);
     // The first that can be done.
     QModelIndex first = found_->index(0, 0);
@@ -125,7 +130,7 @@ int CommandPalette::shown() const
 QAction* CommandPalette::chosen() const
 {
     const QModelIndex index = list_->currentIndex().siblingAtColumn(0);
-    return index.flags() & Qt::ItemIsEnabled ? index.data(Qt::UserRole).value<QAction*>() : nullptr;
+    return index.flags() & Qt::ItemIsEnabled ? index.data(Qt::UserRole).value<QPointer<QAction>>().data() : nullptr;
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event)

@@ -349,6 +349,35 @@ private Q_SLOTS:
         QVERIFY(!palette.chosen());
     }
 
+    void theFieldOfCommandsIsTypedIntoAnywhereAndUndone()
+    {
+        CommandPalette palette(*window_->menuBar());
+        palette.show();
+        auto* words = palette.findChild<QLineEdit*>();
+        QTest::keyClicks(words, "mesh xp");
+        words->setCursorPosition(5);
+        QTest::keyClicks(words, "ex");
+        QCOMPARE(words->text(), QString("mesh exxp"));
+        QCOMPARE(words->cursorPosition(), 7);
+        QCOMPARE(palette.shown(), 0);
+        QVERIFY(words->isUndoAvailable());
+        words->undo();
+        QCOMPARE(words->text(), QString("mesh xp"));
+    }
+
+    void aCommandThatIsGoneIsNotDone()
+    {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu("File");
+        QAction* recent = menu->addAction("cloth.hygro");
+        CommandPalette palette(bar);
+        palette.search("cloth");
+        QCOMPARE(palette.chosen(), recent);
+        delete recent;
+        QCOMPARE(palette.shown(), 1);
+        QVERIFY(!palette.chosen());
+    }
+
     void ctrlKDoesWhatIsChosen()
     {
         window_->setWorkspace(Workspace::design);
