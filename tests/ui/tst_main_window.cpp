@@ -20,9 +20,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPlainTextEdit>
+#include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -389,6 +392,43 @@ private Q_SLOTS:
         });
         trigger("Find Command");
         QCOMPARE(window_->workspace(), Workspace::simulate);
+    }
+
+    void highContrastOutlinesEveryControl()
+    {
+        applyAppearance(Appearance::contrast);
+        QWidget page;
+        page.resize(300, 300);
+        auto* radio = new QRadioButton(&page);
+        radio->setGeometry(10, 10, 100, 24);
+        auto* slider = new QSlider(Qt::Horizontal, &page);
+        slider->setGeometry(10, 50, 200, 24);
+        auto* text = new QPlainTextEdit(&page);
+        text->setGeometry(10, 90, 100, 60);
+        auto* list = new QListWidget(&page);
+        list->setGeometry(10, 160, 100, 60);
+        page.show();
+        const QImage picture = page.grab().toImage();
+        const auto brightest = [&](QRect where) {
+            int most = 0;
+            for (int y = where.top(); y <= where.bottom(); ++y) {
+                for (int x = where.left(); x <= where.right(); ++x) {
+                    most = std::max(most, qGray(picture.pixel(x, y)));
+                }
+            }
+            return most;
+        };
+        const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
+        const int least = background + 160; // 21 : 1 is 255
+        QVERIFY(brightest(radio->geometry().adjusted(0, 0, -76, 0)) > least); // without its words
+        QVERIFY(brightest(QRect(slider->geometry().center(), QSize(90, 12)).translated(0, -6)) > least); // the groove
+        QVERIFY(brightest(QRect(slider->geometry().topLeft(), QSize(12, 24))) > least);                 // the handle
+        for (const QWidget* framed : {static_cast<QWidget*>(text), static_cast<QWidget*>(list)}) {
+            const QRect place = framed->geometry();
+            QVERIFY(brightest(QRect(place.topLeft(), QSize(1, place.height()))) > least);
+            QVERIFY(brightest(QRect(place.bottomLeft(), QSize(place.width(), 1))) > least);
+        }
+        applyAppearance(Appearance::light);
     }
 
     void everyLookCanBeChosenAndIsKept()
