@@ -11,10 +11,12 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -284,8 +286,12 @@ bool MainWindow::mayStopExport()
         if (!mayStop(tr("An export is in progress"), tr("Stop the export?"), tr("No file is written then."), tr("Stop the Export"))) {
             return false;
         }
-        if (export_) { // it may have ended meanwhile
+        if (export_ && export_->writing()) { // it may have ended meanwhile
             export_->cancel();
+            // Some formats are written in one go that takes seconds; until then the window is drawn, and nothing can be changed any more.
+            QEventLoop end;
+            connect(export_, &ExportDialog::ended, &end, &QEventLoop::quit);
+            end.exec(QEventLoop::ExcludeUserInputEvents);
         }
     }
     return true;
@@ -293,9 +299,17 @@ bool MainWindow::mayStopExport()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayStopRun() || !mayStopExport() || !mayDiscard()) {
+    if (closing_) {
         event->ignore();
         return;
+    }
+    const QScopedValueRollback asking(closing_, true);
+    if (!mayDiscard() || !mayStopRun() || !mayStopExport()) {
+        event->ignore();
+        return;
+    }
+    if (export_) {
+        export_->close(); // keeps its choice
     }
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());

@@ -331,10 +331,46 @@ private Q_SLOTS:
         QVERIFY(!window_->close());
         QVERIFY(asked);
         QVERIFY(dialog->writing());
-        dialog->cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 10000);
-        dialog->close();
+
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                for (QAbstractButton* button : box->buttons()) {
+                    if (button->text().remove('&') == "Stop the Export") {
+                        QTest::mouseClick(button, Qt::LeftButton);
+                    }
+                }
+            }
+        });
+        QVERIFY(window_->close());
+        QCOMPARE(ended.count(), 1);
         QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+        QCOMPARE(QSettings().value("export/detail").toInt(), 2); // the choice is kept
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+
+    void closingAsksAboutChangesBeforeItStopsAnExport()
+    {
+        QTemporaryDir folder;
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });
+        trigger("Export Mesh");
+        auto* dialog = window_->findChild<ExportDialog*>();
+        dialog->setFile(folder.filePath("large.ply"));
+        dialog->start();
+        QVERIFY(dialog->writing());
+        QStringList questions;
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                questions << box->windowTitle();
+                QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+            }
+        });
+        QVERIFY(!window_->close());
+        QCOMPARE(questions, QStringList{"Unsaved changes"});
+        dialog->cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog->writing(), 10000);
+        dialog->close();
+        window_->document().history()->undo();
     }
 
     void anyCommandIsFoundByAFewLetters()
