@@ -82,6 +82,9 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     progress_->setRange(0, 1000);
     progress_->setAccessibleName(tr("Progress of the export"));
     result_->setWordWrap(true);
+    for (QLabel* label : {fabric_, estimate_, result_}) {
+        label->setTextFormat(Qt::PlainText); // names of fabrics and files
+    }
     result_->setAccessibleName(tr("Result of the export"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
@@ -376,6 +379,7 @@ bool ExportDialog::mayReplace(const QString& path, const ExportChoice& choice)
     }
     const QString question = there.size() == 1 ? tr("%1 is there already. Replace it?") : tr("%1 are there already. Replace them?");
     QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(there.join(tr(" and "))), QMessageBox::Yes | QMessageBox::No, this);
+    box.setTextFormat(Qt::PlainText);
     return box.exec() == QMessageBox::Yes;
 }
 

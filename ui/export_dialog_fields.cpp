@@ -140,6 +140,7 @@ QLabel* ExportDialog::addNote(QFormLayout* form)
 {
     auto* note = new QLabel;
     note->setWordWrap(true);
+    note->setTextFormat(Qt::PlainText);
     note->hide();
     form->addRow(QString(), note);
     return note;

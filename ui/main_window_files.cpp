@@ -253,6 +253,7 @@ bool MainWindow::mayDiscard()
     }
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
@@ -350,7 +351,7 @@ void MainWindow::refreshRecentFiles()
     const QStringList files = QSettings().value("recent").toStringList();
     for (const QString& path : files) {
         QAction* action = recent_->addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
+        action->setToolTip("<p>" + path.toHtmlEscaped() + "</p>");
         action->setStatusTip(path);
         connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
     }

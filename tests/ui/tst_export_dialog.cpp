@@ -232,6 +232,21 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(button("Export")->isEnabled(), 5000);
     }
 
+    void namesAreShownAsTheyAre()
+    {
+        document_.edit("name", {}, [](Design& design) { design.fabrics[0].name = "<b>cloth</b>"; });
+        dialog_->setFile(folder_->filePath("nowhere<br>/cloth.ply"));
+        waitForNote("nowhere<br>");
+        dialog_->setFile(folder_->filePath("a<i>b.gltf"));
+        write();
+        for (const QLabel* label : dialog_->findChildren<QLabel*>()) {
+            QVERIFY2(label->textFormat() == Qt::PlainText || !Qt::mightBeRichText(label->text()), qPrintable(label->text()));
+        }
+        Qt::TextFormat format = Qt::AutoText;
+        QVERIFY(startAnswering(QMessageBox::No, &format).contains("a<i>b.gltf"));
+        QCOMPARE(format, Qt::PlainText);
+    }
+
     void aFileIsReplacedOnlyWhenAgreed()
     {
         QFile old(folder_->filePath("cloth.ply"));

@@ -477,6 +477,15 @@ private Q_SLOTS:
         }
     }
 
+    void aFilesNameIsToldAsItIs()
+    {
+        QVERIFY(!window_->openFile("/nowhere/a<i>b.hygro"));
+        auto* box = window_->findChild<QMessageBox*>();
+        QVERIFY(box && box->text().contains("a<i>b.hygro"));
+        QCOMPARE(box->textFormat(), Qt::PlainText);
+        box->close();
+    }
+
     void closingAsksAboutUnsavedChanges()
     {
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });

@@ -104,6 +104,16 @@ private Q_SLOTS:
         QCOMPARE(edit.value(), std::optional<double>(3));
     }
 
+    void whatWasTypedIsToldAsItIs()
+    {
+        QuantityEdit edit(Quantity::length(0.01, 5));
+        edit.setValue(0.2);
+        type(edit, "<i>thick");
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QVERIFY2(edit.toolTip().contains("“&lt;i&gt;thick”"), qPrintable(edit.toolTip()));
+        QVERIFY(edit.accessibleDescription().contains("“<i>thick”"));
+    }
+
     void arrowKeysStepSensibly()
     {
         QuantityEdit sett(Quantity::sett(1, 200));
