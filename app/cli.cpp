@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -37,9 +38,10 @@ CLI::Validator moment()
     return CLI::Validator(
         [](std::string& text) {
             double seconds = -1;
-            const bool number = CLI::detail::lexical_cast(text, seconds);
-            return number && std::isfinite(seconds) && seconds >= 0 ? std::string()
-                                                                    : "Must be a number of seconds from 0; given is \"" + text + "\".";
+            const char* const end = text.data() + text.size();
+            const auto [last, failure] = std::from_chars(text.data(), end, seconds);
+            const bool number = failure == std::errc() && last == end && std::isfinite(seconds);
+            return number && seconds >= 0 ? std::string() : "Must be a number of seconds from 0; given is \"" + text + "\".";
         },
         "SECONDS");
 }

@@ -3,6 +3,7 @@
 #include "app/cli.h"
 #include "app/cli_interrupt.h"
 
+#include "core/base/text.h"
 #include "core/project/mesh_file.h"
 #include "core/sim/recording.h"
 
@@ -122,11 +123,6 @@ Piece dry_piece(const ExportVerbOptions& options)
     return {fabric, build_textile(design, fabric, region), {}};
 }
 
-std::string human_bytes(double bytes)
-{
-    return bytes < 1e9 ? fmt::format("{:.1f} MB", 1e-6 * bytes) : fmt::format("{:.2f} GB", 1e-9 * bytes);
-}
-
 void draw_bar(double share, double seconds)
 {
     constexpr int width = 30;
@@ -163,7 +159,7 @@ int export_piece(const ExportVerbOptions& options)
     if (options.estimate ? !options.json : !options.quiet)
         fmt::print(options.estimate ? stdout : stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(),
                    piece.textile.picks(), size.vertices, size.curves > 0 ? "points" : "vertices",
-                   size.curves > 0 ? size.curves : size.triangles, size.curves > 0 ? "curves" : "triangles", human_bytes(size.bytes));
+                   size.curves > 0 ? size.curves : size.triangles, size.curves > 0 ? "curves" : "triangles", bytes_text(size.bytes));
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
                                 {"file", options.output},       {"detail", options.detail},

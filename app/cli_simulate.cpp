@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
+#include "core/base/text.h"
 #include "core/sim/plan_json.h"
 #include "gpu/backends.h"
 
@@ -32,11 +33,6 @@ template <typename Act> auto as_usage(Act act)
     }
 }
 
-std::string human_bytes(double bytes)
-{
-    return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes);
-}
-
 void print_plan(const ModelPlan& plan)
 {
     fmt::print("fidelity     {}\n", name_of(plan.fidelity));
@@ -45,7 +41,7 @@ void print_plan(const ModelPlan& plan)
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
     fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet,
                plan.fibre_shells, plan.frame_interval, plan.resolution_reason);
-    fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, human_bytes(plan.expected_bytes), plan.expectation_source);
+    fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes), plan.expectation_source);
 }
 
 int plan(const RunVerbOptions& options)

@@ -136,9 +136,11 @@ public:
         if (qobject_cast<const QComboBox*>(owner) || qobject_cast<const QAbstractSpinBox*>(owner)) {
             return; // has an outline
         }
-        if (element == PE_FrameLineEdit || element == PE_PanelLineEdit || element == PE_PanelButtonCommand || element == PE_IndicatorCheckBox
+        if (element == PE_IndicatorRadioButton) {
+            outline(option, option->rect, painter, true);
+        } else if (element == PE_Frame || element == PE_FrameLineEdit || element == PE_PanelLineEdit || element == PE_PanelButtonCommand || element == PE_IndicatorCheckBox
             || element == PE_FrameMenu || element == PE_PanelTipLabel) {
-            outline(option, painter);
+            outline(option, option->rect, painter);
         }
     }
 
@@ -146,19 +148,30 @@ public:
     {
         QProxyStyle::drawComplexControl(control, option, painter, widget);
         if (control == CC_ComboBox || control == CC_SpinBox) {
-            outline(option, painter);
+            outline(option, option->rect, painter);
+        } else if (control == CC_Slider) {
+            const QRect handle = subControlRect(control, option, SC_SliderHandle, widget);
+            outline(option, subControlRect(control, option, SC_SliderGroove, widget), painter);
+            painter->fillRect(handle, option->palette.brush(QPalette::Button));
+            outline(option, handle, painter);
         }
     }
 
 private:
-    static void outline(const QStyleOption* option, QPainter* painter)
+    static void outline(const QStyleOption* option, const QRect& rect, QPainter* painter, bool round = false)
     {
         const bool focus = option->state & State_HasFocus;
         const auto group = option->state & State_Enabled ? QPalette::Active : QPalette::Disabled;
         painter->save();
         painter->setBrush(Qt::NoBrush);
         painter->setPen(QPen(option->palette.color(group, focus ? QPalette::Highlight : QPalette::WindowText), focus ? 2 : 1));
-        painter->drawRect(option->rect.adjusted(focus ? 1 : 0, focus ? 1 : 0, -1, -1));
+        const QRect inside = rect.adjusted(focus ? 1 : 0, focus ? 1 : 0, -1, -1);
+        if (round) {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(QRectF(inside).adjusted(0.5, 0.5, -0.5, -0.5));
+        } else {
+            painter->drawRect(inside);
+        }
         painter->restore();
     }
 };

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPointer>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QTreeView>
@@ -53,7 +54,7 @@ void addCommands(const QList<QAction*>& actions, const QString& way, QStandardIt
         }
         auto* name = new QStandardItem(way + text.first() + (action->isChecked() ? QStringLiteral(" ✓") : QString()));
         auto* keys = new QStandardItem(text.size() > 1 ? text.last() : action->shortcut().toString(QKeySequence::NativeText));
-        name->setData(QVariant::fromValue(action), Qt::UserRole);
+        name->setData(QVariant::fromValue(QPointer<QAction>(action)), Qt::UserRole); // menus change while this is open
         name->setToolTip(action->statusTip());
         for (QStandardItem* item : {name, keys}) {
             item->setEnabled(action->isEnabled());
@@ -98,7 +99,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     layout->addWidget(list_);
     layout->addWidget(none_, 1);
     resize(520, 400);
-    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::search);
+    connect(words_, &QLineEdit::textChanged, this, &CommandPalette::filter);
     const auto take = [this] {
         if (chosen()) {
             accept();
@@ -107,12 +108,16 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     connect(words_, &QLineEdit::returnPressed, this, take);
     connect(list_, &QTreeView::activated, this, take);
     connect(list_, &QTreeView::clicked, this, take);
-    search({});
+    filter({});
 }
 
 void CommandPalette::search(const QString& words)
 {
     words_->setText(words);
+}
+
+void CommandPalette::filter(const QString& words)
+{
     static_cast<AllWords*>(found_)->setWords(words);
     // The first that can be done.
     QModelIndex first = found_->index(0, 0);
@@ -132,7 +137,7 @@ int CommandPalette::shown() const
 QAction* CommandPalette::chosen() const
 {
     const QModelIndex index = list_->currentIndex().siblingAtColumn(0);
-    return index.flags() & Qt::ItemIsEnabled ? index.data(Qt::UserRole).value<QAction*>() : nullptr;
+    return index.flags() & Qt::ItemIsEnabled ? index.data(Qt::UserRole).value<QPointer<QAction>>().data() : nullptr;
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event)

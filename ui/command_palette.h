@@ -21,13 +21,15 @@ public:
     /// Shows the commands that have all these words in their name or their menu's.
     void search(const QString& words);
     int shown() const;
-    /// What Enter would do; nullptr when nothing is found or it cannot be done now. Not done by the palette itself.
+    /// What Enter would do; nullptr when nothing is found, or it cannot be done now or any more. Not done by the palette itself.
     QAction* chosen() const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void filter(const QString& words);
+
     QLineEdit* words_;
     QTreeView* list_;
     QSortFilterProxyModel* found_;

@@ -82,6 +82,9 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     progress_->setRange(0, 1000);
     progress_->setAccessibleName(tr("Progress of the export"));
     result_->setWordWrap(true);
+    for (QLabel* label : {fabric_, estimate_, result_}) {
+        label->setTextFormat(Qt::PlainText); // names of fabrics and files
+    }
     result_->setAccessibleName(tr("Result of the export"));
     result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     // Room that stays, so that the buttons do not move as sentences come and go.
@@ -175,6 +178,7 @@ void ExportDialog::refresh()
     }
     result_->clear(); // it was about an earlier choice
     nameFile();
+    estimated_.reset();
     const auto piece = static_cast<ExportPiece>(piece_->currentIndex());
     const auto detail = static_cast<MeshDetail>(detail_->currentIndex());
     auto* form = static_cast<QFormLayout*>(fields_->layout());
@@ -206,7 +210,9 @@ void ExportDialog::refresh()
             if (const QStorageInfo disk(folder); disk.isValid()) {
                 foretold.free_bytes = static_cast<double>(disk.bytesAvailable());
             }
-        } catch (const Error& error) {
+        } catch (const std::bad_alloc&) {
+            foretold.complaint = tr("There is not enough memory for this piece. Take a smaller one.");
+        } catch (const std::exception& error) {
             foretold.complaint = QString::fromStdString(error.what());
         }
         turn.deliver([this, foretold, turn] {
@@ -223,6 +229,9 @@ void ExportDialog::tell(const Foretold& foretold)
     const QLocale locale;
     const auto count = [&](std::size_t number) { return locale.toString(static_cast<qulonglong>(number)); };
     estimate_->setEnabled(true);
+    if (foretold.complaint.isEmpty()) {
+        estimated_ = size;
+    }
     samples_->setDerived(foretold.mesh.samples_per_crossing);
     sides_->setDerived(foretold.mesh.sides);
     const bool large_piece = static_cast<double>(foretold.ends) * foretold.picks > most_crossings;
@@ -236,7 +245,7 @@ void ExportDialog::tell(const Foretold& foretold)
             : QString(),
         Severity::warning);
     const bool refused = !foretold.complaint.isEmpty() || !size.refusal.empty();
-    const bool full = !refused && foretold.free_bytes >= 0 && size.bytes > foretold.free_bytes;
+    const bool full = !refused && foretold.free_bytes >= 0 && size.most_bytes > foretold.free_bytes;
     export_->setEnabled(!refused && !full);
     QStringList lines;
     if (foretold.complaint.isEmpty()) {
@@ -249,7 +258,7 @@ void ExportDialog::tell(const Foretold& foretold)
     }
     QString text = lines.isEmpty() ? QString() : lines.join(", ") + ".";
     if (full) {
-        text += "\n" + tr("The disk has only %1 left.").arg(bytesText(foretold.free_bytes));
+        text += "\n" + tr("It may take up to %1, and the disk has only %2 left.").arg(bytesText(size.most_bytes), bytesText(foretold.free_bytes));
     } else if (!refused && size.bytes > large_file) {
         text += "\n" + tr("That is much: many programs cannot open a file of more than 1 GB.");
     }
@@ -267,19 +276,22 @@ void ExportDialog::start()
 {
     const std::optional<ExportChoice> chosen = choice();
     const QString path = filePath();
-    if (writing_ || !chosen || !mayReplace(path)) {
+    if (writing_ || !chosen || !mayReplace(path, *chosen)) {
         return;
     }
+    agreed_.clear();
     folder_ = QFileInfo(path).absolutePath();
+    file_->setText(QDir::toNativeSeparators(path)); // a name alone is one in folder_, which may be another now
+    stop_ = std::make_shared<std::atomic<bool>>(false);
     setWriting(true);
-    exporter_.run([this, chosen = *chosen, source = source(), path](const NewestJob::Turn& turn) {
+    exporter_.run([this, chosen = *chosen, source = source(), path, stop = stop_](const NewestJob::Turn& turn) {
         QElapsedTimer told;
         const auto progress = [&](double share) {
             if (!told.isValid() || told.elapsed() > 50) {
                 told.start();
                 turn.deliver([this, share] { progress_->setValue(static_cast<int>(1000 * share)); });
             }
-            return !turn.outdated();
+            return !*stop && !turn.outdated();
         };
         QString sentence;
         bool problem = true;
@@ -305,7 +317,12 @@ void ExportDialog::start()
 
 void ExportDialog::cancel()
 {
-    exporter_.drop();
+    // The job goes on to its end, which it tells; dropped before it began, it would not.
+    if (writing_) {
+        *stop_ = true;
+        close_->setText(tr("Cancelling…"));
+        close_->setEnabled(false);
+    }
 }
 
 void ExportDialog::end(const QString& sentence, bool problem, const QString& path)
@@ -315,7 +332,6 @@ void ExportDialog::end(const QString& sentence, bool problem, const QString& pat
     result_->setText(sentence);
     open_folder_->setVisible(!problem);
     if (!problem) {
-        agreed_ = path; // the same again is a new try
         Q_EMIT written(tr("Exported %1.").arg(path));
     }
     Q_EMIT ended();
@@ -327,6 +343,7 @@ void ExportDialog::setWriting(bool writing)
     fields_->setEnabled(!writing);
     export_->setEnabled(!writing);
     close_->setText(writing ? tr("Cancel") : tr("Close"));
+    close_->setEnabled(true);
     progress_->setValue(0);
     progress_->setVisible(writing);
     if (writing) {
@@ -350,14 +367,36 @@ void ExportDialog::done(int result)
     QDialog::done(result);
 }
 
-bool ExportDialog::mayReplace(const QString& path)
+std::vector<std::filesystem::path> ExportDialog::filesOf(const QString& path, const ExportChoice& choice) const
 {
-    if (path == agreed_ || !QFile::exists(path)) {
+    try {
+        if (estimated_) {
+            return files_of_export(path.toStdString(), *estimated_);
+        }
+        const MeshExport made = meshExport(source(), choice);
+        return files_of_export(path.toStdString(), export_estimate(made.textile, made.fabric, made.options, mesh_format_of(path.toStdString())));
+    } catch (const std::exception&) { // the export says why
+        return {};
+    }
+}
+
+bool ExportDialog::mayReplace(const QString& path, const ExportChoice& choice)
+{
+    QStringList there;
+    for (const auto& written : filesOf(path, choice)) {
+        const QFileInfo file(QString::fromStdString(written.string()));
+        if (file.filePath() != agreed_ && file.exists()) {
+            there << file.fileName();
+        }
+    }
+    if (there.isEmpty()) {
         return true;
     }
-    return QMessageBox::question(this, windowTitle(), tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName()),
-                                 QMessageBox::Yes | QMessageBox::No, QMessageBox::No)
-        == QMessageBox::Yes;
+    const QString question = there.size() == 1 ? tr("%1 is there already. Replace it?") : tr("%1 are there already. Replace them?");
+    QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(there.join(tr(" and "))), QMessageBox::Yes | QMessageBox::No, this);
+    box.setTextFormat(Qt::PlainText);
+    box.setDefaultButton(QMessageBox::No);
+    return box.exec() == QMessageBox::Yes;
 }
 
 } // namespace hygroloom

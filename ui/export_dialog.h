@@ -56,7 +56,8 @@ private:
     void end(const QString& sentence, bool problem, const QString& path);
     void setWriting(bool writing);
     ExportSource source() const;
-    bool mayReplace(const QString& path);
+    bool mayReplace(const QString& path, const ExportChoice& choice);
+    std::vector<std::filesystem::path> filesOf(const QString& path, const ExportChoice& choice) const;
     // export_dialog_fields.cpp
     void buildForm(QFormLayout* form);
     QLabel* addNote(QFormLayout* form);
@@ -67,6 +68,7 @@ private:
     void refreshPieces();
     /// Without a value after the notes beside the fields say what is wrong.
     std::optional<ExportChoice> choice();
+    QString sampleComplaint() const;
     QString filePath() const;
     void takeEnding();
     void nameFile();
@@ -103,9 +105,11 @@ private:
     QPushButton* close_;
     QWidget* fields_;
     QString folder_;   ///< of the file when its name says none
-    QString agreed_;   ///< a file that may be replaced
+    QString agreed_;   ///< a file that may be replaced by the next export
     bool named_ = false; ///< by hand
     bool writing_ = false;
+    std::optional<ExportEstimate> estimated_;  ///< of the present choice, once it is known
+    std::shared_ptr<std::atomic<bool>> stop_; ///< the export that is being written
     NewestJob estimator_; // last: their deliveries use the rest
     NewestJob exporter_;
 };

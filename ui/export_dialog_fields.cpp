@@ -150,6 +150,7 @@ QLabel* ExportDialog::addNote(QFormLayout* form)
 {
     auto* note = new QLabel;
     note->setWordWrap(true);
+    note->setTextFormat(Qt::PlainText);
     note->hide();
     form->addRow(QString(), note);
     return note;
@@ -190,6 +191,19 @@ void ExportDialog::refreshPieces()
     const bool wet = playback_.run() && playback_.frame();
     offer(ExportPiece::simulated,
           wet ? tr("Simulated piece with its water at %1 s").arg(shownNumber(playback_.frame()->time, 2)) : tr("Simulated piece (open a recording, or run)"), wet);
+}
+
+QString ExportDialog::sampleComplaint() const
+{
+    const std::string sample = "experiments[" + std::to_string(document_.experimentIndex()) + "].sample_mm";
+    for (const char* axis : {"[0]", "[1]"}) {
+        for (const Issue* issue : document_.issuesAt(sample + axis)) {
+            if (issue->severity == Severity::error) {
+                return QString::fromStdString(issue->text);
+            }
+        }
+    }
+    return {};
 }
 
 std::optional<ExportChoice> ExportDialog::choice()
@@ -234,7 +248,10 @@ std::optional<ExportChoice> ExportDialog::choice()
                                : QString();
     const std::pair<QLabel*, QString> complaints[] = {
         {fabric_note_, of_fabric},
-        {piece_note_, chosen.piece == ExportPiece::repeats ? of_repeats : chosen.piece == ExportPiece::size ? of_size : QString()},
+        {piece_note_, chosen.piece == ExportPiece::repeats ? of_repeats
+             : chosen.piece == ExportPiece::size           ? of_size
+             : chosen.piece == ExportPiece::sample         ? sampleComplaint()
+                                                           : QString()},
         {samples_note_, of_samples},
         {sides_note_, chosen.detail == MeshDetail::centreline ? QString() : of_sides},
         {seed_note_, chosen.detail == MeshDetail::fibre ? of_seed : QString()},

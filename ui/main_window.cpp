@@ -362,8 +362,10 @@ void MainWindow::showRunEnd(SimulationRun::Outcome outcome, const QString& sente
     playback_.end();
     refreshActions();
     if (outcome == SimulationRun::Outcome::device_failed && simulation_panel_->backend() != "cpu") {
-        const auto answer = QMessageBox::question(this, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence));
-        if (answer == QMessageBox::Yes) {
+        QMessageBox box(QMessageBox::Question, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence),
+                        QMessageBox::Yes | QMessageBox::No, this);
+        box.setTextFormat(Qt::PlainText);
+        if (box.exec() == QMessageBox::Yes) {
             simulation_panel_->setBackend("cpu");
             startRun();
         }
@@ -375,6 +377,7 @@ void MainWindow::showRunEnd(SimulationRun::Outcome outcome, const QString& sente
 void MainWindow::tellProblem(const QString& sentence)
 {
     auto* box = new QMessageBox(QMessageBox::Warning, tr("Hygroloom"), sentence, QMessageBox::Ok, this);
+    box->setTextFormat(Qt::PlainText); // names of files and fabrics
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }

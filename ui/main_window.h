@@ -120,6 +120,7 @@ private:
     QByteArray states_[2];
     QByteArray first_states_[2];
     bool stale_ = false;
+    bool closing_ = false; ///< questions are being asked, or an end is awaited
 
     Viewport* viewport_ = nullptr;
     WaterMapView* maps_ = nullptr;

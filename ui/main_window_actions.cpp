@@ -261,7 +261,7 @@ void MainWindow::refreshActions()
 void MainWindow::findCommand()
 {
     CommandPalette palette(*menuBar(), this);
-    if (palette.exec() == QDialog::Accepted) {
+    if (palette.exec() == QDialog::Accepted && palette.chosen()) {
         palette.chosen()->trigger();
     }
 }

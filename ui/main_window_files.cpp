@@ -11,10 +11,12 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -251,6 +253,7 @@ bool MainWindow::mayDiscard()
     }
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
@@ -284,8 +287,12 @@ bool MainWindow::mayStopExport()
         if (!mayStop(tr("An export is in progress"), tr("Stop the export?"), tr("No file is written then."), tr("Stop the Export"))) {
             return false;
         }
-        if (export_) { // it may have ended meanwhile
+        if (export_ && export_->writing()) { // it may have ended meanwhile
             export_->cancel();
+            // Some formats are written in one go that takes seconds; until then the window is drawn, and nothing can be changed any more.
+            QEventLoop end;
+            connect(export_, &ExportDialog::ended, &end, &QEventLoop::quit);
+            end.exec(QEventLoop::ExcludeUserInputEvents);
         }
     }
     return true;
@@ -293,9 +300,17 @@ bool MainWindow::mayStopExport()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayStopRun() || !mayStopExport() || !mayDiscard()) {
+    if (closing_) {
         event->ignore();
         return;
+    }
+    const QScopedValueRollback asking(closing_, true);
+    if (!mayDiscard() || !mayStopRun() || !mayStopExport()) {
+        event->ignore();
+        return;
+    }
+    if (export_) {
+        export_->close(); // keeps its choice
     }
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
@@ -336,7 +351,7 @@ void MainWindow::refreshRecentFiles()
     const QStringList files = QSettings().value("recent").toStringList();
     for (const QString& path : files) {
         QAction* action = recent_->addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
+        action->setToolTip("<p>" + path.toHtmlEscaped() + "</p>");
         action->setStatusTip(path);
         connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
     }

@@ -249,7 +249,7 @@ void PresetGallery::describe()
     add_->setEnabled(preset != nullptr);
     remove_->setEnabled(preset && preset - presets_.data() >= static_cast<std::ptrdiff_t>(shipped_));
     if (!preset) {
-        about_->setText(problem_.isEmpty() ? tr("No fabric has these words. Take some away.") : problem_);
+        about_->setText(problem_.isEmpty() ? tr("No fabric has these words. Take some away.") : "<p>" + problem_.toHtmlEscaped() + "</p>");
         return;
     }
     const Fabric& fabric = preset->fabric();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/quantity.h"
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 
 #include <QLocale>
@@ -50,10 +51,8 @@ QString shownNumber(double value, int decimals)
 
 QString bytesText(double bytes)
 {
-    constexpr std::pair<double, const char*> units[] = {{1e9, "GB"}, {1e6, "MB"}, {1e3, "kB"}};
-    const auto& [size, name] = *std::find_if(std::begin(units), std::end(units) - 1, [&](const auto& unit) { return bytes >= 0.9995 * unit.first; });
-    const double number = bytes / size;
-    return shownNumber(number, number < 9.95 ? 1 : 0) + QChar(0x00a0) + name;
+    const ByteCount count = byte_count(bytes);
+    return shownNumber(count.number, count.decimals) + QChar(0x00a0) + count.unit;
 }
 
 Quantity Quantity::length(double minimum_mm, double maximum_mm)
@@ -196,6 +195,9 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
     const double number = match.captured(1).replace(',', '.').toDouble(&isNumber);
     if (!isNumber) {
         return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” does not begin with a number.").arg(typed.trimmed()));
+    }
+    if (decimals == 0 && number != std::round(number)) {
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a whole number.").arg(typed.trimmed()));
     }
     const QString spelled = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
     if (spelled.isEmpty()) {

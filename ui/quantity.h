@@ -25,7 +25,7 @@ struct Quantity {
     double minimum = 0;           ///< stored unit
     double maximum = 1;
     double step = 0;              ///< of an arrow key, in the shown unit; 0: a tenth of the number's own magnitude
-    int decimals = 3;
+    int decimals = 3;             ///< 0: a count, of which no fraction is taken
 
     static Quantity length(double minimum_mm, double maximum_mm);
     static Quantity linearDensity(double minimum_tex, double maximum_tex);

@@ -11,6 +11,7 @@
 #include <QStatusTipEvent>
 #include <QToolTip>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
@@ -171,11 +172,8 @@ void QuantityEdit::commit()
         typed = quantity_.parse(text(), &complaint_);
         if (!typed) {
             updateMarks();
-            QToolTip::showText(mapToGlobal(QPoint(0, height())), complaint_, this);
+            QToolTip::showText(mapToGlobal(QPoint(0, height())), "<p>" + complaint_.toHtmlEscaped() + "</p>", this);
             return;
-        }
-        if (quantity_.decimals == 0) {
-            typed = std::round(*typed);
         }
     }
     const bool changed = typed != value_;
@@ -229,9 +227,10 @@ void QuantityEdit::updateMarks()
         lines << help_;
     }
     lines << quantity_.range();
-    // Rich text, so that long sentences wrap.
-    setToolTip("<p>" + lines.join("</p><p>") + "</p>");
     setAccessibleDescription(lines.join(' '));
+    // Rich text, so that long sentences wrap.
+    std::transform(lines.begin(), lines.end(), lines.begin(), [](const QString& line) { return line.toHtmlEscaped(); });
+    setToolTip("<p>" + lines.join("</p><p>") + "</p>");
     update();
 }
 

@@ -74,6 +74,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     bar_->setAccessibleName(tr("Progress of the run"));
     layout->addWidget(bar_);
     state_->setWordWrap(true);
+    state_->setTextFormat(Qt::PlainText); // names of files and fabrics
     state_->setMinimumHeight(4 * state_->fontMetrics().lineSpacing());
     state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     state_->setAccessibleName(tr("State of the run"));
@@ -237,7 +238,7 @@ void SimulationPanel::showState()
     const bool running = run_.running();
     buttons_->setCurrentIndex(running ? 1 : 0);
     start_->setEnabled(can);
-    start_->setToolTip(can ? tr("Run the experiment on the chosen fabric (Ctrl+R).") : reason);
+    start_->setToolTip(can ? tr("Run the experiment on the chosen fabric (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
     bar_->setVisible(running);
     pause_->setText(run_.paused() ? tr("Go on") : tr("Pause"));
     pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));

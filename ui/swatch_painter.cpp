@@ -5,6 +5,7 @@
 #include "ui/appearance.h"
 #include "ui/cloth_picture.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QGuiApplication>
@@ -33,7 +34,7 @@ double sideOf(const Fabric& fabric)
 std::unique_ptr<QOffscreenSurface> swatchSurface()
 {
     const QString platform = QGuiApplication::platformName();
-    if (platform == "offscreen" || platform == "minimal") {
+    if (platform == "offscreen" || platform == "minimal" || !QOpenGLContext::supportsThreadedOpenGL()) {
         return nullptr;
     }
     auto surface = std::make_unique<QOffscreenSurface>();
@@ -62,7 +63,7 @@ SwatchPainter::~SwatchPainter()
 QImage SwatchPainter::picture(const std::shared_ptr<const Design>& design)
 {
     const QString file = fileOf(*design);
-    if (const QImage kept(file); kept.width() == pixels_) {
+    if (const QImage kept(file); kept.size() == QSize(pixels_, pixels_)) {
         QFile used(file);
         if (used.open(QIODevice::ReadWrite)) {
             used.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime); // what is looked at stays longest
@@ -72,11 +73,11 @@ QImage SwatchPainter::picture(const std::shared_ptr<const Design>& design)
     ++drawn_;
     const Fabric& fabric = design->fabrics[0];
     const double side = sideOf(fabric);
-    if (!begin()) {
+    const QImage drawn = begin() ? draw({design, 0, region_of_sample(fabric, 2 * side, 2 * side)}, side) : QImage();
+    if (drawn.isNull()) {
         const auto threads = [&](double per_cm) { return std::min(pixels_, static_cast<int>(std::lround(0.1 * side * per_cm))); };
         return clothPicture(fabric, threads(fabric.ends_per_cm), threads(fabric.picks_per_cm)).scaled(pixels_, pixels_);
     }
-    const QImage drawn = draw({design, 0, region_of_sample(fabric, 2 * side, 2 * side)}, side);
     keep(drawn, file);
     return drawn;
 }
@@ -92,6 +93,7 @@ QString SwatchPainter::fileOf(const Design& design) const
         }
     }
     hash.addData(picture_version);
+    hash.addData(QCoreApplication::applicationVersion().toUtf8() + ' ');
     for (const QColor& color : {colors_.background, colors_.warp, colors_.weft}) {
         hash.addData(color.name().toLatin1());
     }
@@ -148,6 +150,9 @@ QImage SwatchPainter::draw(const PreviewRequest& request, double side_mm)
     format.setAttachment(QOpenGLFramebufferObject::Depth);
     format.setSamples(4);
     QOpenGLFramebufferObject target(view.size.toSize(), format);
+    if (!target.isValid()) {
+        return {};
+    }
     target.bind();
     renderer_->draw(view, scene.batches(), target.size(), colors_);
     target.release();

@@ -21,7 +21,7 @@ public:
     SwatchPainter(const SwatchPainter&) = delete;
     SwatchPainter& operator=(const SwatchPainter&) = delete;
 
-    /// A piece of the design's first fabric from above, at the same scale for all but coarse ones. Where OpenGL does not work, the flat
+    /// A piece of the design's first fabric from above, at the same scale for all but coarse ones. Where OpenGL cannot draw it, the flat
     /// cloth, which is not kept. Precondition: the fabric has no error.
     QImage picture(const std::shared_ptr<const Design>& design);
     /// Pictures that were not in the folder.
@@ -31,6 +31,7 @@ private:
     QString fileOf(const Design& design) const;
     void keep(const QImage& picture, const QString& file) const;
     bool begin();
+    /// Null where there is no such large picture.
     QImage draw(const PreviewRequest& request, double side_mm);
 
     QOffscreenSurface* surface_;

@@ -75,6 +75,7 @@ WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
     warnings_->setAccessibleName(tr("Warnings about the weave"));
     for (QLabel* label : {facts_, warnings_}) {
         label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         label->setFocusPolicy(Qt::NoFocus);
     }

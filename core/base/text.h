@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// UTF-8 texts.
+// UTF-8 texts, and how counts of bytes are told.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,30 @@ inline std::string cut_text(std::string_view text, std::size_t most)
     if (text.size() <= most) return std::string(text);
     while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
     return std::string(text.substr(0, most));
+}
+
+/// A count of bytes in the unit in which people read it.
+struct ByteCount {
+    double number;
+    int decimals;
+    const char* unit;
+};
+
+inline ByteCount byte_count(double bytes)
+{
+    constexpr double least = 0.9995; // 999.6 kB are 1.0 MB
+    const double size = bytes >= least * 1e9 ? 1e9 : bytes >= least * 1e6 ? 1e6 : 1e3;
+    const double number = bytes / size;
+    return {number, number < 9.95 ? 1 : 0, size == 1e9 ? "GB" : size == 1e6 ? "MB" : "kB"};
+}
+
+/// "0.8 kB", "820 kB", "3.4 MB", "34 MB", "1.2 GB".
+inline std::string bytes_text(double bytes)
+{
+    const ByteCount count = byte_count(bytes);
+    char text[400]; // of any double
+    std::snprintf(text, sizeof text, "%.*f %s", count.decimals, count.number, count.unit);
+    return text;
 }
 
 } // namespace hygroloom

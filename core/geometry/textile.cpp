@@ -221,7 +221,10 @@ double Textile::segment_length(YarnKind kind, int end, int pick) const
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm)
 {
     // Rounded to a millionth of a pitch first, so that 2 cm at 35 ends/cm are 70 ends and not 69.
-    const auto whole = [](double crossings) { return std::max(1, static_cast<int>(std::floor(crossings + 1e-6))); };
+    const auto whole = [](double crossings) {
+        if (!(crossings >= 1)) return 1; // nor is what is not a number
+        return static_cast<int>(std::floor(std::min(crossings + 1e-6, double(largest_yarn_order))));
+    };
     return {0, 0, whole(0.1 * width_mm * fabric.ends_per_cm), whole(0.1 * height_mm * fabric.picks_per_cm)};
 }
 

@@ -106,7 +106,7 @@ struct TextileRegion {
     int picks = 0;
 };
 
-/// The whole crossings that fit a sample of the given size, at least one each way.
+/// The whole crossings that fit a sample of the given size, each way at least one and at most largest_yarn_order.
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm);
 
 /// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.

@@ -62,9 +62,14 @@ void sync(const std::filesystem::path& path, bool folder, const std::filesystem:
 std::filesystem::path behind_links(std::filesystem::path path)
 {
     std::error_code failure;
+    const std::filesystem::path given = path;
     constexpr int most_links = 40; // as the kernel
-    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i)
-        path = path.parent_path() / std::filesystem::read_symlink(path, failure);
+    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i) {
+        const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
+        if (failure) fail(given, "The link cannot be followed", failure.value());
+        path = path.parent_path() / next;
+    }
+    if (std::filesystem::is_symlink(path, failure)) fail(given, "The link cannot be followed", ELOOP);
     return path;
 }
 
@@ -98,6 +103,7 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
         if (std::filesystem::is_directory(given, failure)) throw FileError(given.string() + ": This is a folder; give the name of a file.");
         Place place{behind_links(given)};
         place.there = std::filesystem::exists(place.target, failure);
+        if (failure == std::errc::filename_too_long) fail(given, "The file cannot be written", failure.value());
         if (place.there && ::stat(place.target.c_str(), &place.old) == 0 && !S_ISREG(place.old.st_mode))
             throw FileError(given.string() + ": This is not a regular file.");
         if (place.there && ::access(place.target.c_str(), W_OK) != 0) fail(given, "The file cannot be replaced", errno);

@@ -36,6 +36,7 @@ std::string line_and_column(std::string_view text, std::size_t byte)
 std::string reason(const std::string& message)
 {
     std::string text = message;
+    if (const auto close = text.find("] "); text.starts_with('[') && close != std::string::npos) text.erase(0, close + 2);
     if (const auto tail = text.find(" - "); tail != std::string::npos)
         text = text.substr(tail + 3);
     else if (const auto colon = text.rfind(": "); colon != std::string::npos)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What is common to all formats: which can hold what, how large it gets, and the files put in place at the end.
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/design/weave_analysis.h"
 #include "core/project/atomic_file.h"
 #include "core/project/export_private.h"
@@ -37,8 +38,6 @@ std::string lower(std::string text)
     return text;
 }
 
-std::string human(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes); }
-
 std::string refusal(const ExportJob& job, const ExportEstimate& size, const GltfLayout& layout)
 {
     const MeshFormatTraits& format = traits(job.format);
@@ -72,11 +71,11 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
         return fmt::format(
             "One yarn alone is so long and fine that the pieces in the making would take {} of memory, and at most {} are used; "
             "take fewer samples or sides, or a smaller piece.",
-            human(size.memory), human(largest_stream_memory));
+            bytes_text(size.memory), bytes_text(largest_stream_memory));
     if (!format.streamed && size.memory > largest_scene_memory)
         return fmt::format("The {} file would take about {} of memory while it is made, and at most {} are used. Write .obj, .ply, .stl, "
                            ".glb or .gltf, which need little, or take a smaller piece.",
-                           format.name, human(size.memory), human(largest_scene_memory));
+                           format.name, bytes_text(size.memory), bytes_text(largest_scene_memory));
     return {};
 }
 
@@ -88,21 +87,16 @@ std::uint32_t fingerprint(const std::string& text)
     return hash;
 }
 
-/// The files beside the main one.
-std::vector<std::filesystem::path> companions(const ExportJob& job, const std::filesystem::path& path, std::size_t buffers)
+/// Of the files beside the main one, without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of
+/// glTF decodes a URI.
+std::string companion_stem(const std::string& name)
 {
-    std::vector<std::filesystem::path> files;
-    // Names without blanks and the like: an OBJ names its materials up to the first blank, and not every reader of glTF decodes a URI.
-    const std::string name = path.stem().string();
-    std::string stem = name;
+    constexpr std::size_t longest = 200; // bytes; a disk takes names of 255, and something follows
+    std::string stem = cut_text(name, longest);
     for (char& c : stem)
         if (static_cast<unsigned char>(c) <= ' ' || std::strchr("%#?&<>\"\\", c)) c = '_';
     if (stem != name) stem += fmt::format("-{:08x}", fingerprint(name)); // "a b" and "a_b" have files of their own
-    if (job.format == MeshFormat::obj && !job.wet()) files.push_back(path.parent_path() / (stem + ".mtl"));
-    if (job.format == MeshFormat::gltf)
-        for (std::size_t i = 0; i < buffers; ++i)
-            files.push_back(path.parent_path() / (stem + (i == 0 ? std::string() : fmt::format("-{}", i + 1)) + ".bin"));
-    return files;
+    return stem;
 }
 
 /// Whose size is known within a quarter only.
@@ -228,6 +222,7 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
 {
     const ExportJob job = export_job(textile, fabric, options, format);
     ExportEstimate size;
+    if (format == MeshFormat::obj && !job.wet()) size.files = 2;
     size.yarns = static_cast<std::size_t>(textile.ends() + textile.picks());
     if (static_cast<double>(textile.ends()) * textile.picks() > most_crossings) {
         size.refusal = fmt::format("The piece has {} x {} crossings; at most {:.0f} million are exported. Take a smaller piece.",
@@ -254,6 +249,7 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
     case MeshFormat::glb:
     case MeshFormat::gltf: {
         layout = gltf_layout(job);
+        if (format == MeshFormat::gltf) size.files = 1 + layout.buffers.size();
         for (std::uint64_t buffer : layout.buffers) size.bytes += static_cast<double>(buffer);
         const bool glb = format == MeshFormat::glb;
         std::vector<std::string> names;
@@ -267,8 +263,19 @@ ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, con
     case MeshFormat::usda: size.bytes = usda_bytes(job, size); break;
     default: size.bytes = scene_bytes(job, size); size.memory = scene_memory(job, size);
     }
+    size.most_bytes = is_text(format) ? 1.25 * size.bytes : size.bytes;
     size.refusal = refusal(job, size, layout);
     return size;
+}
+
+std::vector<std::filesystem::path> files_of_export(const std::filesystem::path& path, const ExportEstimate& size)
+{
+    std::vector<std::filesystem::path> files{path};
+    const std::string stem = companion_stem(path.stem().string());
+    const std::string ending = mesh_format_of(path) == MeshFormat::gltf ? ".bin" : ".mtl";
+    for (std::size_t i = 1; i < size.files; ++i)
+        files.push_back(path.parent_path() / (stem + (i == 1 ? std::string() : fmt::format("-{}", i)) + ending));
+    return files;
 }
 
 Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,
@@ -282,13 +289,12 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
     if (!size.refusal.empty()) throw Error(size.refusal);
     std::error_code failure;
     const auto space = std::filesystem::space(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failure);
-    const double most_bytes = is_text(format) ? 1.25 * size.bytes : size.bytes;
-    if (!failure && most_bytes > static_cast<double>(space.available))
-        throw FileError(fmt::format("{}: The file would have up to {}, and the disk has {} left.", path.string(), human(most_bytes),
-                                    human(static_cast<double>(space.available))));
+    if (!failure && size.most_bytes > static_cast<double>(space.available))
+        throw FileError(fmt::format("{}: The file would have up to {}, and the disk has {} left.", path.string(),
+                                    bytes_text(size.most_bytes), bytes_text(static_cast<double>(space.available))));
 
-    const std::size_t buffers = format == MeshFormat::gltf ? gltf_layout(job).buffers.size() : 0;
-    std::vector<std::filesystem::path> files = companions(job, path, buffers);
+    Exported exported{files_of_export(path, size), 0};
+    std::vector<std::filesystem::path> files(exported.files.begin() + 1, exported.files.end());
     std::vector<std::string> names;
     for (const auto& file : files) names.push_back(file.filename().string());
     files.push_back(path);
@@ -306,9 +312,6 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
         }
         tell(job, 1);
     });
-    Exported exported;
-    exported.files.assign(files.rbegin(), files.rend());
-    std::reverse(exported.files.begin() + 1, exported.files.end());
     for (const auto& file : exported.files) exported.bytes += std::filesystem::file_size(file);
     return exported;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A textile as meshes and curves for other programs. Most formats are written piece by piece, so that memory follows the
-// longest yarn or fibre and not the textile. Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in centimetres, with y out of it.
+// longest yarn or fibre and not the textile. Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in
+// centimetres, with y out of it.
 #pragma once
 
 #include "core/geometry/mesh_stream.h"
@@ -38,12 +39,17 @@ struct ExportEstimate {
     std::size_t vertices = 0;  ///< exact; of curves, their points
     std::size_t triangles = 0; ///< exact; 0 of curves
     double bytes = 0;          ///< of all files: exact for binary formats that are streamed, else within a quarter
+    double most_bytes = 0;     ///< that the disk must have room for
     double memory = 0;         ///< bytes: of the whole scene, or of the pieces in the making for formats that are streamed
+    std::size_t files = 1;     ///< the asked-for one and those beside it
     std::string refusal;       ///< why it cannot be written, a sentence; empty when it can
 };
 
 /// What export_textile() would write, without making it.
 ExportEstimate export_estimate(const Textile& textile, const Fabric& fabric, const ExportOptions& options, MeshFormat format);
+
+/// All that an export writes, the asked-for one first. Those beside it (.mtl, .bin) take its name, of which long or odd parts are replaced.
+std::vector<std::filesystem::path> files_of_export(const std::filesystem::path& path, const ExportEstimate& size);
 
 /// What was written.
 struct Exported {
@@ -54,10 +60,9 @@ struct Exported {
 /// Gets the share done, 0 .. 1, and returns false to cancel.
 using ExportProgress = std::function<bool(double share)>;
 
-/// Yarns are named warp_000, weft_000 (not in PLY, STL and 3MF) and have their own colours (not in STL and 3MF). Files beside the main one
-/// (.mtl, .bin) take its name. Everything goes to temporary files, renamed at the end. fabric is the one the textile was built from. Throws
-/// Error with the estimate's refusal, FileError, or Cancelled; no file is changed then, unless one of several files cannot be renamed
-/// after others were.
+/// Yarns are named warp_000, weft_000 (not in PLY, STL and 3MF) and have their own colours (not in STL and 3MF). Everything goes to
+/// temporary files, renamed at the end. fabric is the one the textile was built from. Throws Error with the estimate's refusal, FileError,
+/// or Cancelled; no file is changed then, unless one of several files cannot be renamed after others were.
 Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,
                         const ExportProgress& progress = {});
 

@@ -66,6 +66,8 @@ std::string from_windows_1252(std::string_view bytes)
     return text;
 }
 
+std::string in_utf8(std::string_view bytes) { return is_utf8(bytes) ? std::string(bytes) : from_windows_1252(bytes); }
+
 bool is_foreign(std::string_view name) { return !name.empty() && !is_wif_section(name); }
 
 bool all_digits(std::string_view text)
@@ -233,10 +235,10 @@ std::string decoded_text(std::string_view bytes, const std::string& name)
         throw FileError(name + ": The text is UTF-16; save it as plain text (UTF-8) and import it again.");
     if (bytes.find('\0') != std::string_view::npos) throw FileError(name + ": This is no text file: it holds bytes of value 0.");
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-    return is_utf8(bytes) ? std::string(bytes) : from_windows_1252(bytes);
+    return in_utf8(bytes);
 }
 
-std::string name_of_file(const std::string& path) { return decoded_text(std::filesystem::path(path).stem().string(), path); }
+std::string name_of_file(const std::string& path) { return in_utf8(std::filesystem::path(path).stem().string()); }
 
 std::string_view take_line(std::string_view& text)
 {

@@ -48,6 +48,7 @@ private Q_SLOTS:
         QTest::newRow("size and repeats") << QStringList{"export", f, "--repeats", "2x2", "--size-mm", "5x5", "-o", "x.obj"};
         QTest::newRow("time without water") << QStringList{"export", f, "--time", "1", "-o", "x.obj"};
         QTest::newRow("too large") << QStringList{"export", f, "--detail", "fibre", "--size-mm", "100x100", "-o", "x.glb"};
+        QTest::newRow("time of a word") << QStringList{"export", f, "--water", "x.hygrorec", "--time", "1s", "-o", "x.obj"};
         QTest::newRow("no such format") << QStringList{"export", f, "-o", "x.dwg"};
         QTest::newRow("no size") << QStringList{"export", f, "--size-mm", "5", "-o", "x.obj"};
         QTest::newRow("map without file") << QStringList{"measure", "x.hygrorec", "--map", "top"};

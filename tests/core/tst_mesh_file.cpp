@@ -397,6 +397,34 @@ private Q_SLOTS:
         }
         QCOMPARE(materials.size(), std::size_t(3));
     }
+    void longNamesHaveShorterOnesBesideThem()
+    {
+        const Textile textile = cloth();
+        std::string name;
+        while (name.size() < 245) name += "\xC3\xA4 "; // as long as a disk takes it, and odd
+        std::set<fs::path> materials;
+        for (const char* end : {"1", "2"}) {
+            const Exported exported = export_textile(textile, fabric(), with(MeshDetail::yarn), path(name + end + ".obj"));
+            QVERIFY(exported.files[1].filename().string().size() < 220);
+            QVERIFY(QString::fromStdString(exported.files[1].filename().string()).toUtf8().toStdString() == exported.files[1].filename());
+            materials.insert(exported.files[1]);
+        }
+        QCOMPARE(materials.size(), std::size_t(2));
+    }
+    void theFilesAreForetold()
+    {
+        const Textile textile = cloth();
+        ExportOptions wet = with(MeshDetail::yarn);
+        wet.saturation.assign(static_cast<std::size_t>(textile.segments()), 0.5f);
+        for (const char* name : {"cloth.obj", "a b.gltf", "cloth.ply", "cloth.dae"})
+            for (const ExportOptions& options : {with(MeshDetail::yarn), wet}) {
+                const ExportEstimate size = export_estimate(textile, fabric(), options, mesh_format_of(name));
+                const Exported exported = export_textile(textile, fabric(), options, path(name));
+                QCOMPARE(files_of_export(path(name), size), exported.files);
+                QVERIFY(static_cast<double>(exported.bytes) <= size.most_bytes + 100); // a glTF names its buffers
+                clear();
+            }
+    }
     void glTFBuffersAreNumbered()
     {
         // A buffer ends at 2 GiB: foretold, not written.
@@ -404,6 +432,11 @@ private Q_SLOTS:
         const ExportEstimate size = export_estimate(large, fabric(), with(MeshDetail::yarn), MeshFormat::gltf);
         QVERIFY(size.bytes > 4294967296.0);
         QCOMPARE(size.refusal, std::string());
+        const std::vector<fs::path> files = files_of_export("x/large.gltf", size);
+        QCOMPARE(files.size(), size.files);
+        QVERIFY(files.size() > 2);
+        QCOMPARE(files[1], fs::path("x/large.bin"));
+        QCOMPARE(files[2], fs::path("x/large-2.bin"));
     }
 };
 

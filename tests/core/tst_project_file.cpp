@@ -194,7 +194,7 @@ private Q_SLOTS:
         row("comma too many", replaced(good, "0.2,", "0.2,,"), "line 10, column 28");
         row("two documents", good + "{}", "not valid JSON");
         row("not utf-8", replaced(good, "Textile F", "Textile \xff"), "line 7, column");
-        row("a number too large", replaced(good, "0.635", "1e999"), "not valid JSON");
+        row("a number too large", replaced(good, "0.635", "1e999"), "This is not valid JSON: number overflow parsing '1e999'.");
         row("NaN", replaced(good, "0.635", "NaN"), "line");
         row("a list", "[1, 2]", "must be an object");
         row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""),
@@ -294,6 +294,22 @@ private Q_SLOTS:
         write_project(rich(), dangling);
         QVERIFY(fs::is_symlink(dangling) && fs::is_regular_file(later));
         QVERIFY(read_project(file) == rich());
+    }
+    void aLoopOfLinksIsRefused()
+    {
+        fs::create_directory(path("loop"));
+        fs::create_symlink("b.hygro", path("loop/a.hygro"));
+        fs::create_symlink("a.hygro", path("loop/b.hygro"));
+        QVERIFY(has(message_of([&] { write_project(rich(), path("loop/a.hygro")); }), "The link cannot be followed"));
+        QVERIFY(fs::is_symlink(path("loop/a.hygro")) && fs::is_symlink(path("loop/b.hygro")));
+        QCOMPARE(files_in(path("loop")), 2);
+    }
+    void aNameThatIsTooLongIsRefusedBeforeAnythingIsWritten()
+    {
+        bool began = false;
+        const auto write = [&](const fs::path&) { began = true; };
+        QVERIFY(has(message_of([&] { write_file_with(path(std::string(300, 'n').c_str()), write); }), "The file cannot be written"));
+        QVERIFY(!began);
     }
     void failedSaveLeavesEverythingAsItWas()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/text.h"
 #include "core/base/units.h"
 
 #include <QTest>
@@ -33,6 +34,15 @@ private Q_SLOTS:
         QVERIFY(near(per_cm_from_per_inch(88.9), 35, 1e-9));
     }
     void waterFreezesAtTwoHundredSeventyThreeKelvin() { QCOMPARE(kelvin_from_celsius(0), 273.15); }
+    void bytesAreToldInTheUnitThatReadsBest()
+    {
+        QCOMPARE(bytes_text(80), std::string("0.1 kB"));
+        QCOMPARE(bytes_text(820e3), std::string("820 kB"));
+        QCOMPARE(bytes_text(999.6e3), std::string("1.0 MB"));
+        QCOMPARE(bytes_text(34.4e6), std::string("34 MB"));
+        QCOMPARE(bytes_text(1.25e9 - 1), std::string("1.2 GB"));
+        QCOMPARE(bytes_text(123456e9), std::string("123456 GB"));
+    }
     void aMicrolitreIsACubicMillimetre() { QVERIFY(near(cubic_metre_from_ul(1), 1e-9, 1e-24)); }
 };
 

@@ -297,6 +297,10 @@ private Q_SLOTS:
         }
         QVERIFY(QString::fromStdString(refusal(std::string("\xFF\xFE[\0W\0", 6))).contains("UTF-16"));
     }
+    void aFilesNameIsNoText()
+    {
+        QCOMPARE(import_wif(twill(), "\xFF\xFEown.wif").fabric.name, std::string("\xC3\xBF\xC3\xBEown")); // as Windows-1252
+    }
     void oddity14_numbersNobodySetAreNotTakenForReal()
     {
         DraftImport draft = import_text(twill({}, "Threads=4\nUnits=Centimeters\nSpacing=0.212\nThickness=0.212\n"));

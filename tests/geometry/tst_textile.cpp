@@ -302,6 +302,13 @@ private Q_SLOTS:
         QCOMPARE(region.picks, 35);
         QCOMPARE(region_of_sample(design.fabrics[0], 0.01, 0.01).ends, 1);
     }
+    void aSampleOfNoSizeOrAnImpossibleOneStillHasCountableThreads()
+    {
+        const Fabric& fabric = example("textile-F").fabrics[0];
+        QCOMPARE(region_of_sample(fabric, 1e12, -5).ends, largest_yarn_order);
+        QCOMPARE(region_of_sample(fabric, 1e12, -5).picks, 1);
+        QCOMPARE(region_of_sample(fabric, std::nan(""), 10).ends, 1);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestTextile)

@@ -163,6 +163,92 @@ private Q_SLOTS:
         QCOMPARE(text("Result of the export"), QString());
     }
 
+    void cancellingAtOnceEndsIt()
+    {
+        dialog_->setFile(folder_->filePath("cloth.ply"));
+        for (int i = 0; i < 20; ++i) {
+            QSignalSpy ended(dialog_.get(), &ExportDialog::ended);
+            dialog_->start();
+            QVERIFY(dialog_->writing());
+            dialog_->cancel();
+            QVERIFY(!button("Cancelling…")->isEnabled());
+            QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 10000);
+            QVERIFY(!dialog_->writing());
+            QVERIFY(button("Close")->isEnabled());
+            QVERIFY(QDir(folder_->path()).isEmpty(QDir::Files | QDir::Hidden));
+        }
+    }
+
+    void filesBesideTheMainOneAreReplacedOnlyWhenAgreed()
+    {
+        for (const char* name : {"cloth.mtl", "cloth.bin"}) {
+            QFile other(folder_->filePath(name));
+            QVERIFY(other.open(QIODevice::WriteOnly));
+            other.write("of another program");
+        }
+        for (const auto& [name, beside] : {std::pair("cloth.obj", "cloth.mtl"), std::pair("cloth.gltf", "cloth.bin")}) {
+            dialog_->setFile(folder_->filePath(name));
+            for (const bool estimated : {false, true}) {
+                if (estimated) {
+                    waitForText("Size of the export", "about");
+                }
+                const QString asked = startAnswering(QMessageBox::No);
+                QVERIFY2(asked.startsWith(QString(beside) + " is there already."), qPrintable(asked));
+                QVERIFY(!dialog_->writing());
+                QCOMPARE(contents(beside), QByteArray("of another program"));
+            }
+        }
+    }
+
+    void agreeingHoldsForOneExport()
+    {
+        dialog_->setFile(folder_->filePath("cloth.obj"));
+        write();
+        const QString asked = startAnswering(QMessageBox::No);
+        QVERIFY2(asked.startsWith("cloth.obj and cloth.mtl are there already."), qPrintable(asked));
+        QVERIFY(!dialog_->writing());
+    }
+
+    void aNameWithAFolderStaysWhereItIs()
+    {
+        QVERIFY(QDir(folder_->path()).mkpath("a/a"));
+        dialog_->setFile(folder_->filePath("first.ply"));
+        write();
+        dialog_->setFile("a/cloth.ply"); // in the folder of the one before
+        write();
+        QVERIFY(QFile::exists(folder_->filePath("a/cloth.ply")));
+        QCOMPARE(text("File"), QDir::toNativeSeparators(folder_->filePath("a/cloth.ply")));
+        QVERIFY(startAnswering(QMessageBox::Yes).startsWith("cloth.ply is there already."));
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->writing(), 10000);
+        QVERIFY(!QFile::exists(folder_->filePath("a/a/cloth.ply")));
+    }
+
+    void aSampleThatCannotBeIsRefused()
+    {
+        dialog_->setFile(folder_->filePath("cloth.ply"));
+        choose("Piece", 2);
+        document_.edit("sample", {}, [](Design& design) { design.experiments[0].sample_mm[0] = 1e12; });
+        waitForNote("sample's size");
+        QVERIFY(!button("Export")->isEnabled());
+        document_.edit("sample", {}, [](Design& design) { design.experiments[0].sample_mm[0] = 2; });
+        QTRY_VERIFY_WITH_TIMEOUT(button("Export")->isEnabled(), 5000);
+    }
+
+    void namesAreShownAsTheyAre()
+    {
+        document_.edit("name", {}, [](Design& design) { design.fabrics[0].name = "<b>cloth</b>"; });
+        dialog_->setFile(folder_->filePath("nowhere<br>/cloth.ply"));
+        waitForNote("nowhere<br>");
+        dialog_->setFile(folder_->filePath("a<i>b.gltf"));
+        write();
+        for (const QLabel* label : dialog_->findChildren<QLabel*>()) {
+            QVERIFY2(label->textFormat() == Qt::PlainText || !Qt::mightBeRichText(label->text()), qPrintable(label->text()));
+        }
+        Qt::TextFormat format = Qt::AutoText;
+        QVERIFY(startAnswering(QMessageBox::No, &format).contains("a<i>b.gltf"));
+        QCOMPARE(format, Qt::PlainText);
+    }
+
     void aFileIsReplacedOnlyWhenAgreed()
     {
         QFile old(folder_->filePath("cloth.ply"));
@@ -187,6 +273,9 @@ private Q_SLOTS:
         dialog_->setFile(folder_->filePath("cloth.obj"));
         type("Repeats along the weft", "0");
         waitForNote("Allowed: 1 to");
+        QVERIFY(!button("Export")->isEnabled());
+        type("Repeats along the weft", "1.5");
+        waitForNote("“1.5” is not a whole number.");
         QVERIFY(!button("Export")->isEnabled());
         type("Repeats along the weft", "many");
         waitForNote("does not begin with a number");
@@ -297,6 +386,24 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(button("Export")->isEnabled(), 5000);
         button("Export")->click();
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+    }
+
+    /// Starts the export and presses this button when it asks; returns the question.
+    QString startAnswering(QMessageBox::StandardButton answer, Qt::TextFormat* format = nullptr)
+    {
+        QString question;
+        QObject meanwhile;
+        QTimer::singleShot(0, &meanwhile, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                question = box->text();
+                if (format) {
+                    *format = box->textFormat();
+                }
+                box->button(answer)->click();
+            }
+        });
+        dialog_->start();
+        return question;
     }
 
     QByteArray contents(const QString& name)

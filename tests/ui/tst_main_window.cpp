@@ -21,9 +21,12 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPlainTextEdit>
+#include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -333,10 +336,46 @@ private Q_SLOTS:
         QVERIFY(!window_->close());
         QVERIFY(asked);
         QVERIFY(dialog->writing());
-        dialog->cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 10000);
-        dialog->close();
+
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                for (QAbstractButton* button : box->buttons()) {
+                    if (button->text().remove('&') == "Stop the Export") {
+                        QTest::mouseClick(button, Qt::LeftButton);
+                    }
+                }
+            }
+        });
+        QVERIFY(window_->close());
+        QCOMPARE(ended.count(), 1);
         QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+        QCOMPARE(QSettings().value("export/detail").toInt(), 2); // the choice is kept
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+
+    void closingAsksAboutChangesBeforeItStopsAnExport()
+    {
+        QTemporaryDir folder;
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm += 1; });
+        trigger("Export Mesh");
+        auto* dialog = window_->findChild<ExportDialog*>();
+        dialog->setFile(folder.filePath("large.ply"));
+        dialog->start();
+        QVERIFY(dialog->writing());
+        QStringList questions;
+        QTimer::singleShot(100, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                questions << box->windowTitle();
+                QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+            }
+        });
+        QVERIFY(!window_->close());
+        QCOMPARE(questions, QStringList{"Unsaved changes"});
+        dialog->cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog->writing(), 10000);
+        dialog->close();
+        window_->document().history()->undo();
     }
 
     void anyCommandIsFoundByAFewLetters()
@@ -358,6 +397,35 @@ private Q_SLOTS:
         QVERIFY(!palette.chosen());
     }
 
+    void theFieldOfCommandsIsTypedIntoAnywhereAndUndone()
+    {
+        CommandPalette palette(*window_->menuBar());
+        palette.show();
+        auto* words = palette.findChild<QLineEdit*>();
+        QTest::keyClicks(words, "mesh xp");
+        words->setCursorPosition(5);
+        QTest::keyClicks(words, "ex");
+        QCOMPARE(words->text(), QString("mesh exxp"));
+        QCOMPARE(words->cursorPosition(), 7);
+        QCOMPARE(palette.shown(), 0);
+        QVERIFY(words->isUndoAvailable());
+        words->undo();
+        QCOMPARE(words->text(), QString("mesh xp"));
+    }
+
+    void aCommandThatIsGoneIsNotDone()
+    {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu("File");
+        QAction* recent = menu->addAction("cloth.hygro");
+        CommandPalette palette(bar);
+        palette.search("cloth");
+        QCOMPARE(palette.chosen(), recent);
+        delete recent;
+        QCOMPARE(palette.shown(), 1);
+        QVERIFY(!palette.chosen());
+    }
+
     void ctrlKDoesWhatIsChosen()
     {
         window_->setWorkspace(Workspace::design);
@@ -371,6 +439,43 @@ private Q_SLOTS:
         QCOMPARE(window_->workspace(), Workspace::simulate);
     }
 
+    void highContrastOutlinesEveryControl()
+    {
+        applyAppearance(Appearance::contrast);
+        QWidget page;
+        page.resize(300, 300);
+        auto* radio = new QRadioButton(&page);
+        radio->setGeometry(10, 10, 100, 24);
+        auto* slider = new QSlider(Qt::Horizontal, &page);
+        slider->setGeometry(10, 50, 200, 24);
+        auto* text = new QPlainTextEdit(&page);
+        text->setGeometry(10, 90, 100, 60);
+        auto* list = new QListWidget(&page);
+        list->setGeometry(10, 160, 100, 60);
+        page.show();
+        const QImage picture = page.grab().toImage();
+        const auto brightest = [&](QRect where) {
+            int most = 0;
+            for (int y = where.top(); y <= where.bottom(); ++y) {
+                for (int x = where.left(); x <= where.right(); ++x) {
+                    most = std::max(most, qGray(picture.pixel(x, y)));
+                }
+            }
+            return most;
+        };
+        const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
+        const int least = background + 160; // 21 : 1 is 255
+        QVERIFY(brightest(radio->geometry().adjusted(0, 0, -76, 0)) > least); // without its words
+        QVERIFY(brightest(QRect(slider->geometry().center(), QSize(90, 12)).translated(0, -6)) > least); // the groove
+        QVERIFY(brightest(QRect(slider->geometry().topLeft(), QSize(12, 24))) > least);                 // the handle
+        for (const QWidget* framed : {static_cast<QWidget*>(text), static_cast<QWidget*>(list)}) {
+            const QRect place = framed->geometry();
+            QVERIFY(brightest(QRect(place.topLeft(), QSize(1, place.height()))) > least);
+            QVERIFY(brightest(QRect(place.bottomLeft(), QSize(place.width(), 1))) > least);
+        }
+        applyAppearance(Appearance::light);
+    }
+
     void everyLookCanBeChosenAndIsKept()
     {
         for (const Appearance look : {Appearance::contrast, Appearance::dark, Appearance::light}) {
@@ -382,6 +487,15 @@ private Q_SLOTS:
                 QTRY_VERIFY2_WITH_TIMEOUT(drawsInTheLooksInk(heading), heading, 2000);
             }
         }
+    }
+
+    void aFilesNameIsToldAsItIs()
+    {
+        QVERIFY(!window_->openFile("/nowhere/a<i>b.hygro"));
+        auto* box = window_->findChild<QMessageBox*>();
+        QVERIFY(box && box->text().contains("a<i>b.hygro"));
+        QCOMPARE(box->textFormat(), Qt::PlainText);
+        box->close();
     }
 
     void closingAsksAboutUnsavedChanges()

@@ -89,6 +89,31 @@ private Q_SLOTS:
         QVERIFY(edit.text().startsWith("0.2"));
     }
 
+    void aCountTakesNoFraction()
+    {
+        QuantityEdit edit(Quantity::count(1, 10));
+        edit.setValue(2);
+        QSignalSpy edited(&edit, &QuantityEdit::edited);
+        type(edit, "2.5");
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(edit.value(), std::optional<double>(2));
+        QVERIFY(edit.toolTip().contains("“2.5” is not a whole number."));
+        type(edit, "3.0");
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(edit.value(), std::optional<double>(3));
+    }
+
+    void whatWasTypedIsToldAsItIs()
+    {
+        QuantityEdit edit(Quantity::length(0.01, 5));
+        edit.setValue(0.2);
+        type(edit, "<i>thick");
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QVERIFY2(edit.toolTip().contains("“&lt;i&gt;thick”"), qPrintable(edit.toolTip()));
+        QVERIFY(edit.accessibleDescription().contains("“<i>thick”"));
+    }
+
     void arrowKeysStepSensibly()
     {
         QuantityEdit sett(Quantity::sett(1, 200));

@@ -86,6 +86,21 @@ private Q_SLOTS:
         QCOMPARE(painter.drawn(), 3);
     }
 
+    void itIsDrawnAnewByAnotherVersionOrWhenTheFileIsNotWhatItWas()
+    {
+        SwatchPainter painter = painterFor(surface_.get());
+        painter.picture(design());
+        QCoreApplication::setApplicationVersion("another");
+        painter.picture(design());
+        QCoreApplication::setApplicationVersion({});
+        QCOMPARE(painter.drawn(), 2);
+        for (const QString& name : QDir(folder_->path()).entryList({"*.png"})) {
+            QVERIFY(QImage(pixels, 1, QImage::Format_RGB32).save(folder_->filePath(name)));
+        }
+        QCOMPARE(painter.picture(design()).height(), pixels);
+        QCOMPARE(painter.drawn(), 3);
+    }
+
     void anotherThreadMayDraw()
     {
         QImage picture;
