@@ -2,7 +2,9 @@
 // Every type of experiment on a small sample: balanced after every step, within its bounds, and in the direction it must go.
 #include "core/analysis/metrics.h"
 #include "core/base/units.h"
+#include "core/sim/backend.h"
 #include "core/sim/cpu_executor.h"
+#include "core/sim/runner.h"
 #include "core/sim/scene.h"
 #include "core/sim/solver.h"
 #include "tests/support/drop_design.h"

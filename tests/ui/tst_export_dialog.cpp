@@ -165,6 +165,10 @@ private Q_SLOTS:
 
     void cancellingAtOnceEndsIt()
     {
+        choose("Detail", 2); // more than is written before one can cancel
+        choose("Piece", 1);
+        type("Width along the weft", "15");
+        type("Height along the warp", "15");
         dialog_->setFile(folder_->filePath("cloth.ply"));
         for (int i = 0; i < 20; ++i) {
             QSignalSpy ended(dialog_.get(), &ExportDialog::ended);
