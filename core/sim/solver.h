@@ -102,6 +102,7 @@ private:
 
     void load_segments();
     void note_start(std::vector<double>& regain);
+    double largest_change(const YarnParameters& yarn) const;
     void set_climate();
     double next_event() const;
     /// Short steps again: something sudden has happened.

@@ -29,6 +29,16 @@ struct TrackChange {
     }
 };
 
+/// How far a yarn's regain is from what the air of any moment asks for.
+template <typename Executor> double Solver<Executor>::largest_change(const YarnParameters& yarn) const
+{
+    double change = std::abs(yarn.initial_regain - yarn.resting_regain);
+    for (const SceneClimate& moment : scene_.course)
+        change = std::max(change, std::abs(yarn.initial_regain - equilibrium_regain(yarn.isotherm, moment.humidity,
+                                                                                     scene_.climate.temperature + moment.air_warmth)));
+    return change;
+}
+
 template <typename Executor> void Solver<Executor>::load_segments()
 {
     const auto n = static_cast<std::size_t>(scene_.segments());
@@ -70,6 +80,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     const double pore_vapour = humidity * saturation_concentration(climate.temperature + scene_.initial_warmth);
     const Yarns yarns = yarns_on_host();
     water_scale_ = heat_scale_ = 0;
+    constexpr double least_change = 1e-3; // of regain: where nothing is to change, nothing is to be followed more closely
     for (std::size_t i = 0; i < n; ++i) {
         const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
         const double liquid = scene_.initial_liquid.empty() ? 0.0 : scene_.initial_liquid[i];
@@ -78,7 +89,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
         pores[i] = std::max({0.05 * dry, liquid / climate.density, dry - scene_.swelling * yarn.initial_regain * fibres});
         vapour[i] = pore_vapour * pore_air(pores[i], liquid, climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
-        water_scale_ += (scene_.sorption ? std::abs(yarn.initial_regain - yarn.resting_regain) * fibres : 0.0);
+        if (scene_.sorption) water_scale_ += fibres * std::max(least_change, largest_change(yarn));
         heat_scale_ += 50.0 * heat_capacity(yarn, scene_.length[i], liquid); // K: temperatures settle at once, so errors of steps do not add up
     }
     // What is still to come counts too, or the first drops would have to be followed exactly.

@@ -168,6 +168,15 @@ private Q_SLOTS:
         const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
         QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
     }
+    void theClothFollowsTheAir()
+    {
+        Design design = small(ExperimentType::conditioning);
+        design.experiments[0].initial = design.experiments[0].climate;
+        design.experiments[0].climates = {{600, {35, 0.3, 1}}};
+        const Result result = run(design);
+        QVERIFY(std::abs(result.frames.back().temperature[0] - kelvin_from_celsius(35)) < 0.2);
+        QVERIFY(result.metrics.conditioning->regain_end < result.metrics.conditioning->regain_start - 0.02);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestExperiments)
