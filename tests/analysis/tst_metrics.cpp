@@ -124,6 +124,52 @@ private Q_SLOTS:
         collector.add(f);
         QVERIFY(!collector.metrics().absorbency_time);
     }
+    void waterAtTheEdgeIsToldOf_data()
+    {
+        QTest::addColumn<ExperimentType>("type");
+        QTest::addColumn<bool>("along_weft");
+        QTest::addColumn<double>("x"); // mm, of the stain's middle on a sample of 10 mm
+        QTest::addColumn<double>("y");
+        QTest::addColumn<QString>("told");
+        const QString edge = "Water reached the edge of the sample after 3 s; the radius afterwards is limited by the sample's size.";
+        const QString strip = "Water reached the upper end of the strip after 3 s; the height afterwards is limited by the strip's length.";
+        using Type = ExperimentType;
+        QTest::newRow("a drop's stain inside") << Type::droplet << false << 0.0 << 0.0 << QString();
+        QTest::newRow("a drop's stain at the left") << Type::droplet << false << -3.0 << 0.0 << edge;
+        QTest::newRow("at the right") << Type::moisture_management << false << 3.0 << 0.0 << edge;
+        QTest::newRow("at the bottom") << Type::horizontal_wicking << false << 0.0 << -3.0 << edge;
+        QTest::newRow("at the top") << Type::horizontal_wicking << false << 0.0 << 3.0 << edge;
+        QTest::newRow("a strip's sides are always wet") << Type::vertical_wicking << false << -3.0 << 0.0 << QString();
+        QTest::newRow("a strip's lower end hangs in the liquid") << Type::vertical_wicking << false << 0.0 << -3.0 << QString();
+        QTest::newRow("a strip's upper end") << Type::vertical_wicking << false << 0.0 << 3.0 << strip;
+        QTest::newRow("of a strip along the weft") << Type::vertical_wicking << true << 3.0 << 0.0 << strip;
+        QTest::newRow("sweat comes everywhere") << Type::sweat << false << 3.0 << 0.0 << QString();
+        QTest::newRow("a wet sample dries") << Type::drying << false << 3.0 << 0.0 << QString();
+    }
+    void waterAtTheEdgeIsToldOf()
+    {
+        QFETCH(ExperimentType, type);
+        QFETCH(bool, along_weft);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(QString, told);
+        RunRecord run;
+        run.design = drop_design();
+        run.design.experiments[0].type = type;
+        run.design.experiments[0].along_weft = along_weft;
+        run.experiment = run.design.experiments[0].name;
+        run.textile = cloth(35, 35); // 35 per cm
+        MetricsCollector collector;
+        collector.start(run);
+        for (int i = 1; i <= 4; ++i) { // the edge is 2 mm from the stain's middle
+            Frame f = stained_frame(run.textile, 1e-3 * x, 1e-3 * y, 0.7e-3 * i);
+            f.time = i;
+            collector.add(f);
+        }
+        const std::vector<std::string> notes = collector.metrics().notes;
+        QCOMPARE(notes.empty() ? QString() : QString::fromStdString(notes.front()), told);
+        QVERIFY(notes.size() <= 1);
+    }
     void mapKeepsTheWater_data()
     {
         QTest::addColumn<int>("n");
