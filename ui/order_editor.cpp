@@ -163,6 +163,11 @@ void OrderEditor::chooseYarn(int yarn)
     list_->setCurrentRow(yarn);
 }
 
+void OrderEditor::showOrder(bool warp)
+{
+    orders_[warp ? 0 : 1]->setFocus();
+}
+
 void OrderEditor::refresh()
 {
     const Fabric* fabric = document_.fabric();

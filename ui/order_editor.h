@@ -23,6 +23,8 @@ public:
     void chooseYarn(int yarn);
     /// Makes an end (pick) of the given period the chosen yarn.
     void paintThread(bool warp, int thread, int period);
+    /// Gives the field of the ends' (picks') order the focus.
+    void showOrder(bool warp);
     void addYarn();
     void removeYarn();
     void setColor(const QColor& color);
