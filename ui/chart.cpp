@@ -117,7 +117,6 @@ Chart::Plot Chart::addPlot()
     plot.value = new QValueAxis;
     plot.time->setLabelFormat("%g s");
     plot.value->setLabelFormat("%g");
-    plot.time->setTickCount(6);
     plot.value->setTickCount(4);
     plot.chart->addAxis(plot.time, Qt::AlignBottom);
     plot.chart->addAxis(plot.value, Qt::AlignLeft);
@@ -187,6 +186,14 @@ void Chart::refresh()
     const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
     fill(water_, waterContent(type));
     fill(subject_, subjectContent(type));
+}
+
+void Chart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    for (Plot* plot : {&water_, &subject_}) {
+        plot->time->setTickCount(width() < 800 ? 3 : 6); // labels side by side
+    }
 }
 
 void Chart::applyPalette()

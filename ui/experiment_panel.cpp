@@ -163,7 +163,10 @@ void ExperimentPanel::addChoice()
         type_->addItem(nameOfType(static_cast<ExperimentType>(type)));
     }
     type_->setToolTip(tr("Choosing another type takes its standard's climate, sample and duration."));
-    form_->addRow(tr("Type"), type_);
+    type_->setAccessibleName(tr("Type of experiment"));
+    type_->setMinimumContentsLength(8);
+    type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form_->addWide(type_);
     connect(type_, &QComboBox::activated, this, &ExperimentPanel::setType);
     connect(choice_, &QComboBox::activated, &document_, &Document::setExperimentIndex);
     connect(add, &QToolButton::clicked, this, &ExperimentPanel::addExperiment);

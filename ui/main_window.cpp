@@ -195,7 +195,7 @@ void MainWindow::arrange(Workspace workspace)
     } else {
         resizeDocks({experiment_dock_, simulation_dock_}, {480, 240}, Qt::Vertical);
         resizeDocks({experiment_dock_}, {310}, Qt::Horizontal);
-        resizeDocks({timeline_dock_, results_dock_}, {620, 330}, Qt::Horizontal);
+        resizeDocks({timeline_dock_, results_dock_}, {600, 350}, Qt::Horizontal);
         resizeDocks({timeline_dock_}, {200}, Qt::Vertical);
     }
 }

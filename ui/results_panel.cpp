@@ -43,13 +43,13 @@ QString orWhy(const std::optional<double>& value, double scale, const char* unit
 
 QString graded(const QString& value, int grade)
 {
-    return ResultsPanel::tr("%1 (grade %2)").arg(value).arg(grade);
+    return QStringLiteral("%1 (%2)").arg(value).arg(grade);
 }
 
 void addStain(std::vector<Result>& results, const Metrics& m)
 {
-    results.push_back({tr("Greatest wetted radius"), with(1e3 * m.maximum_wetted_radius_top, "mm"), with(1e3 * m.maximum_wetted_radius_bottom, "mm")});
-    results.push_back({tr("Stain on top, warp × weft"), ResultsPanel::tr("%1 × %2 mm")
+    results.push_back({tr("Wetted radius"), with(1e3 * m.maximum_wetted_radius_top, "mm"), with(1e3 * m.maximum_wetted_radius_bottom, "mm")});
+    results.push_back({tr("Stain, warp × weft"), ResultsPanel::tr("%1 × %2 mm")
                                                             .arg(number(2e3 * m.wetted_area_ellipse_warp), number(2e3 * m.wetted_area_ellipse_weft))});
 }
 
@@ -68,12 +68,12 @@ void addManagement(std::vector<Result>& results, const ManagementIndices& m)
                        graded(orWhy(m.bottom.wetting_time, 1, "s", dry), grades.wetting_time_bottom)});
     results.push_back({tr("Absorption rate"), graded(with(m.top.absorption_rate, "%/s"), grades.absorption_rate_top),
                        graded(with(m.bottom.absorption_rate, "%/s"), grades.absorption_rate_bottom)});
-    results.push_back({tr("Wetted radius, in rings"), graded(with(m.top.maximum_wetted_radius, "mm"), grades.maximum_wetted_radius_top),
+    results.push_back({tr("Wetted radius"), graded(with(m.top.maximum_wetted_radius, "mm"), grades.maximum_wetted_radius_top),
                        graded(with(m.bottom.maximum_wetted_radius, "mm"), grades.maximum_wetted_radius_bottom)});
     results.push_back({tr("Spreading speed"), graded(with(m.top.spreading_speed, "mm/s"), grades.spreading_speed_top),
                        graded(with(m.bottom.spreading_speed, "mm/s"), grades.spreading_speed_bottom)});
     results.push_back({tr("One-way transport"), graded(with(m.one_way_transport, "%"), grades.one_way_transport)});
-    results.push_back({tr("Overall capability (OMMC)"), graded(with(m.ommc, ""), grades.ommc)});
+    results.push_back({tr("Overall (OMMC)"), graded(with(m.ommc, ""), grades.ommc)});
     results.push_back({tr("Class"), QString::fromUtf8(fabric_class(m))});
 }
 
@@ -91,7 +91,7 @@ void addConditioning(std::vector<Result>& results, const ConditioningResult& m)
     results.push_back({tr("Regain at the start"), with(100 * m.regain_start, "%")});
     results.push_back({tr("Regain at the end"), m.settled ? with(100 * m.regain_end, "%") : ResultsPanel::tr("%1, still changing").arg(with(100 * m.regain_end, "%"))});
     results.push_back({tr("Half of the change after"), orWhy(m.half_time, 1, "s", tr("the regain did not change"))});
-    results.push_back({tr("Warmer than the air by, at most"), with(m.peak_rise, "K")});
+    results.push_back({tr("Warmest over the air"), with(m.peak_rise, "K")});
 }
 
 } // namespace
@@ -139,7 +139,8 @@ std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
     }
     results.push_back({tr("In the pores"), with(1e6 * l.water_liquid, "mg")});
     results.push_back({tr("Taken up by fibres"), with(1e6 * (l.water_bound + l.water_vapour - l.water_initial), "mg")});
-    results.push_back({tr("Evaporated"), with(1e6 * l.water_evaporated, "mg")});
+    results.push_back(l.water_evaporated < 0 ? Result{tr("Taken from the air"), with(-1e6 * l.water_evaporated, "mg")}
+                                             : Result{tr("Evaporated"), with(1e6 * l.water_evaporated, "mg")});
     if (l.water_dripped > 0) {
         results.push_back({tr("Dripped off"), with(1e6 * l.water_dripped, "mg")});
     }
@@ -154,7 +155,7 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     , notes_(new QLabel)
 {
     grid_->setContentsMargins(0, 0, 0, 0);
-    grid_->setHorizontalSpacing(12);
+    grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(2);
     grid_->setColumnStretch(2, 1);
     notes_->setWordWrap(true);
@@ -191,7 +192,8 @@ void ResultsPanel::refresh()
         }
         const bool faces = std::any_of(results.begin(), results.end(), [](const Result& r) { return !r.bottom.isEmpty(); });
         if (faces) {
-            results.insert(results.begin(), {QString(), tr("top"), tr("bottom")});
+            const bool grades = playback_.metrics()->management.has_value();
+            results.insert(results.begin(), {QString(), grades ? tr("top (grade)") : tr("top"), grades ? tr("bottom (grade)") : tr("bottom")});
         }
     } else {
         notes << (playback_.run() ? tr("No results yet.") : tr("Run the experiment to see its results here."));
@@ -201,6 +203,7 @@ void ResultsPanel::refresh()
         std::array<QLabel*, 3> labels{new QLabel, new QLabel, new QLabel};
         for (int column = 0; column < 3; ++column) {
             labels[static_cast<std::size_t>(column)]->setTextInteractionFlags(Qt::TextSelectableByMouse);
+            labels[static_cast<std::size_t>(column)]->setAlignment(Qt::AlignLeft | Qt::AlignTop);
             grid_->addWidget(labels[static_cast<std::size_t>(column)], row, column);
         }
         labels[0]->setForegroundRole(QPalette::PlaceholderText);
@@ -214,6 +217,10 @@ void ResultsPanel::refresh()
             rows_[row][column]->setAccessibleName(column == 0 ? QString() : result.name);
             rows_[row][column]->setVisible(row < results.size() && !(column == 2 && texts[2].isEmpty()));
         }
+        // What is said of both faces has the room of both, and of words as many lines as it needs.
+        grid_->removeWidget(rows_[row][1]);
+        grid_->addWidget(rows_[row][1], static_cast<int>(row), 1, 1, result.bottom.isEmpty() ? 2 : 1);
+        rows_[row][1]->setWordWrap(result.bottom.isEmpty());
     }
     table_->setVisible(!results.empty());
     notes_->setText(notes.join('\n'));

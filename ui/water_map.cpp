@@ -135,7 +135,7 @@ void WaterMap::paintEvent(QPaintEvent*)
         painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
         painter.setClipping(false);
     }
-    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map));
+    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map), QColor(255, 255, 255, 170));
     if (cell_.x() >= 0) {
         const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));

@@ -98,8 +98,9 @@ void WaterMapView::refresh()
         return;
     }
     mapper_.run([this, run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
-        const CellMap top = cell_map(run->textile, *frame, *first, MapSide::top, cells);
-        const CellMap bottom = cell_map(run->textile, *frame, *first, MapSide::bottom, cells);
+        const Frame start = start_of_maps(*run, *first);
+        const CellMap top = cell_map(run->textile, *frame, start, MapSide::top, cells);
+        const CellMap bottom = cell_map(run->textile, *frame, start, MapSide::bottom, cells);
         const Circle topCircle = wetted_circle(run->textile, *frame, Face::top);
         const Circle bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
         turn.deliver([this, run, cells, top, bottom, topCircle, bottomCircle] {
