@@ -194,6 +194,19 @@ private Q_SLOTS:
         const auto wet = std::count_if(frame.liquid.begin(), frame.liquid.end(), [](float m) { return m > 0; });
         QVERIFY(std::abs(sides - 1e-9 * static_cast<double>(wet)) < 1e-14);
     }
+    void aDryingSampleIsWetOnTheMap()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.experiment = run.design.experiments[0].name;
+        run.textile = cloth(8, 8);
+        const Frame wet = stained_frame(run.textile, 0, 0, 1);
+        QCOMPARE(cell_map(run.textile, wet, start_of_maps(run, wet), MapSide::total, 1).maximum(), 0.0);
+        run.design.experiments[0].type = ExperimentType::drying;
+        const CellMap map = cell_map(run.textile, wet, start_of_maps(run, wet), MapSide::total, 1);
+        const double area = run.textile.warp.pitch * run.textile.weft.pitch; // of a crossing, with 1e-9 kg in its end and in its pick
+        for (double water : map.water) QVERIFY(std::abs(water * area - 2e-9) < 1e-15);
+    }
     void mapIsWrittenWithItsProvenance()
     {
         QTemporaryDir folder;
