@@ -152,6 +152,12 @@ void DraftEditor::showEvent(QShowEvent* event)
     refresh();
 }
 
+void DraftEditor::hideEvent(QHideEvent* event)
+{
+    finishStroke(); // nobody will see the button let go
+    QWidget::hideEvent(event);
+}
+
 void DraftEditor::refresh()
 {
     const Fabric* fabric = document_.fabric();

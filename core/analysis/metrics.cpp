@@ -185,13 +185,14 @@ Metrics MetricsCollector::metrics() const
     Metrics m = metrics_;
     const Series& s = m.series;
     if (edge_time_)
-        m.notes.push_back(experiment_.type == ExperimentType::vertical_wicking
-                              ? fmt::format("Water reached the upper end of the strip after {:.3g} s; the height afterwards is limited by the "
-                                            "strip's length.",
-                                            *edge_time_)
-                              : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
-                                            "sample's size.",
-                                            *edge_time_));
+        m.notes.push_back(
+            experiment_.type == ExperimentType::vertical_wicking
+                ? fmt::format("Water reached the upper end of the strip after {:.3g} s; the height afterwards is limited by the "
+                              "strip's length.",
+                              *edge_time_)
+                : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
+                              "sample's size.",
+                              *edge_time_));
     switch (experiment_.type) {
     case ExperimentType::moisture_management:
         m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment_.feed_s);

@@ -226,6 +226,16 @@ private Q_SLOTS:
         QVERIFY(!QString::fromStdString(document_->fabric()->name).endsWith('!'));
     }
 
+    void aStrokeGoesIntoTheDesignWhenTheEditorIsHidden()
+    {
+        document_->edit("weave", {}, [&](Design& d) { d.fabrics[0].weave = weave_from_draft(hugeDraft(600)); });
+        const bool was = weave().warp_up(2, 0);
+        QTest::mousePress(editor_->paper()->viewport(), Qt::LeftButton, {}, middle(DraftPart::drawdown, {2, 0}));
+        QCOMPARE(weave().warp_up(2, 0), was);
+        editor_->hide();
+        QCOMPARE(weave().warp_up(2, 0), !was);
+    }
+
     void anOrderCanBeTyped()
     {
         editor_->order()->addYarn();
