@@ -33,7 +33,7 @@ void write_map(const Recording& recording, const MeasureOptions& options)
 
     const RunRecord& run = recording.run();
     const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
-    const CellMap map = cell_map(run.textile, frame, recording.frame(0), side, options.cells);
+    const CellMap map = cell_map(run.textile, frame, start_of_maps(run, recording.frame(0)), side, options.cells);
     if (ending == ".csv") {
         write_cell_map_csv(map, run, frame.time, side, options.output);
     } else {

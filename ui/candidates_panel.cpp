@@ -57,6 +57,7 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
     , empty_(new QLabel(tr("This project has no fabric yet.\nAdd one to begin.")))
 {
     list_->setAccessibleName(tr("Fabrics of the project"));
+    setFocusProxy(list_);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setIconSize({18, 18});

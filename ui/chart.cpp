@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/chart.h"
 
+#include "core/base/units.h"
 #include "ui/appearance.h"
 #include "ui/color_map.h"
 #include "ui/time_chart_view.h"
@@ -27,19 +28,70 @@ struct Stroke {
 // Told apart by dash as well as by colour.
 constexpr Stroke strokes[] = {{"#0b6aa8", "#5ab0e8", Qt::SolidLine}, {"#9a5b00", "#e0a94a", Qt::DashLine}, {"#5b6570", "#a8b2bb", Qt::DotLine}};
 
+constexpr std::size_t most_curves = std::size(strokes);
+
+} // namespace
+
+/// What a plot shows: curves as factor times series plus offset.
+struct PlotContent {
+    struct Curve {
+        QString name;
+        std::vector<double> Series::*values;
+    };
+    QString title;
+    std::vector<Curve> curves;
+    double factor = 1, offset = 0;
+    bool from_zero = true; ///< the value axis begins there, and less than that is none
+};
+
+namespace {
+
+/// Where the water is; in a test of the fibres' uptake, how much they hold.
+PlotContent waterContent(ExperimentType type)
+{
+    if (type == ExperimentType::conditioning) {
+        return {Chart::tr("Regain, %"), {{Chart::tr("fibres"), &Series::regain_mean}}, 100};
+    }
+    return {Chart::tr("Water, mg"),
+            {{Chart::tr("free"), &Series::free_water}, {Chart::tr("in yarns"), &Series::yarn_water}, {Chart::tr("evaporated"), &Series::evaporated}},
+            1e6};
+}
+
+PlotContent subjectContent(ExperimentType type)
+{
+    using S = Series;
+    const QString top = Chart::tr("top"), bottom = Chart::tr("bottom");
+    switch (type) {
+    case ExperimentType::droplet:
+    case ExperimentType::horizontal_wicking: break;
+    case ExperimentType::moisture_management:
+        return {Chart::tr("Water content, % of dry mass"), {{top, &S::content_top}, {bottom, &S::content_bottom}}};
+    case ExperimentType::vertical_wicking: return {Chart::tr("Height, mm"), {{Chart::tr("risen"), &S::wick_height}}, 1e3};
+    case ExperimentType::drying:
+    case ExperimentType::conditioning:
+        return {Chart::tr("Temperature, °C"),
+                {{Chart::tr("sample"), &S::temperature_mean}, {Chart::tr("air"), &S::air_temperature}},
+                1,
+                -zero_celsius,
+                false};
+    case ExperimentType::sweat: return {Chart::tr("Water in the faces, mg"), {{top, &S::water_top}, {bottom, &S::water_bottom}}, 1e6};
+    }
+    return {Chart::tr("Wetted radius, mm"), {{top, &S::radius_top}, {bottom, &S::radius_bottom}}, 1e3};
+}
+
 } // namespace
 
 Chart::Chart(Playback& playback, QWidget* parent)
     : QWidget(parent)
     , playback_(playback)
-    , water_(addPlot(tr("Water, mg"), {tr("free"), tr("in yarns"), tr("evaporated")}))
-    , radius_(addPlot(tr("Wetted radius, mm"), {tr("top"), tr("bottom")}))
+    , water_(addPlot())
+    , subject_(addPlot())
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(water_.view);
-    layout->addWidget(radius_.view);
+    layout->addWidget(subject_.view);
     setMinimumHeight(110);
     applyPalette();
     connect(&playback_, &Playback::metricsChanged, this, &Chart::refresh);
@@ -47,16 +99,15 @@ Chart::Chart(Playback& playback, QWidget* parent)
     connect(&playback_, &Playback::frameShown, this, [this] {
         const double time = playback_.current() >= 0 ? playback_.timeOf(playback_.current()) : -1;
         water_.view->setCursorTime(time);
-        radius_.view->setCursorTime(time);
+        subject_.view->setCursorTime(time);
     });
     refresh();
 }
 
-Chart::Plot Chart::addPlot(const QString& title, const QStringList& names)
+Chart::Plot Chart::addPlot()
 {
     Plot plot;
     plot.chart = new QChart;
-    plot.chart->setTitle(title);
     plot.chart->setMargins(QMargins(2, 0, 6, 0));
     plot.chart->setBackgroundRoundness(0);
     plot.chart->legend()->setAlignment(Qt::AlignRight);
@@ -66,20 +117,17 @@ Chart::Plot Chart::addPlot(const QString& title, const QStringList& names)
     plot.value = new QValueAxis;
     plot.time->setLabelFormat("%g s");
     plot.value->setLabelFormat("%g");
-    plot.time->setTickCount(6);
     plot.value->setTickCount(4);
     plot.chart->addAxis(plot.time, Qt::AlignBottom);
     plot.chart->addAxis(plot.value, Qt::AlignLeft);
-    for (const QString& name : names) {
+    for (std::size_t i = 0; i < most_curves; ++i) {
         auto* line = new QLineSeries;
-        line->setName(name);
         plot.chart->addSeries(line);
         line->attachAxis(plot.time);
         line->attachAxis(plot.value);
         plot.lines.push_back(line);
     }
     plot.view = new TimeChartView(plot.chart);
-    plot.view->setAccessibleName(title);
     connect(plot.view, &TimeChartView::timeChosen, this, [this](double time) { playback_.show(playback_.frameAt(time)); });
     return plot;
 }
@@ -89,31 +137,63 @@ int Chart::points() const
     return water_.lines.front()->count();
 }
 
-void Chart::fill(Plot& plot, const std::vector<double>& time, const std::vector<const std::vector<double>*>& values, double scale)
+QString Chart::title() const
 {
-    double highest = 0;
-    for (std::size_t i = 0; i < plot.lines.size(); ++i) {
+    return subject_.chart->title();
+}
+
+void Chart::fill(Plot& plot, const PlotContent& content)
+{
+    static const Series nothing;
+    const Series& series = playback_.metrics() ? playback_.metrics()->series : nothing;
+    plot.chart->setTitle(content.title);
+    plot.view->setAccessibleName(content.title);
+    double lowest = content.from_zero ? 0 : 1e300, highest = content.from_zero ? 0 : -1e300;
+    for (std::size_t i = 0; i < most_curves; ++i) {
+        QLineSeries* line = plot.lines[i];
+        line->setVisible(i < content.curves.size());
         QList<QPointF> points;
-        points.reserve(static_cast<qsizetype>(time.size()));
-        for (std::size_t k = 0; k < std::min(time.size(), values[i]->size()); ++k) {
-            // A radius below zero stands for no circle.
-            points << QPointF(time[k], scale * std::max(0.0, (*values[i])[k]));
-            highest = std::max(highest, points.last().y());
+        if (i < content.curves.size()) {
+            line->setName(content.curves[i].name);
+            const std::vector<double>& values = series.*content.curves[i].values;
+            points.reserve(static_cast<qsizetype>(values.size()));
+            for (std::size_t k = 0; k < std::min(series.time.size(), values.size()); ++k) {
+                // A radius below zero stands for no circle.
+                const double value = content.factor * (content.from_zero ? std::max(0.0, values[k]) : values[k]) + content.offset;
+                points << QPointF(series.time[k], value);
+                lowest = std::min(lowest, value);
+                highest = std::max(highest, value);
+            }
         }
-        plot.lines[i]->replace(points);
+        line->replace(points);
     }
     plot.time->setRange(0, playback_.duration() > 0 ? playback_.duration() : 10);
+    if (content.from_zero) {
+        plot.value->setRange(0, highest > 0 ? highest * 1.08 : 1);
+    } else if (lowest <= highest) {
+        const double margin = std::max(0.5, 0.05 * (highest - lowest));
+        plot.value->setRange(lowest - margin, highest + margin);
+    } else {
+        plot.value->setRange(15, 30);
+    }
     // Round ends and three even steps.
-    plot.value->setRange(0, highest > 0 ? highest * 1.08 : 1);
     plot.value->applyNiceNumbers();
 }
 
 void Chart::refresh()
 {
-    static const Series nothing;
-    const Series& series = playback_.metrics() ? playback_.metrics()->series : nothing;
-    fill(water_, series.time, {&series.free_water, &series.yarn_water, &series.evaporated}, 1e6);
-    fill(radius_, series.time, {&series.radius_top, &series.radius_bottom}, 1e3);
+    const Experiment* experiment = playback_.run() ? find_experiment(playback_.run()->design, playback_.run()->experiment) : nullptr;
+    const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
+    fill(water_, waterContent(type));
+    fill(subject_, subjectContent(type));
+}
+
+void Chart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    for (Plot* plot : {&water_, &subject_}) {
+        plot->time->setTickCount(width() < 800 ? 3 : 6); // labels side by side
+    }
 }
 
 void Chart::applyPalette()
@@ -124,7 +204,7 @@ void Chart::applyPalette()
     grid.setAlphaF(0.12F);
     QFont small = font();
     small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1));
-    for (Plot* plot : {&water_, &radius_}) {
+    for (Plot* plot : {&water_, &subject_}) {
         plot->chart->setBackgroundBrush(palette().color(QPalette::Window));
         plot->chart->setTitleBrush(ink);
         QFont title = small;
@@ -147,7 +227,7 @@ void Chart::applyPalette()
 
 void Chart::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange && radius_.view) {
+    if (event->type() == QEvent::PaletteChange && subject_.view) {
         applyPalette();
     }
     QWidget::changeEvent(event);

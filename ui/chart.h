@@ -13,8 +13,9 @@ class QValueAxis;
 namespace hygroloom {
 
 class TimeChartView;
+struct PlotContent;
 
-/// Water on the left, wetted radius on the right. A click shows that moment.
+/// Where the water is on the left, what the type of experiment is about on the right. A click shows that moment.
 class Chart : public QWidget {
     Q_OBJECT
 public:
@@ -22,9 +23,12 @@ public:
 
     /// Points of the curve of free water, for those who want to know that there are any.
     int points() const;
+    /// Of the plot on the right: "Wetted radius, mm".
+    QString title() const;
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Plot {
@@ -34,14 +38,14 @@ private:
         QValueAxis* value = nullptr;
         std::vector<QLineSeries*> lines;
     };
-    Plot addPlot(const QString& title, const QStringList& names);
+    Plot addPlot();
     void refresh();
-    void fill(Plot& plot, const std::vector<double>& time, const std::vector<const std::vector<double>*>& values, double scale);
+    void fill(Plot& plot, const PlotContent& content);
     void applyPalette();
 
     Playback& playback_;
     Plot water_;
-    Plot radius_;
+    Plot subject_;
 };
 
 } // namespace hygroloom

@@ -96,7 +96,8 @@ double scaleBarLength(double millimetrePerPixel, double availablePixels)
     return roundLength(millimetrePerPixel, availablePixels) / millimetrePerPixel;
 }
 
-void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color)
+void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color,
+                  const QColor& behind)
 {
     if (!(millimetrePerPixel > 0) || !(availablePixels > 30)) {
         return;
@@ -105,7 +106,12 @@ void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetre
     const double pixels = length / millimetrePerPixel;
     const QString text = length < 0.1 ? QCoreApplication::translate("hygroloom", "%1 µm").arg(shownNumber(length * 1000, 0))
                                       : QCoreApplication::translate("hygroloom", "%1 mm").arg(shownNumber(length, 2));
+    const double height = QFontMetricsF(painter.font()).height();
+    const double wide = std::max(pixels, QFontMetricsF(painter.font()).horizontalAdvance(text));
     painter.save();
+    if (behind.isValid()) {
+        painter.fillRect(QRectF(lowerLeft.x() + 0.5 * (pixels - wide) - 6, lowerLeft.y() - height - 8, wide + 12, height + 14), behind);
+    }
     painter.setPen(QPen(color, 2));
     const QPointF end = lowerLeft + QPointF(pixels, 0);
     painter.drawLine(lowerLeft, end);

@@ -26,7 +26,8 @@ double roundedUp(double value);
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
 /// How many pixels drawScaleBar() takes.
 double scaleBarLength(double millimetrePerPixel, double availablePixels);
-/// A bar with its length, as near to a third of available pixels as a round length allows.
-void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color);
+/// A bar with its length, as near to a third of available pixels as a round length allows. With a valid colour behind it, it stands on that.
+void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color,
+                  const QColor& behind = {});
 
 } // namespace hygroloom

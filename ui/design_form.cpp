@@ -11,11 +11,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hygroloom {
 
 namespace {
 
-constexpr int label_width = 104;
+constexpr int label_width = 112;
 
 QGridLayout* formGrid(QWidget* owner)
 {
@@ -106,7 +108,8 @@ FormSection DesignForm::addFoldable(const QString& title, bool open)
     connect(button, &QToolButton::toggled, content, turn);
     grid_->addWidget(button, row, 0, 1, 3);
     grid_->addWidget(content, row + 1, 0, 1, 3);
-    return {button, content};
+    sections_.push_back({button, content});
+    return sections_.back();
 }
 
 QWidget* DesignForm::addGroup()
@@ -124,7 +127,7 @@ QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignFiel
     edit->setHelp(field.help);
     edit->setAccessibleName(field.label);
     edit->setObjectName(field.undo);
-    addRow(field.label, edit);
+    addRow(field.label, edit, field.where);
     connect(edit, &QuantityEdit::edited, this, [this, field](std::optional<double> value, bool) {
         document_.edit(field.undo, field.where(), [&](Design& design) { field.write(design, value); });
     });
@@ -133,16 +136,31 @@ QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignFiel
     return edit;
 }
 
-void DesignForm::addRow(const QString& label, QWidget* widget)
+QLabel* DesignForm::addRow(const QString& label, QWidget* widget, std::function<std::string()> where)
 {
     const int row = nextRow();
     auto* name = new QLabel(label);
     name->setBuddy(widget);
+    auto* box = qobject_cast<QComboBox*>(widget);
+    if (box) {
+        // Its longest entry must not make the panel wider than its dock.
+        box->setMinimumContentsLength(8);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    }
     target_->addWidget(name, row, 0);
-    target_->addWidget(widget, row, 1);
+    target_->addWidget(widget, row, 1, 1, box ? 2 : 1); // no note stands beside a choice
     if (widget->accessibleName().isEmpty()) {
         widget->setAccessibleName(label);
     }
+    places_.push_back({widget, name, std::move(where)});
+    return name;
+}
+
+void DesignForm::setLabel(QWidget* field, const QString& label)
+{
+    const auto place = std::find_if(places_.begin(), places_.end(), [field](const Place& p) { return p.field == field; });
+    place->label->setText(label);
+    field->setAccessibleName(label);
 }
 
 void DesignForm::addWide(QWidget* widget)
@@ -190,6 +208,61 @@ void DesignForm::refresh()
     for (const auto& work : afterwards_) {
         work();
     }
+}
+
+/// Groups are hidden for a reason; a closed section can be opened.
+bool DesignForm::canBeShown(const QWidget* field) const
+{
+    const QWidget* part = field->parentWidget();
+    return !part->isHidden() || std::any_of(sections_.begin(), sections_.end(), [part](const FormSection& section) {
+        return section.content == part && !section.heading->isHidden();
+    });
+}
+
+QWidget* DesignForm::fieldAt(const std::string& where) const
+{
+    const auto within = [](const std::string& part, const std::string& whole) {
+        return part.starts_with(whole + ".") || part.starts_with(whole + "[");
+    };
+    QWidget* whole = nullptr;
+    QWidget* part = nullptr;
+    for (const Place& place : places_) {
+        const std::string path = place.where ? place.where() : std::string();
+        if (path.empty() || !canBeShown(place.field)) {
+            continue;
+        }
+        if (path == where) {
+            return place.field;
+        }
+        whole = within(where, path) ? place.field : whole;
+        part = !part && within(path, where) ? place.field : part;
+    }
+    return whole ? whole : part;
+}
+
+bool DesignForm::showField(const std::string& where)
+{
+    QWidget* field = fieldAt(where);
+    if (!field || !field->isEnabled()) {
+        return false;
+    }
+    for (const FormSection& section : sections_) {
+        if (section.content->isAncestorOf(field)) {
+            section.open();
+        }
+    }
+    field->setFocus(Qt::OtherFocusReason);
+    // The form has to know its size before it can scroll there.
+    QMetaObject::invokeMethod(field, [field] {
+        for (QWidget* parent = field->parentWidget(); parent; parent = parent->parentWidget()) {
+            if (auto* panel = qobject_cast<QScrollArea*>(parent)) {
+                panel->widget()->layout()->activate();
+                panel->ensureWidgetVisible(field, 0, 40);
+                return;
+            }
+        }
+    }, Qt::QueuedConnection);
+    return true;
 }
 
 void DesignForm::fill(QScrollArea* panel)

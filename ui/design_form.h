@@ -49,8 +49,9 @@ public:
     /// A part without a heading, for rows that are shown and hidden together; it ends with the next section or group.
     QWidget* addGroup();
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
-    /// Any other widget in the field column, with its label.
-    void addRow(const QString& label, QWidget* widget);
+    /// Any other widget in the field column, with its label, and the path of what it edits where an issue may be about that.
+    QLabel* addRow(const QString& label, QWidget* widget, std::function<std::string()> where = {});
+    void setLabel(QWidget* field, const QString& label);
     /// A widget over the whole width.
     void addWide(QWidget* widget);
     /// A pair of a name and a number that the program works out.
@@ -60,6 +61,10 @@ public:
     /// Work to do at each refresh, after the fields.
     void onRefresh(std::function<void()> work) { afterwards_.push_back(std::move(work)); }
     void refresh();
+    /// The field of the value at a path, else of the whole it is part of, else of its first part; nullptr where there is none.
+    QWidget* fieldAt(const std::string& where) const;
+    /// Unfolds its section, scrolls to it and gives it the focus. False where there is no such field that can be edited.
+    bool showField(const std::string& where);
     /// Puts the form into a panel in which it scrolls up and down.
     void fill(QScrollArea* panel);
 
@@ -70,12 +75,20 @@ private:
         QuantityEdit* edit;
         DesignField field;
     };
+    bool canBeShown(const QWidget* field) const;
     int nextRow();
     int nextSection();
 
     Document& document_;
     QGridLayout* grid_;
+    struct Place {
+        QWidget* field;
+        QLabel* label;
+        std::function<std::string()> where;
+    };
     std::vector<Row> rows_;
+    std::vector<Place> places_; ///< of all fields
+    std::vector<FormSection> sections_;
     std::vector<std::function<void()>> afterwards_;
     QGridLayout* target_ = nullptr;
 };

@@ -39,6 +39,9 @@ void dropFrom(std::vector<std::vector<int>>& lists, int first)
     }
 }
 
+/// A larger weave takes too long to check and to draw in 3D while the mouse is down; it goes into the design when the stroke ends.
+constexpr int most_live_crossings = 250000;
+
 } // namespace
 
 DraftEditor::DraftEditor(Document& document, QWidget* parent)
@@ -59,9 +62,18 @@ DraftEditor::DraftEditor(Document& document, QWidget* parent)
     layout->addWidget(buildBar());
     layout->addLayout(middle, 1);
     layout->addWidget(note_);
-    connect(paper_, &DraftPaper::cellPainted, this, &DraftEditor::paint);
-    connect(paper_, &DraftPaper::strokeEnded, this, [this] { document_.endStroke(); });
+    connect(paper_, &DraftPaper::cellPainted, this, [this](DraftPart part, const QPoint& cell, bool fill, bool add) { paint({part, cell, fill, add}); });
+    connect(paper_, &DraftPaper::strokeEnded, this, [this] {
+        finishStroke();
+        document_.endStroke();
+    });
+    later_.setSingleShot(true);
+    connect(&later_, &QTimer::timeout, this, &DraftEditor::sketchStroke);
     connect(&document_, &Document::designChanged, this, [this] {
+        if (!stroke_.empty()) { // undone, say, with the mouse down: the stroke goes on from there
+            sketch_.reset();
+            later_.start();
+        }
         if (isVisible()) {
             refresh();
         }
@@ -140,6 +152,12 @@ void DraftEditor::showEvent(QShowEvent* event)
     refresh();
 }
 
+void DraftEditor::hideEvent(QHideEvent* event)
+{
+    finishStroke(); // nobody will see the button let go
+    QWidget::hideEvent(event);
+}
+
 void DraftEditor::refresh()
 {
     const Fabric* fabric = document_.fabric();
@@ -162,40 +180,105 @@ void DraftEditor::refresh()
     note_->setVisible(!weave.draft());
 }
 
-void DraftEditor::paint(DraftPart part, const QPoint& cell, bool fill, bool add)
+void DraftEditor::paint(const PaintedCell& painted)
+{
+    if (!document_.fabric()) {
+        return;
+    }
+    stroke_.push_back(painted);
+    const Weave& weave = document_.fabric()->weave;
+    if (weave.ends() * weave.picks() <= most_live_crossings) {
+        finishStroke();
+    } else if (!later_.isActive()) {
+        later_.start();
+    }
+}
+
+/// All cells are of one stroke, and so of one part.
+void DraftEditor::paintInto(Sketch& sketch, const std::vector<PaintedCell>& cells) const
+{
+    const auto list = [](std::vector<std::vector<int>>& lists, int i) -> std::vector<int>& { return lists[static_cast<std::size_t>(i)]; };
+    Fabric& fabric = sketch.fabric;
+    Crossings crossings;
+    bool changed = false;
+    for (const auto& [part, cell, fill, add] : cells) {
+        if (part == DraftPart::drawdown) {
+            crossings << cell;
+            continue;
+        }
+        if (part == DraftPart::warpBar || part == DraftPart::weftBar) {
+            const bool warp = part == DraftPart::warpBar;
+            const QSize size = paper_->cells(part);
+            order_->paintThread(fabric, warp, warp ? cell.x() : cell.y(), warp ? size.width() : size.height());
+            continue;
+        }
+        const QPoint at(wrapped(cell.x(), fabric.weave.ends()), wrapped(cell.y(), fabric.weave.picks()));
+        Draft draft = sketch.draft;
+        if (part == DraftPart::threading) {
+            mark(list(draft.threading, at.x()), cell.y(), fill, add);
+        } else if (part == DraftPart::tieUp) {
+            mark(list(draft.tie_up, cell.x()), cell.y(), fill, true);
+        } else if (!draft.liftplan.empty()) {
+            mark(list(draft.liftplan, at.y()), cell.x(), fill, true);
+        } else {
+            mark(list(draft.treadling, at.y()), cell.x(), fill, add);
+        }
+        if (draft != sketch.draft && fault_in(draft).empty()) {
+            sketch.draft = std::move(draft);
+            changed = true;
+        }
+    }
+    if (!crossings.isEmpty()) {
+        fabric.weave = withPainted(fabric.weave, crossings, cells.front().fill);
+    } else if (changed) {
+        fabric.weave = weave_from_draft(sketch.draft);
+    }
+}
+
+/// Shows what was painted since it was last called.
+void DraftEditor::sketchStroke()
 {
     const Fabric* fabric = document_.fabric();
-    if (!fabric) {
+    if (!fabric || stroke_.empty()) {
         return;
     }
-    const QPoint at(wrapped(cell.x(), fabric->weave.ends()), wrapped(cell.y(), fabric->weave.picks()));
-    if (part == DraftPart::warpBar || part == DraftPart::weftBar) {
-        const QSize size = paper_->cells(part);
-        const bool warp = part == DraftPart::warpBar;
-        order_->paintThread(warp, warp ? cell.x() : cell.y(), warp ? size.width() : size.height());
+    if (!sketch_) {
+        sketch_ = Sketch{*fabric, fabric->weave.draft() ? *fabric->weave.draft() : Draft(draft())};
+        sketched_ = 0;
+    }
+    paintInto(*sketch_, {stroke_.begin() + static_cast<std::ptrdiff_t>(sketched_), stroke_.end()});
+    sketched_ = stroke_.size();
+    paper_->setDraft(sketch_->fabric, sketch_->draft);
+}
+
+void DraftEditor::finishStroke()
+{
+    later_.stop();
+    const Fabric* fabric = document_.fabric();
+    if (!fabric || stroke_.empty()) {
+        stroke_.clear();
         return;
     }
-    if (part == DraftPart::drawdown) {
-        const auto index = static_cast<std::size_t>(document_.fabricIndex());
-        const Weave changed = withPainted(fabric->weave, {cell}, fill);
-        document_.edit(tr("drawdown"), "drawdown", [&](Design& design) { design.fabrics[index].weave = changed; });
+    if (!sketch_ || sketched_ < stroke_.size()) {
+        sketchStroke();
+    }
+    const DraftPart part = stroke_.front().part;
+    const Fabric painted = sketch_->fabric;
+    const bool liftplan = !sketch_->draft.liftplan.empty();
+    stroke_.clear();
+    sketch_.reset();
+    if (painted == *fabric) {
         return;
     }
-    Draft draft = this->draft();
-    const auto list = [](std::vector<std::vector<int>>& lists, int i) -> std::vector<int>& { return lists[static_cast<std::size_t>(i)]; };
-    if (part == DraftPart::threading) {
-        mark(list(draft.threading, at.x()), cell.y(), fill, add);
-        setDraft(tr("threading"), "threading", std::move(draft));
-    } else if (part == DraftPart::tieUp) {
-        mark(list(draft.tie_up, cell.x()), cell.y(), fill, true);
-        setDraft(tr("tie-up"), "tie-up", std::move(draft));
-    } else if (!draft.liftplan.empty()) {
-        mark(list(draft.liftplan, at.y()), cell.x(), fill, true);
-        setDraft(tr("liftplan"), "liftplan", std::move(draft));
-    } else {
-        mark(list(draft.treadling, at.y()), cell.x(), fill, add);
-        setDraft(tr("treadling"), "treadling", std::move(draft));
-    }
+    const QString undo = part == DraftPart::drawdown ? tr("drawdown")
+                       : part == DraftPart::threading ? tr("threading")
+                       : part == DraftPart::tieUp     ? tr("tie-up")
+                       : part == DraftPart::warpBar   ? tr("order of the ends")
+                       : part == DraftPart::weftBar   ? tr("order of the picks")
+                       : liftplan                     ? tr("liftplan")
+                                                      : tr("treadling");
+    const auto index = static_cast<std::size_t>(document_.fabricIndex());
+    document_.edit(undo, "draft part " + std::to_string(static_cast<int>(part)), [&](Design& design) { design.fabrics[index] = painted; });
 }
 
 void DraftEditor::setDraft(const QString& undo, const std::string& field, Draft draft)

@@ -5,6 +5,7 @@
 #include "ui/document.h"
 #include "ui/draft_paper.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -30,11 +31,25 @@ public:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     QWidget* buildBar();
     void refresh();
-    void paint(DraftPart part, const QPoint& cell, bool fill, bool add);
+    struct PaintedCell {
+        DraftPart part;
+        QPoint cell;
+        bool fill, add;
+    };
+    /// A fabric with what was painted since, and the draft that is shown with it.
+    struct Sketch {
+        Fabric fabric;
+        Draft draft;
+    };
+    void paint(const PaintedCell& painted);
+    void paintInto(Sketch& sketch, const std::vector<PaintedCell>& cells) const;
+    void sketchStroke();
+    void finishStroke();
     void setDraft(const QString& undo, const std::string& field, Draft draft);
     void setShafts(int shafts);
     void setTreadles(int treadles);
@@ -49,6 +64,10 @@ private:
     QPushButton* find_ = nullptr;
     QLabel* note_ = nullptr;
     std::optional<Fabric> shown_;
+    std::vector<PaintedCell> stroke_; ///< what is painted and not yet in the design
+    std::size_t sketched_ = 0;        ///< of the stroke
+    std::optional<Sketch> sketch_;
+    QTimer later_; ///< sketches a move at once, however many squares it passes
 };
 
 } // namespace hygroloom

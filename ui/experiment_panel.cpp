@@ -2,6 +2,8 @@
 #include "ui/experiment_panel.h"
 
 #include "ui/appearance.h"
+#include "ui/climate_course.h"
+#include "ui/liquid_panel.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -13,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace hygroloom {
 
@@ -49,16 +52,6 @@ QString nameOfType(ExperimentType type)
     return names[static_cast<int>(type)];
 }
 
-/// What a liquid is called in the window.
-QString nameOfLiquid(const std::string& name)
-{
-    QString shown = QString::fromStdString(name);
-    if (find_liquid({}, name) && !shown.isEmpty()) {
-        shown[0] = shown[0].toUpper();
-    }
-    return shown;
-}
-
 } // namespace
 
 ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
@@ -69,8 +62,8 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     addChoice();
     addConditions();
     addTypes();
-    addModel();
     addDroplets();
+    addModel();
     form_->fill(this);
     form_->onRefresh([this] {
         refreshChoice();
@@ -97,6 +90,31 @@ DesignField ExperimentPanel::fixedField(const QString& label, const QString& und
 {
     return field(label, undo, [this, where] { return "experiments[" + std::to_string(document_.experimentIndex()) + "]." + where; },
                  std::move(read), std::move(write), help);
+}
+
+DesignField ExperimentPanel::climateField(const QString& label, const QString& undo, const char* where, double Climate::*member,
+                                          const QString& help)
+{
+    return field(
+        label, undo,
+        [this, where] {
+            const bool course = document_.experiment() && !document_.experiment()->climates.empty();
+            return "experiments[" + std::to_string(document_.experimentIndex()) + (course ? "].climate[0]." : "].climate.") + where;
+        },
+        [member](const Experiment& e) { return std::optional(e.climate.*member); }, [member](Experiment& e, double v) { e.climate.*member = v; }, help);
+}
+
+QuantityEdit* ExperimentPanel::addSampleSize(std::size_t axis)
+{
+    return form_->addQuantity(
+        Quantity::length(0.1, 2000),
+        field(
+            axis == 0 ? tr("Along the weft") : tr("Along the warp"), axis == 0 ? tr("sample width") : tr("sample height"),
+            [this, axis] {
+                const bool strip = document_.experiment() && document_.experiment()->type == ExperimentType::vertical_wicking;
+                return "experiments[" + std::to_string(document_.experimentIndex()) + (strip ? "].strip_mm[" : "].sample_mm[") + std::to_string(axis) + "]";
+            },
+            [axis](const Experiment& e) { return std::optional(e.sample_mm[axis]); }, [axis](Experiment& e, double v) { e.sample_mm[axis] = v; }));
 }
 
 DesignField ExperimentPanel::dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
@@ -145,7 +163,10 @@ void ExperimentPanel::addChoice()
         type_->addItem(nameOfType(static_cast<ExperimentType>(type)));
     }
     type_->setToolTip(tr("Choosing another type takes its standard's climate, sample and duration."));
-    form_->addRow(tr("Type"), type_);
+    type_->setAccessibleName(tr("Type of experiment"));
+    type_->setMinimumContentsLength(8);
+    type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form_->addWide(type_);
     connect(type_, &QComboBox::activated, this, &ExperimentPanel::setType);
     connect(choice_, &QComboBox::activated, &document_, &Document::setExperimentIndex);
     connect(add, &QToolButton::clicked, this, &ExperimentPanel::addExperiment);
@@ -156,18 +177,17 @@ void ExperimentPanel::addChoice()
 void ExperimentPanel::addConditions()
 {
     form_->addSection(tr("Climate"));
-    form_->addQuantity(Quantity::temperature(-10, 60), fixedField(tr("Temperature"), tr("temperature"), "climate.temperature_c",
-        [](const Experiment& e) { return std::optional(e.climate.temperature_c); }, [](Experiment& e, double v) { e.climate.temperature_c = v; }));
-    form_->addQuantity(Quantity::percent(0, 1), fixedField(tr("Humidity"), tr("relative humidity"), "climate.relative_humidity",
-        [](const Experiment& e) { return std::optional(e.climate.relative_humidity); }, [](Experiment& e, double v) { e.climate.relative_humidity = v; },
-        tr("Relative humidity of the air, and of the fabric before the first drop.")));
-    form_->addQuantity(Quantity::speed(20), fixedField(tr("Air speed"), tr("air speed"), "climate.air_speed_m_s",
-        [](const Experiment& e) { return std::optional(e.climate.air_speed_m_s); }, [](Experiment& e, double v) { e.climate.air_speed_m_s = v; }));
+    form_->addQuantity(Quantity::temperature(-10, 60),
+                       climateField(tr("Temperature"), tr("temperature"), "temperature_c", &Climate::temperature_c));
+    form_->addQuantity(Quantity::percent(0, 1), climateField(tr("Humidity"), tr("relative humidity"), "relative_humidity", &Climate::relative_humidity,
+                                                             tr("Relative humidity of the air, and of the fabric before the first drop.")));
+    form_->addQuantity(Quantity::speed(20), climateField(tr("Air speed"), tr("air speed"), "air_speed_m_s", &Climate::air_speed_m_s));
+    course_ = new ClimateCourse(document_);
+    form_->addWide(course_);
     form_->addSection(tr("Sample"));
-    form_->addQuantity(Quantity::length(0.1, 2000), fixedField(tr("Along the weft"), tr("sample width"), "sample_mm[0]",
-        [](const Experiment& e) { return std::optional(e.sample_mm[0]); }, [](Experiment& e, double v) { e.sample_mm[0] = v; }));
-    form_->addQuantity(Quantity::length(0.1, 2000), fixedField(tr("Along the warp"), tr("sample height"), "sample_mm[1]",
-        [](const Experiment& e) { return std::optional(e.sample_mm[1]); }, [](Experiment& e, double v) { e.sample_mm[1] = v; }));
+    for (const std::size_t axis : {0, 1}) {
+        size_[axis] = addSampleSize(axis);
+    }
     form_->addQuantity(Quantity::time(0.001, 86400), fixedField(tr("Duration"), tr("duration"), "duration_s",
         [](const Experiment& e) { return std::optional(e.duration_s); }, [](Experiment& e, double v) { e.duration_s = v; }));
 }
@@ -215,11 +235,7 @@ void ExperimentPanel::addTypes()
 void ExperimentPanel::addModel()
 {
     form_->addSection(tr("Liquid"));
-    liquid_ = new QComboBox;
-    form_->addRow(tr("Liquid"), liquid_);
-    connect(liquid_, &QComboBox::activated, this, [this](int chosen) {
-        edit(tr("liquid"), [&](Experiment& e) { e.liquid = liquid_->itemData(chosen).toString().toStdString(); });
-    });
+    liquids_ = new LiquidPanel(*form_, this);
     closure_ = new QComboBox;
     closure_->addItems({tr("As Kissa measured"), tr("Li and Zhu"), tr("As the paper prints")});
     closure_->setToolTip(tr("How liquid moves in the pores of the yarns."));
@@ -229,6 +245,7 @@ void ExperimentPanel::addModel()
     swelling_ = new QCheckBox(tr("Wet fibres narrow the pores"));
     form_->addWide(swelling_);
     connect(swelling_, &QCheckBox::clicked, this, [this](bool on) { edit(tr("swelling"), [&](Experiment& e) { e.swelling = on; }); });
+    liquids_->addOwnLiquids();
 }
 
 void ExperimentPanel::addDroplets()
@@ -298,7 +315,7 @@ void ExperimentPanel::refreshType()
     for (const Group& group : groups_) {
         group.widget->setVisible(experiment && std::find(group.types.begin(), group.types.end(), experiment->type) != group.types.end());
     }
-    for (QWidget* widget : std::initializer_list<QWidget*>{type_, liquid_, closure_, swelling_}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{type_, closure_, swelling_}) {
         widget->setEnabled(experiment);
     }
     if (!experiment) {
@@ -309,13 +326,10 @@ void ExperimentPanel::refreshType()
     side_->setCurrentIndex(experiment->from_top ? 1 : 0);
     closure_->setCurrentIndex(static_cast<int>(experiment->closure));
     swelling_->setChecked(experiment->swelling);
-    liquid_->clear();
-    for (const auto& liquids : {document_.design()->liquids, library_liquids()}) {
-        for (const Liquid& liquid : liquids) {
-            liquid_->addItem(nameOfLiquid(liquid.name), QString::fromStdString(liquid.name));
-        }
-    }
-    liquid_->setCurrentIndex(liquid_->findData(QString::fromStdString(experiment->liquid)));
+    // Of a strip it is the way it hangs that counts.
+    const bool strip = experiment->type == ExperimentType::vertical_wicking;
+    form_->setLabel(size_[0], strip ? tr("Strip's width") : tr("Along the weft"));
+    form_->setLabel(size_[1], strip ? tr("Strip's length") : tr("Along the warp"));
 }
 
 void ExperimentPanel::setType(int chosen)
@@ -388,6 +402,35 @@ void ExperimentPanel::removeDroplet()
     if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
         edit(tr("remove droplet"), [&](Experiment& e) { e.droplets.erase(e.droplets.begin() + droplet_); });
     }
+}
+
+bool ExperimentPanel::showField(const std::string& where)
+{
+    const auto numberAfter = [&where](const char* key) {
+        const std::size_t at = where.find(key);
+        return at == std::string::npos ? -1 : std::atoi(where.c_str() + at + std::char_traits<char>::length(key));
+    };
+    if (where.starts_with("liquids[")) {
+        liquids_->choose(numberAfter("liquids["));
+    }
+    if (const int droplet = numberAfter("].droplets["); droplet >= 0 && droplet != droplet_) {
+        droplet_ = droplet;
+        form_->refresh();
+    }
+    if (numberAfter("].climate[") > 0 && course_->showField(where)) {
+        QMetaObject::invokeMethod(this, [this] { ensureWidgetVisible(course_, 0, 8); }, Qt::QueuedConnection);
+        return true;
+    }
+    if (form_->showField(where)) {
+        return true;
+    }
+    if (where.find("].droplets") != std::string::npos) { // there is none, or there are too many
+        droplets_->setFocus();
+        QMetaObject::invokeMethod(this, [this] { ensureWidgetVisible(droplets_, 0, 8); }, Qt::QueuedConnection);
+        return true;
+    }
+    choice_->setFocus();
+    return false;
 }
 
 void ExperimentPanel::addExperiment()

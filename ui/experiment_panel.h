@@ -12,6 +12,9 @@ class QToolButton;
 
 namespace hygroloom {
 
+class ClimateCourse;
+class LiquidPanel;
+
 class ExperimentPanel : public QScrollArea {
     Q_OBJECT
 public:
@@ -20,12 +23,17 @@ public:
     void addExperiment();
     void addDroplet();
     void removeDroplet();
+    /// Shows the field of the value at this path, in the chosen experiment or in a liquid of the project, and gives it the focus.
+    bool showField(const std::string& where);
 
 private:
     using Read = std::function<std::optional<double>(const Experiment&)>;
     using Write = std::function<void(Experiment&, double)>;
     DesignField field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
                       const QString& help = {});
+    /// One of the climate at the start.
+    DesignField climateField(const QString& label, const QString& undo, const char* where, double Climate::*member, const QString& help = {});
+    QuantityEdit* addSampleSize(std::size_t axis);
     DesignField fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     DesignField dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&), const QString& help = {});
     void addChoice();
@@ -53,7 +61,9 @@ private:
     };
     std::vector<Group> groups_;
     QComboBox* type_ = nullptr;
-    QComboBox* liquid_ = nullptr;
+    LiquidPanel* liquids_ = nullptr;
+    ClimateCourse* course_ = nullptr;
+    QuantityEdit* size_[2] = {};
     QComboBox* closure_ = nullptr;
     QComboBox* direction_ = nullptr;
     QComboBox* side_ = nullptr;

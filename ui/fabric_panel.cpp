@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace hygroloom {
 
@@ -39,6 +40,20 @@ void FabricPanel::showYarn(int yarn)
         ensureWidgetVisible(panel->section().content, 0, 0);
         ensureWidgetVisible(panel->section().heading, 0, 8);
     }, Qt::QueuedConnection);
+}
+
+bool FabricPanel::showField(const std::string& where)
+{
+    const std::string extra = "].extra_yarns[";
+    if (const std::size_t at = where.find(extra); at != std::string::npos) {
+        stripes_->choose(std::atoi(where.c_str() + at + extra.size()) + 1);
+    }
+    if (form_->showField(where)) {
+        return true;
+    }
+    // A weft that is the same as the warp is edited there.
+    const std::size_t weft = where.find("].weft");
+    return weft != std::string::npos && form_->showField(std::string(where).replace(weft, 6, "].warp"));
 }
 
 DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)

@@ -17,6 +17,8 @@ public:
 
     /// Opens and scrolls to the fields of a yarn, as yarn_in() numbers them: 0 is the fabric's own.
     void showYarn(int yarn);
+    /// Shows the field of the value at this path, in the chosen fabric, and gives it the focus.
+    bool showField(const std::string& where);
 
 private:
     using Read = std::function<std::optional<double>(const Fabric&)>;

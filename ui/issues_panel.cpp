@@ -19,7 +19,8 @@ namespace {
 /// The part of a fabric or an experiment a path goes into, where it is a thing one would name.
 QString partInWords(const QString& path)
 {
-    static const QRegularExpression extra("^\\.extra_yarns\\[(\\d+)\\]"), droplet("^\\.droplets\\[(\\d+)\\]");
+    static const QRegularExpression extra("^\\.extra_yarns\\[(\\d+)\\]"), droplet("^\\.droplets\\[(\\d+)\\]"),
+        climate("^\\.climate\\[(\\d+)\\]");
     if (path.startsWith(".warp.") || path == ".warp") {
         return IssuesPanel::tr("warp");
     }
@@ -32,6 +33,10 @@ QString partInWords(const QString& path)
     }
     if (const auto match = droplet.match(path); match.hasMatch()) {
         return IssuesPanel::tr("droplet %1").arg(match.captured(1).toInt() + 1);
+    }
+    if (const auto match = climate.match(path); match.hasMatch()) {
+        const int moment = match.captured(1).toInt();
+        return moment == 0 ? IssuesPanel::tr("climate at the start") : IssuesPanel::tr("climate, moment %1").arg(moment);
     }
     return {};
 }
@@ -72,7 +77,7 @@ std::vector<const Issue*> issuesToTell(const Document& document)
 
 QString issueInWords(const Design& design, const Issue& issue)
 {
-    static const QRegularExpression owner("^(fabrics|experiments|materials)\\[(\\d+)\\]");
+    static const QRegularExpression owner("^(fabrics|experiments|materials|liquids)\\[(\\d+)\\]");
     const QString where = QString::fromStdString(issue.where), text = QString::fromStdString(issue.text);
     const auto match = owner.match(where);
     if (!match.hasMatch()) {
@@ -80,11 +85,22 @@ QString issueInWords(const Design& design, const Issue& issue)
     }
     const auto index = static_cast<std::size_t>(match.captured(2).toInt());
     const QString list = match.captured(1), part = partInWords(where.mid(match.capturedEnd()));
-    QString name = list == "fabrics" ? nameIn(design.fabrics, index) : list == "experiments" ? nameIn(design.experiments, index) : nameIn(design.materials, index);
+    QString name, number;
+    if (list == "fabrics") {
+        name = nameIn(design.fabrics, index);
+        number = IssuesPanel::tr("Fabric %1");
+    } else if (list == "experiments") {
+        name = nameIn(design.experiments, index);
+        number = IssuesPanel::tr("Experiment %1");
+    } else if (list == "liquids") {
+        name = nameIn(design.liquids, index);
+        number = IssuesPanel::tr("Liquid %1");
+    } else {
+        name = nameIn(design.materials, index);
+        number = IssuesPanel::tr("Material %1");
+    }
     if (name.isEmpty()) {
-        name = list == "fabrics" ? IssuesPanel::tr("Fabric %1").arg(index + 1)
-             : list == "experiments" ? IssuesPanel::tr("Experiment %1").arg(index + 1)
-                                     : IssuesPanel::tr("Material %1").arg(index + 1);
+        name = number.arg(index + 1);
     }
     return part.isEmpty() ? IssuesPanel::tr("%1: %2").arg(name, text) : IssuesPanel::tr("%1, %2: %3").arg(name, part, text);
 }
@@ -113,9 +129,17 @@ IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
 
 void IssuesPanel::refresh()
 {
-    list_->clear();
-    for (const Issue* issue : issuesToTell(document_)) {
-        auto* item = new QListWidgetItem(severityIcon(issue->severity), issueInWords(*document_.design(), *issue), list_);
+    // In their places: the chosen one stays chosen while it is mended, and a click may lead here.
+    const std::vector<const Issue*> told = issuesToTell(document_);
+    while (list_->count() > static_cast<int>(told.size())) {
+        delete list_->takeItem(list_->count() - 1);
+    }
+    for (std::size_t row = 0; row < told.size(); ++row) {
+        const Issue* issue = told[row];
+        QListWidgetItem* item = list_->item(static_cast<int>(row));
+        item = item ? item : new QListWidgetItem(list_);
+        item->setIcon(severityIcon(issue->severity));
+        item->setText(issueInWords(*document_.design(), *issue));
         item->setData(Qt::UserRole, QString::fromStdString(issue->where));
         item->setToolTip(tr("%1 at %2").arg(severityName(issue->severity), QString::fromStdString(issue->where)));
     }

@@ -11,6 +11,7 @@
 #include "ui/issues_panel.h"
 #include "ui/order_editor.h"
 #include "ui/point_paper.h"
+#include "ui/results_panel.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
 #include "ui/water_map_view.h"
@@ -22,12 +23,15 @@
 #include <QFile>
 #include <QKeyEvent>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -43,8 +47,17 @@ std::string dependence(const Design& design, const std::string& fabric, const st
     }
     if (const Experiment* found = find_experiment(design, experiment)) {
         part.experiments.push_back(*found);
+        if (const Liquid* liquid = find_liquid(design, found->liquid)) {
+            part.liquids.push_back(*liquid);
+        }
     }
     return format_project(part);
+}
+
+void reveal(QDockWidget* dock)
+{
+    dock->setVisible(true);
+    dock->raise();
 }
 
 } // namespace
@@ -119,6 +132,7 @@ void MainWindow::buildPanels()
     issues_ = new IssuesPanel(document_);
     timeline_ = new Timeline(playback_);
     chart_ = new Chart(playback_);
+    results_ = new ResultsPanel(playback_);
     auto* moment = new QWidget;
     auto* layout = new QVBoxLayout(moment);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -133,6 +147,7 @@ void MainWindow::buildPanels()
     simulation_dock_ = dock("simulation", tr("Simulation"), simulation_panel_);
     issues_dock_ = dock("issues", tr("Issues"), issues_);
     timeline_dock_ = dock("timeline", tr("Time"), moment);
+    results_dock_ = dock("results", tr("Results"), results_);
 
     issue_count_ = new QToolButton;
     issue_count_->setAutoRaise(true);
@@ -148,7 +163,7 @@ void MainWindow::arrange(Workspace workspace)
 {
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, issues_dock_, timeline_dock_}) {
+    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, issues_dock_, timeline_dock_, results_dock_}) {
         dock->setFloating(false);
     }
     addDockWidget(Qt::LeftDockWidgetArea, candidates_dock_);
@@ -163,6 +178,7 @@ void MainWindow::arrange(Workspace workspace)
     splitDockWidget(timeline_dock_, draft_dock_, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
     splitDockWidget(draft_dock_, issues_dock_, Qt::Vertical);
+    splitDockWidget(timeline_dock_, results_dock_, Qt::Horizontal);
     const bool design = workspace == Workspace::design;
     candidates_dock_->setVisible(design);
     weave_dock_->setVisible(design);
@@ -170,14 +186,16 @@ void MainWindow::arrange(Workspace workspace)
     experiment_dock_->setVisible(!design);
     simulation_dock_->setVisible(!design);
     timeline_dock_->setVisible(!design);
+    results_dock_->setVisible(!design);
     draft_dock_->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
         resizeDocks({candidates_dock_, weave_dock_}, {130, 470}, Qt::Vertical);
         resizeDocks({candidates_dock_, fabric_dock_}, {230, 320}, Qt::Horizontal);
     } else {
-        resizeDocks({experiment_dock_, simulation_dock_}, {400, 300}, Qt::Vertical);
+        resizeDocks({experiment_dock_, simulation_dock_}, {480, 240}, Qt::Vertical);
         resizeDocks({experiment_dock_}, {310}, Qt::Horizontal);
+        resizeDocks({timeline_dock_, results_dock_}, {600, 350}, Qt::Horizontal);
         resizeDocks({timeline_dock_}, {200}, Qt::Vertical);
     }
 }
@@ -233,13 +251,10 @@ void MainWindow::connectParts()
         draft_->paper()->setFocus();
     });
     connect(draft_->order(), &OrderEditor::yarnActivated, this, [this](int yarn) {
-        fabric_dock_->setVisible(true);
-        fabric_dock_->raise();
+        reveal(fabric_dock_);
         fabric_panel_->showYarn(yarn);
     });
-    connect(issues_, &IssuesPanel::issueActivated, this, [this](const QString& where) {
-        (where.startsWith("experiments") ? experiment_dock_ : fabric_dock_)->setVisible(true);
-    });
+    connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);
     connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
         const QString earlier = playback_.path();
         playback_.begin(run, run_path_);
@@ -341,6 +356,69 @@ void MainWindow::refreshIssueCount()
     issue_count_->setIcon(parts.isEmpty() ? QIcon() : severityIcon(worst));
     issue_count_->setAccessibleName(tr("Issues: %1").arg(issue_count_->text()));
     issue_count_->setToolTip(tr("Show or hide the issues of the project."));
+}
+
+/// Chooses what the issue is about, and gives its field the focus.
+void MainWindow::showIssue(const QString& where)
+{
+    static const QRegularExpression form("^(fabrics|experiments|materials|liquids)\\[(\\d+)\\]\\.?(.*)$");
+    const auto match = form.match(where);
+    const QString list = match.captured(1);
+    const int index = match.captured(2).toInt();
+    if (list == "fabrics") {
+        document_.setFabricIndex(index);
+        showFabricIssue(where, match.captured(3));
+    } else if (list == "materials") {
+        showMaterialIssue(index);
+    } else if (match.hasMatch()) {
+        if (list == "experiments") {
+            document_.setExperimentIndex(index);
+        }
+        reveal(experiment_dock_);
+        experiment_panel_->showField(where.toStdString());
+    }
+}
+
+void MainWindow::showFabricIssue(const QString& where, const QString& part)
+{
+    if (part.isEmpty() || part == "name") {
+        reveal(candidates_dock_);
+        candidates_->setFocus();
+    } else if (part.startsWith("weave")) {
+        reveal(weave_dock_);
+        weave_->paper()->setFocus();
+    } else if (part.startsWith("warp_order") || part.startsWith("weft_order")) {
+        reveal(draft_dock_);
+        draft_->order()->showOrder(part.startsWith("warp_order"));
+    } else {
+        reveal(fabric_dock_);
+        fabric_panel_->showField(where.toStdString());
+    }
+}
+
+/// A project's own materials have no fields here; their yarns do.
+void MainWindow::showMaterialIssue(int material)
+{
+    const Design& design = *document_.design();
+    if (material >= static_cast<int>(design.materials.size())) {
+        return;
+    }
+    const std::string& name = design.materials[static_cast<std::size_t>(material)].name;
+    const auto made_of = [&name](const Yarn& yarn) {
+        return std::any_of(yarn.material.begin(), yarn.material.end(), [&name](const MaterialShare& share) { return share.name == name; });
+    };
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i) {
+        const Fabric& fabric = design.fabrics[i];
+        QString yarn = made_of(fabric.warp) ? "warp" : made_of(fabric.weft) ? "weft" : QString();
+        for (std::size_t k = 0; k < fabric.extra_yarns.size() && yarn.isEmpty(); ++k) {
+            yarn = made_of(fabric.extra_yarns[k]) ? QString("extra_yarns[%1]").arg(k) : QString();
+        }
+        if (!yarn.isEmpty()) {
+            showIssue(QString("fabrics[%1].%2.material").arg(i).arg(yarn));
+            break;
+        }
+    }
+    statusBar()->showMessage(tr("The numbers of “%1” stand in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
 }
 
 void MainWindow::startRun()

@@ -25,6 +25,7 @@ class ExperimentPanel;
 class ExportDialog;
 class FabricPanel;
 class IssuesPanel;
+class ResultsPanel;
 class SimulationPanel;
 class Timeline;
 class WaterMapView;
@@ -52,6 +53,7 @@ public:
     Viewport& viewport() { return *viewport_; }
     WaterMapView& waterMaps() { return *maps_; }
     Chart& chart() { return *chart_; }
+    ResultsPanel& results() { return *results_; }
     Timeline& timeline() { return *timeline_; }
     Workspace workspace() const { return workspace_; }
     void setWorkspace(Workspace workspace);
@@ -68,7 +70,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int layout_version = 2;
+    static constexpr int layout_version = 3;
     // main_window.cpp
     void buildPanels();
     void connectParts();
@@ -77,6 +79,9 @@ private:
     void refreshPicture();
     void refreshStale();
     void refreshIssueCount();
+    void showIssue(const QString& where);
+    void showFabricIssue(const QString& where, const QString& part);
+    void showMaterialIssue(int material);
     void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
     void tellProblem(const QString& sentence);
     // main_window_actions.cpp
@@ -133,6 +138,7 @@ private:
     IssuesPanel* issues_ = nullptr;
     Timeline* timeline_ = nullptr;
     Chart* chart_ = nullptr;
+    ResultsPanel* results_ = nullptr;
     QDockWidget* candidates_dock_ = nullptr;
     QDockWidget* weave_dock_ = nullptr;
     QDockWidget* draft_dock_ = nullptr;
@@ -141,6 +147,7 @@ private:
     QDockWidget* simulation_dock_ = nullptr;
     QDockWidget* issues_dock_ = nullptr;
     QDockWidget* timeline_dock_ = nullptr;
+    QDockWidget* results_dock_ = nullptr;
     QToolButton* issue_count_ = nullptr;
 
     QAction* open_ = nullptr;

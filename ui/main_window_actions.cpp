@@ -159,7 +159,7 @@ void MainWindow::buildViewMenu()
     }
     menu->addSeparator();
     QMenu* docks = menu->addMenu(tr("&Panels"));
-    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_, issues_dock_}) {
+    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_, results_dock_, issues_dock_}) {
         docks->addAction(dock->toggleViewAction());
     }
     connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Put the panels back where they were at first.")), &QAction::triggered, this,

@@ -163,6 +163,11 @@ void OrderEditor::chooseYarn(int yarn)
     list_->setCurrentRow(yarn);
 }
 
+void OrderEditor::showOrder(bool warp)
+{
+    orders_[warp ? 0 : 1]->setFocus();
+}
+
 void OrderEditor::refresh()
 {
     const Fabric* fabric = document_.fabric();
@@ -198,15 +203,13 @@ void OrderEditor::edit(const QString& undo, const std::string& field, const std:
     }
 }
 
-void OrderEditor::paintThread(bool warp, int thread, int period)
+void OrderEditor::paintThread(Fabric& fabric, bool warp, int thread, int period) const
 {
-    const int yarn = chosenYarn();
-    std::vector<int> yarns = threadYarns(*document_.fabric(), warp, period);
+    std::vector<int> yarns = threadYarns(fabric, warp, period);
     int& one = yarns[static_cast<std::size_t>(wrapped(thread, period))];
-    if (one != yarn) {
-        one = yarn;
-        edit(warp ? tr("order of the ends") : tr("order of the picks"), warp ? "warp order" : "weft order",
-             [&](Fabric& fabric) { setThreadYarns(fabric, warp, yarns); });
+    if (one != chosenYarn()) {
+        one = chosenYarn();
+        setThreadYarns(fabric, warp, yarns);
     }
 }
 

@@ -22,7 +22,9 @@ public:
     int chosenYarn() const;
     void chooseYarn(int yarn);
     /// Makes an end (pick) of the given period the chosen yarn.
-    void paintThread(bool warp, int thread, int period);
+    void paintThread(Fabric& fabric, bool warp, int thread, int period) const;
+    /// Gives the field of the ends' (picks') order the focus.
+    void showOrder(bool warp);
     void addYarn();
     void removeYarn();
     void setColor(const QColor& color);

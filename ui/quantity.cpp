@@ -163,6 +163,23 @@ Quantity Quantity::arealRate(double maximum_g_m2_h)
     return quantity("g/(m² h)", {{{"g/(m² h)", "g/(m2 h)", "g/m2/h"}, same}}, 0, maximum_g_m2_h, 50, 1);
 }
 
+Quantity Quantity::surfaceTension(double minimum_mn_m, double maximum_mn_m)
+{
+    return quantity("mN/m", {{{"mN/m", "dyn/cm"}, same}, {{"N/m"}, [](double v) { return v * 1000; }}}, minimum_mn_m, maximum_mn_m, 1, 2);
+}
+
+Quantity Quantity::viscosity(double minimum_mpa_s, double maximum_mpa_s)
+{
+    return quantity("mPa s", {{{"mPa s", "mPas", "cP"}, same}, {{"Pa s", "Pas"}, [](double v) { return v * 1000; }}}, minimum_mpa_s,
+                    maximum_mpa_s, 0.1, 4);
+}
+
+Quantity Quantity::density(double minimum_kg_m3, double maximum_kg_m3)
+{
+    return quantity("kg/m³", {{{"kg/m³", "kg/m3", "g/l"}, same}, {{"g/cm³", "g/cm3", "g/ml"}, [](double v) { return v * 1000; }}},
+                    minimum_kg_m3, maximum_kg_m3, 10, 1);
+}
+
 QString Quantity::number(double stored) const
 {
     return shownNumber(stored * shown_per_stored, decimals);

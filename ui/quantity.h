@@ -42,6 +42,9 @@ struct Quantity {
     static Quantity time(double minimum_s, double maximum_s);
     static Quantity arealDensity(double maximum_g_m2);
     static Quantity arealRate(double maximum_g_m2_h);
+    static Quantity surfaceTension(double minimum_mn_m, double maximum_mn_m);
+    static Quantity viscosity(double minimum_mpa_s, double maximum_mpa_s);
+    static Quantity density(double minimum_kg_m3, double maximum_kg_m3);
 
     QString number(double stored) const;      ///< "35"
     QString text(double stored) const;        ///< "35 /cm"

@@ -135,7 +135,9 @@ void Timeline::refresh()
     }
     time_->setText(tr("%1 s / %2 s").arg(QLocale().toString(playback_.timeOf(playback_.current()), 'f', 2), shownNumber(playback_.duration(), 2)));
     const auto& metrics = playback_.metrics();
-    event_->setText(metrics && metrics->absorbency_time ? tr("soaked in at %1 s").arg(shownNumber(*metrics->absorbency_time, 2)) : QString());
+    const Experiment* experiment = playback_.run() ? find_experiment(playback_.run()->design, playback_.run()->experiment) : nullptr;
+    const bool soaks = experiment && (experiment->type == ExperimentType::droplet || experiment->type == ExperimentType::horizontal_wicking);
+    event_->setText(soaks && metrics && metrics->absorbency_time ? tr("soaked in at %1 s").arg(shownNumber(*metrics->absorbency_time, 2)) : QString());
 }
 
 } // namespace hygroloom

@@ -29,14 +29,16 @@ WaterMap::WaterMap(const QString& title, QWidget* parent)
     setAccessibleName(title);
 }
 
-void WaterMap::setMap(const CellMap& map, const Circle& circle, const QSizeF& size)
+void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size)
 {
     size_ = size;
     map_ = map;
-    circle_ = circle;
+    stain_ = circle.has_value();
+    circle_ = circle.value_or(Circle{0, 0, -1});
     render();
-    setAccessibleDescription(tr("Most water %1 grams per square metre; wetted radius %2 millimetres.")
-                                 .arg(shownNumber(1000 * map.maximum(), 0), shownNumber(std::max(0.0, mm_from_metre(circle.radius)), 2)));
+    const QString most = tr("Most water %1 grams per square metre").arg(shownNumber(1000 * map.maximum(), 0));
+    setAccessibleDescription(!stain_ ? most + "."
+                                     : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
     update();
 }
 
@@ -88,6 +90,9 @@ QRectF WaterMap::mapArea() const
 
 QString WaterMap::radiusText(double room) const
 {
+    if (!stain_) {
+        return {};
+    }
     if (!(circle_.radius > 0)) {
         return tr("dry");
     }
@@ -135,7 +140,7 @@ void WaterMap::paintEvent(QPaintEvent*)
         painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
         painter.setClipping(false);
     }
-    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map));
+    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map), QColor(255, 255, 255, 170));
     if (cell_.x() >= 0) {
         const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));

@@ -8,6 +8,8 @@
 #include <QImage>
 #include <QWidget>
 
+#include <optional>
+
 namespace hygroloom {
 
 class WaterMap : public QWidget {
@@ -16,7 +18,7 @@ public:
     explicit WaterMap(const QString& title, QWidget* parent = nullptr);
 
     /// size: of the fabric, m; cells at the far edges may reach beyond it.
-    void setMap(const CellMap& map, const Circle& circle, const QSizeF& size);
+    void setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size);
     void clear();
     void setRange(double maximum, WaterColors colors);
     const CellMap& map() const { return map_; }
@@ -42,6 +44,7 @@ private:
     QString title_;
     CellMap map_;
     Circle circle_;
+    bool stain_ = true; ///< whether there is one to speak of
     QSizeF size_;
     QImage image_;
     double maximum_ = 1;

@@ -98,10 +98,17 @@ void WaterMapView::refresh()
         return;
     }
     mapper_.run([this, run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
-        const CellMap top = cell_map(run->textile, *frame, *first, MapSide::top, cells);
-        const CellMap bottom = cell_map(run->textile, *frame, *first, MapSide::bottom, cells);
-        const Circle topCircle = wetted_circle(run->textile, *frame, Face::top);
-        const Circle bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
+        const Frame start = start_of_maps(*run, *first);
+        const CellMap top = cell_map(run->textile, *frame, start, MapSide::top, cells);
+        const CellMap bottom = cell_map(run->textile, *frame, start, MapSide::bottom, cells);
+        // Only a drop or a feed in the middle makes a stain.
+        const Experiment* experiment = find_experiment(run->design, run->experiment);
+        const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
+        std::optional<Circle> topCircle, bottomCircle;
+        if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
+            topCircle = wetted_circle(run->textile, *frame, Face::top);
+            bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
+        }
         turn.deliver([this, run, cells, top, bottom, topCircle, bottomCircle] {
             if (run != playback_.run() || cells != cells_->value()) {
                 return;

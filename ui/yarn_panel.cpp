@@ -192,12 +192,8 @@ void YarnPanel::addMaterials()
 {
     fibre_ = new QComboBox;
     blend_ = new QComboBox;
-    form_.addRow(tr("Fibre"), fibre_);
+    form_.addRow(tr("Fibre"), fibre_, [this] { return path("material"); });
     form_.addRow(tr("Blended with"), blend_);
-    for (QComboBox* box : {fibre_, blend_}) {
-        box->setMinimumContentsLength(8);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    }
     const QString kind = kind_;
     connect(fibre_, &QComboBox::textActivated, this, [this, kind](const QString& name) {
         editYarn(tr("%1 fibre").arg(kind), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });

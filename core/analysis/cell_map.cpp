@@ -21,6 +21,13 @@ MapSide map_side_from_name(const std::string& name)
 
 double CellMap::maximum() const { return water.empty() ? 0.0 : *std::max_element(water.begin(), water.end()); }
 
+Frame start_of_maps(const RunRecord& run, Frame first)
+{
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    if (experiment && experiment->type == ExperimentType::drying) std::fill(first.liquid.begin(), first.liquid.end(), 0.0f);
+    return first;
+}
+
 CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int n)
 {
     CellMap map;

@@ -24,6 +24,9 @@ struct CellMap {
     double maximum() const;
 };
 
+/// What a map counts water from: a run's first frame, without the liquid where the sample is wet from the start.
+Frame start_of_maps(const RunRecord& run, Frame first);
+
 /// Cells at the far edges may hold fewer crossings; their water is per their own area.
 CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell);
 

@@ -3,6 +3,8 @@
 
 #include "core/base/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,25 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
     return sum / yarns;
 }
 
+/// Whether water has come to where the sample ends: to any edge from a drop or a feed in its middle, to the upper end of a hanging strip.
+bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment& experiment)
+{
+    if (experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
+        experiment.type == ExperimentType::sweat)
+        return false;
+    const int last_end = textile.ends() - 1, last_pick = textile.picks() - 1;
+    const auto wet = [&](int end, int pick) {
+        return std::max(frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))],
+                        frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick))]) >= wet_saturation;
+    };
+    const bool strip = experiment.type == ExperimentType::vertical_wicking;
+    for (int pick = 0; pick <= last_pick && (!strip || experiment.along_weft); ++pick)
+        if ((!strip && wet(0, pick)) || wet(last_end, pick)) return true;
+    for (int end = 0; end <= last_end && (!strip || !experiment.along_weft); ++end)
+        if ((!strip && wet(end, 0)) || wet(end, last_pick)) return true;
+    return false;
+}
+
 /// Water over the start in the middle of both faces, % of the dry mass there.
 std::array<double, 2> contents(const Textile& textile, const Frame& frame, const std::vector<float>& regain_at_start)
 {
@@ -105,6 +126,7 @@ void MetricsCollector::start(const RunRecord& run)
     experiment_ = experiment ? *experiment : Experiment{};
     metrics_ = {};
     regain_at_start_.clear();
+    edge_time_.reset();
     had_free_water_ = false;
 }
 
@@ -147,6 +169,7 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
     metrics_.ledger = frame.ledger;
+    if (!edge_time_ && wet_at_the_end(textile_, frame, experiment_)) edge_time_ = frame.time;
 
     // Absorbency: the first moment with no free liquid after which none ever comes, so a later drop starts it anew.
     const bool free_water = frame.ledger.water_free > 0;
@@ -161,6 +184,15 @@ Metrics MetricsCollector::metrics() const
 {
     Metrics m = metrics_;
     const Series& s = m.series;
+    if (edge_time_)
+        m.notes.push_back(
+            experiment_.type == ExperimentType::vertical_wicking
+                ? fmt::format("Water reached the upper end of the strip after {:.3g} s; the height afterwards is limited by the "
+                              "strip's length.",
+                              *edge_time_)
+                : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
+                              "sample's size.",
+                              *edge_time_));
     switch (experiment_.type) {
     case ExperimentType::moisture_management:
         m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment_.feed_s);

@@ -48,7 +48,7 @@ struct Metrics {
     std::optional<ConditioningResult> conditioning;
     Series series;
     Ledger ledger;                  ///< at the end
-    std::vector<std::string> notes; ///< why a metric is missing
+    std::vector<std::string> notes; ///< what limits a metric, in sentences
 };
 
 /// The water content of a face is read within this distance of the sample's middle, m: the tester's inner ring.
@@ -67,6 +67,7 @@ private:
     Experiment experiment_;
     Metrics metrics_;
     std::vector<float> regain_at_start_;
+    std::optional<double> edge_time_; ///< s, when water was first seen where the sample ends
     bool had_free_water_ = false;
 };
 

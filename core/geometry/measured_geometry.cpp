@@ -81,7 +81,7 @@ int samples_for(const YarnType& type, double pitch)
 }
 
 /// Mass and volume are those of the yarns without flyaways: a yarn's linear density holds them already. Of many points every few yarns
-/// are summed and stand for the others.
+/// are summed and stand for the others; flyaways, of which there may be far more, by a count of their own.
 FibreSums sum_fibres(const Textile& textile)
 {
     FibreSums sums;
@@ -90,22 +90,23 @@ FibreSums sum_fibres(const Textile& textile)
         const YarnSystem& system = textile.system(kind);
         const int crossings = kind == YarnKind::warp ? textile.picks() : textile.ends();
         const double pitch = textile.system(other_kind(kind)).pitch;
-        std::vector<int> threads(system.types.size(), 0), summed(system.types.size(), 0);
+        std::vector<int> threads(system.types.size(), 0);
         for (int yarn = 0; yarn < system.count; ++yarn) ++threads[static_cast<std::size_t>(textile.type_of(kind, yarn))];
-        std::vector<int> wanted;
-        for (std::size_t type = 0; type < system.types.size(); ++type) {
-            const double each = static_cast<double>(crossings) * samples_for(system.types[type], pitch) * system.types[type].fibres;
-            const double share = 0.25 * most_points * threads[type] / system.count;
-            wanted.push_back(std::clamp(static_cast<int>(share / each), 1, std::max(1, threads[type])));
-        }
-        for (int yarn = 0; yarn < system.count; ++yarn) {
-            const auto number = static_cast<std::size_t>(textile.type_of(kind, yarn));
-            if (summed[number] == wanted[number]) continue;
-            ++summed[number];
-            const YarnType& type = system.types[number];
-            const double stands_for = static_cast<double>(threads[number]) / wanted[number];
-            const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
-            for (bool flyaways : {false, true}) {
+        for (bool flyaways : {false, true}) {
+            std::vector<int> wanted, summed(system.types.size(), 0);
+            for (std::size_t type = 0; type < system.types.size(); ++type) {
+                double each = static_cast<double>(crossings) * samples_for(system.types[type], pitch) * system.types[type].fibres;
+                if (flyaways) each += crossings * pitch * 1e3 * textile.flyaway.hair_density_per_mm * YarnFibres::hair_points;
+                const double share = 0.25 * most_points * threads[type] / system.count;
+                wanted.push_back(std::clamp(static_cast<int>(share / each), 1, std::max(1, threads[type])));
+            }
+            for (int yarn = 0; yarn < system.count; ++yarn) {
+                const auto number = static_cast<std::size_t>(textile.type_of(kind, yarn));
+                if (summed[number] == wanted[number]) continue;
+                ++summed[number];
+                const YarnType& type = system.types[number];
+                const double stands_for = static_cast<double>(threads[number]) / wanted[number];
+                const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
                 const YarnFibres fibres(textile, {samples_for(type, pitch), 6, flyaways, true, 1}, kind, yarn, 0, crossings);
                 for (int strand = 0; strand < fibres.strands(); ++strand) {
                     line.resize(3 * fibres.points(strand));

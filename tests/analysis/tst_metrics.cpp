@@ -124,6 +124,52 @@ private Q_SLOTS:
         collector.add(f);
         QVERIFY(!collector.metrics().absorbency_time);
     }
+    void waterAtTheEdgeIsToldOf_data()
+    {
+        QTest::addColumn<ExperimentType>("type");
+        QTest::addColumn<bool>("along_weft");
+        QTest::addColumn<double>("x"); // mm, of the stain's middle on a sample of 10 mm
+        QTest::addColumn<double>("y");
+        QTest::addColumn<QString>("told");
+        const QString edge = "Water reached the edge of the sample after 3 s; the radius afterwards is limited by the sample's size.";
+        const QString strip = "Water reached the upper end of the strip after 3 s; the height afterwards is limited by the strip's length.";
+        using Type = ExperimentType;
+        QTest::newRow("a drop's stain inside") << Type::droplet << false << 0.0 << 0.0 << QString();
+        QTest::newRow("a drop's stain at the left") << Type::droplet << false << -3.0 << 0.0 << edge;
+        QTest::newRow("at the right") << Type::moisture_management << false << 3.0 << 0.0 << edge;
+        QTest::newRow("at the bottom") << Type::horizontal_wicking << false << 0.0 << -3.0 << edge;
+        QTest::newRow("at the top") << Type::horizontal_wicking << false << 0.0 << 3.0 << edge;
+        QTest::newRow("a strip's sides are always wet") << Type::vertical_wicking << false << -3.0 << 0.0 << QString();
+        QTest::newRow("a strip's lower end hangs in the liquid") << Type::vertical_wicking << false << 0.0 << -3.0 << QString();
+        QTest::newRow("a strip's upper end") << Type::vertical_wicking << false << 0.0 << 3.0 << strip;
+        QTest::newRow("of a strip along the weft") << Type::vertical_wicking << true << 3.0 << 0.0 << strip;
+        QTest::newRow("sweat comes everywhere") << Type::sweat << false << 3.0 << 0.0 << QString();
+        QTest::newRow("a wet sample dries") << Type::drying << false << 3.0 << 0.0 << QString();
+    }
+    void waterAtTheEdgeIsToldOf()
+    {
+        QFETCH(ExperimentType, type);
+        QFETCH(bool, along_weft);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(QString, told);
+        RunRecord run;
+        run.design = drop_design();
+        run.design.experiments[0].type = type;
+        run.design.experiments[0].along_weft = along_weft;
+        run.experiment = run.design.experiments[0].name;
+        run.textile = cloth(35, 35); // 35 per cm
+        MetricsCollector collector;
+        collector.start(run);
+        for (int i = 1; i <= 4; ++i) { // the edge is 2 mm from the stain's middle
+            Frame f = stained_frame(run.textile, 1e-3 * x, 1e-3 * y, 0.7e-3 * i);
+            f.time = i;
+            collector.add(f);
+        }
+        const std::vector<std::string> notes = collector.metrics().notes;
+        QCOMPARE(notes.empty() ? QString() : QString::fromStdString(notes.front()), told);
+        QVERIFY(notes.size() <= 1);
+    }
     void mapKeepsTheWater_data()
     {
         QTest::addColumn<int>("n");
@@ -147,6 +193,19 @@ private Q_SLOTS:
         }
         const auto wet = std::count_if(frame.liquid.begin(), frame.liquid.end(), [](float m) { return m > 0; });
         QVERIFY(std::abs(sides - 1e-9 * static_cast<double>(wet)) < 1e-14);
+    }
+    void aDryingSampleIsWetOnTheMap()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.experiment = run.design.experiments[0].name;
+        run.textile = cloth(8, 8);
+        const Frame wet = stained_frame(run.textile, 0, 0, 1);
+        QCOMPARE(cell_map(run.textile, wet, start_of_maps(run, wet), MapSide::total, 1).maximum(), 0.0);
+        run.design.experiments[0].type = ExperimentType::drying;
+        const CellMap map = cell_map(run.textile, wet, start_of_maps(run, wet), MapSide::total, 1);
+        const double area = run.textile.warp.pitch * run.textile.weft.pitch; // of a crossing, with 1e-9 kg in its end and in its pick
+        for (double water : map.water) QVERIFY(std::abs(water * area - 2e-9) < 1e-15);
     }
     void mapIsWrittenWithItsProvenance()
     {

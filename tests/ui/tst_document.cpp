@@ -121,6 +121,22 @@ private Q_SLOTS:
         QCOMPARE(sentences.filter("Denim, weft: ").size(), 1);
     }
 
+    void issuesNameLiquidsAndMomentsOfTheClimate()
+    {
+        document_->edit("wrong", {}, [](Design& d) {
+            d.liquids = {{"soap", -1}, {"", 30}};
+            d.experiments[0].name = "drop";
+            d.experiments[0].climate.temperature_c = 99;
+            d.experiments[0].climates = {{-5, {}}};
+        });
+        QStringList sentences;
+        for (const Issue* issue : issuesToTell(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
+        QCOMPARE(sentences.filter("soap: The surface tension").size(), 1);
+        QCOMPARE(sentences.filter("Liquid 2: The name is empty").size(), 1);
+        QCOMPARE(sentences.filter("drop, climate at the start: ").size(), 1);
+        QCOMPARE(sentences.filter("drop, climate, moment 1: ").size(), 1);
+    }
+
     void editsOfThePanelsCanBeUndone_data()
     {
         QTest::addColumn<QString>("edit");

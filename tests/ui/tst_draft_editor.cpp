@@ -174,6 +174,68 @@ private Q_SLOTS:
         QCOMPARE(asked.first().first().toInt(), 1);
     }
 
+    void aStrokeOnAHugeClothIsSeenAtOnceAndGoesIntoTheDesignAtItsEnd_data()
+    {
+        QTest::addColumn<int>("part");
+        QTest::newRow("drawdown") << static_cast<int>(DraftPart::drawdown);
+        QTest::newRow("threading") << static_cast<int>(DraftPart::threading);
+        QTest::newRow("order of the ends") << static_cast<int>(DraftPart::warpBar);
+    }
+    void aStrokeOnAHugeClothIsSeenAtOnceAndGoesIntoTheDesignAtItsEnd()
+    {
+        QFETCH(int, part);
+        const auto where = static_cast<DraftPart>(part);
+        const Weave huge = weave_from_draft(hugeDraft(600));
+        document_->edit("weave", {}, [&](Design& d) { d.fabrics[0].weave = huge; });
+        editor_->order()->addYarn();
+        document_->history()->clear();
+        const Fabric before = *document_->fabric();
+        QWidget* paper = editor_->paper()->viewport();
+        const int y = where == DraftPart::threading ? 2 : 0;
+        QSignalSpy changes(document_.get(), &Document::designChanged);
+        const bool was = editor_->paper()->filled(where, {3, y});
+        QTest::mousePress(paper, Qt::LeftButton, {}, middle(where, {3, y}));
+        QTest::mouseMove(paper, middle(where, {9, y}));
+        QCoreApplication::processEvents();
+        QCOMPARE(changes.count(), 0);
+        if (where != DraftPart::warpBar) { QCOMPARE(editor_->paper()->filled(where, {9, y}), !was); }
+        QTest::mouseRelease(paper, Qt::LeftButton, {}, middle(where, {9, y}));
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(document_->history()->count(), 1);
+        const Fabric after = *document_->fabric();
+        QVERIFY(after != before);
+        document_->history()->undo();
+        QVERIFY(*document_->fabric() == before);
+        document_->history()->redo();
+        QVERIFY(*document_->fabric() == after);
+    }
+
+    void whatIsUndoneDuringAStrokeLosesNothingOfIt()
+    {
+        document_->edit("weave", {}, [&](Design& d) { d.fabrics[0].weave = weave_from_draft(hugeDraft(600)); });
+        document_->history()->clear();
+        document_->edit("name", {}, [](Design& d) { d.fabrics[0].name += "!"; });
+        const Weave before = weave();
+        QWidget* paper = editor_->paper()->viewport();
+        QTest::mousePress(paper, Qt::LeftButton, {}, middle(DraftPart::drawdown, {2, 0}));
+        QCoreApplication::processEvents();
+        document_->history()->undo();
+        QTest::mouseMove(paper, middle(DraftPart::drawdown, {4, 0}));
+        QTest::mouseRelease(paper, Qt::LeftButton, {}, middle(DraftPart::drawdown, {4, 0}));
+        for (int end : {2, 3, 4}) { QCOMPARE(weave().warp_up(end, 0), !before.warp_up(2, 0)); }
+        QVERIFY(!QString::fromStdString(document_->fabric()->name).endsWith('!'));
+    }
+
+    void aStrokeGoesIntoTheDesignWhenTheEditorIsHidden()
+    {
+        document_->edit("weave", {}, [&](Design& d) { d.fabrics[0].weave = weave_from_draft(hugeDraft(600)); });
+        const bool was = weave().warp_up(2, 0);
+        QTest::mousePress(editor_->paper()->viewport(), Qt::LeftButton, {}, middle(DraftPart::drawdown, {2, 0}));
+        QCOMPARE(weave().warp_up(2, 0), was);
+        editor_->hide();
+        QCOMPARE(weave().warp_up(2, 0), !was);
+    }
+
     void anOrderCanBeTyped()
     {
         editor_->order()->addYarn();
@@ -201,6 +263,18 @@ private Q_SLOTS:
     }
 
 private:
+    /// Straight over 8 shafts, 2 of them up at each pick.
+    static Draft hugeDraft(int threads)
+    {
+        Draft draft;
+        draft.shafts = draft.treadles = 8;
+        for (int i = 0; i < threads; ++i) {
+            draft.threading.push_back({i % 8});
+            draft.treadling.push_back({i % 8});
+        }
+        for (int i = 0; i < 8; ++i) { draft.tie_up.push_back(i < 7 ? std::vector<int>{i, i + 1} : std::vector<int>{0, 7}); }
+        return draft;
+    }
     const Weave& weave() const { return document_->fabric()->weave; }
     QPoint middle(DraftPart part, const QPoint& cell) { return editor_->paper()->squareOf(part, cell).center().toPoint(); }
     void click(DraftPart part, const QPoint& cell)

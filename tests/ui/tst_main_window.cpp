@@ -7,6 +7,7 @@
 #include "ui/command_palette.h"
 #include "ui/export_dialog.h"
 #include "ui/import_dialog.h"
+#include "ui/issues_panel.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
 #include "ui/simulation_panel.h"
@@ -183,6 +184,17 @@ private Q_SLOTS:
         window_->document().edit("picks", {}, [](Design& d) { d.fabrics[0].picks_per_cm -= 1; });
         QVERIFY(window_->resultsAreStale());
         QVERIFY(window_->waterMaps().top().map().maximum() > 0);
+        window_->document().history()->undo();
+        QVERIFY(!window_->resultsAreStale());
+    }
+
+    void theLiquidThatWasUsedMakesResultsStale()
+    {
+        window_->document().edit("another", {}, [](Design& d) { d.liquids = {{"oil"}}; });
+        QVERIFY(!window_->resultsAreStale());
+        window_->document().edit("water", {}, [](Design& d) { d.liquids = {{"water", 72.74, 5}}; });
+        QVERIFY(window_->resultsAreStale());
+        window_->document().history()->undo();
         window_->document().history()->undo();
         QVERIFY(!window_->resultsAreStale());
     }
@@ -496,6 +508,63 @@ private Q_SLOTS:
         QVERIFY(box && box->text().contains("a<i>b.hygro"));
         QCOMPARE(box->textFormat(), Qt::PlainText);
         box->close();
+    }
+
+    void anIssueLeadsToWhatItIsAbout_data()
+    {
+        QTest::addColumn<QString>("where");
+        QTest::addColumn<int>("fabric");
+        QTest::addColumn<int>("experiment");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("another fabric's sett") << "fabrics[1].ends_per_cm" << 1 << 0 << "Ends";
+        QTest::newRow("a folded section") << "fabrics[1].flyaway.hair_length_mm" << 1 << 0 << "Hair length";
+        QTest::newRow("a weft like the warp") << "fabrics[1].weft.twist_per_m" << 1 << 0 << "Twist";
+        QTest::newRow("a fibre") << "fabrics[0].warp.material" << 0 << 0 << "Fibre";
+        QTest::newRow("a yarn of the stripes") << "fabrics[1].extra_yarns[1].plies" << 1 << 0 << "Plies";
+        QTest::newRow("a contradiction in a yarn") << "fabrics[0].warp" << 0 << 0 << "Fibre";
+        QTest::newRow("an order") << "fabrics[1].weft_order[0]" << 1 << 0 << "Order of the picks";
+        QTest::newRow("a weave") << "fabrics[1].weave" << 1 << 0 << "Weave on point paper";
+        QTest::newRow("a fabric as a whole") << "fabrics[1]" << 1 << 0 << "Fabrics of the project";
+        QTest::newRow("another experiment") << "experiments[1].duration_s" << 0 << 1 << "Duration";
+        QTest::newRow("a liquid") << "liquids[0].density_kg_m3" << 0 << 0 << "Density";
+        QTest::newRow("a material") << "materials[0].density_kg_m3" << 1 << 0 << "Fibre";
+    }
+    void anIssueLeadsToWhatItIsAbout()
+    {
+        QFETCH(QString, where);
+        QFETCH(int, fabric);
+        QFETCH(int, experiment);
+        QFETCH(QString, field);
+        Document& document = window_->document();
+        window_->setWorkspace(Workspace::design);
+        window_->resetLayout();
+        document.edit("more", {}, [](Design& d) {
+            d.materials.push_back(*find_library_material("cotton"));
+            d.materials[0].name = "own";
+            d.fabrics.push_back(d.fabrics[0]);
+            d.fabrics[1].name = "striped";
+            d.fabrics[1].extra_yarns = {d.fabrics[0].warp, d.fabrics[0].warp};
+            d.fabrics[1].extra_yarns[0].material = {{"own", 1}};
+            d.fabrics[1].weft_order = {{0, 3}, {2, 1}};
+            d.experiments.push_back(d.experiments[0]);
+            d.experiments[1].name = "again";
+            d.liquids.push_back({"oil"});
+        });
+        document.setFabricIndex(0);
+        document.setExperimentIndex(0);
+        QApplication::setActiveWindow(window_.get());
+        Q_EMIT window_->findChild<IssuesPanel*>()->issueActivated(where);
+        QTest::qWait(50);
+        const QWidget* focus = window_->focusWidget();
+        QVERIFY(focus);
+        QString name;
+        for (; focus && name.isEmpty(); focus = focus->parentWidget()) { name = focus->accessibleName(); }
+        QCOMPARE(name, field);
+        QCOMPARE(document.fabricIndex(), fabric);
+        QCOMPARE(document.experimentIndex(), experiment);
+        QVERIFY(window_->focusWidget()->isVisible());
+        document.history()->undo();
+        window_->resetLayout();
     }
 
     void closingAsksAboutUnsavedChanges()

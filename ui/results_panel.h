@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the shown run found, as a laboratory would report it of its type of experiment.
+#pragma once
+
+#include "ui/playback.h"
+
+#include <QScrollArea>
+
+class QGridLayout;
+class QLabel;
+
+namespace hygroloom {
+
+/// One line: a name, and what was found or why nothing was. For a number of each face both columns are filled.
+struct Result {
+    QString name;
+    QString value;
+    QString bottom = {};
+};
+
+/// Of the type of the experiment that was run.
+std::vector<Result> resultsOf(const RunRecord& run, const Metrics& metrics);
+
+/// Follows a live run.
+class ResultsPanel : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit ResultsPanel(Playback& playback, QWidget* parent = nullptr);
+
+    /// All that is shown, line by line, as for the clipboard.
+    QString text() const;
+
+private:
+    void refresh();
+
+    Playback& playback_;
+    QWidget* table_;
+    QGridLayout* grid_;
+    QLabel* notes_;
+    std::vector<std::array<QLabel*, 3>> rows_;
+};
+
+} // namespace hygroloom
