@@ -185,8 +185,8 @@ private Q_SLOTS:
         Experiment& experiment = design.experiments[0];
         experiment.sample_mm = experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
         experiment.volume_ul = 0.5;
-        experiment.droplets[0] = {0.5, 0, {5, -3}, 0.2, 0};
-        experiment.duration_s = 4;
+        experiment.droplets[0] = {0.2, 0, {5, -3}, 0.1, 0};
+        experiment.duration_s = experiment.type == ExperimentType::droplet ? 1.5 : 4;
         experiment.climate.relative_humidity = 0.3;
         Frame frames[2];
         int visited = 0;

@@ -164,7 +164,7 @@ double most_regain(const Scene& scene)
 std::string complaint(const Scene& scene, const Frame& frame, double most)
 {
     const Ledger& l = frame.ledger;
-    if (!(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l))) return fmt::format("water off by {} of {} kg", l.water_imbalance(), moved_water(l));
+    if (!(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l) + water_quantum)) return fmt::format("water off by {} of {} kg", l.water_imbalance(), moved_water(l));
     if (!(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l) + 1e-18)) return fmt::format("energy off by {} of {} J", l.energy_imbalance(), moved_heat(l));
     for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
         if (!(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f)) return fmt::format("saturation {} of segment {}", frame.saturation[i], i);
@@ -235,14 +235,25 @@ private:
         const double most = most_regain(scene);
         std::string wrong = complaint(scene, solver.frame(), most);
         for (double share : {1e-3, 0.01, 0.1, 0.3, 0.6, 1.0}) {
-            solver.advance(share * simulated, 1e9);
+            const double reached = run_to(solver, share * simulated);
+            if (reached < share * simulated) break;
             if (wrong.empty()) wrong = complaint(scene, solver.frame(), most);
-            if (!wrong.empty()) return tell(fmt::format("{} at {} s", wrong, share * simulated));
+            if (!wrong.empty()) return tell(fmt::format("{} at {} s", wrong, reached));
         }
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (wall > 5) qInfo("design %d took %.1f s", index, wall);
         cover(design, scene, simulated);
         return {};
+    }
+
+    /// Free liquid of some designs would take millions of steps; they stop early, at the end of a network step, and are counted.
+    double run_to(Solver<CpuExecutor>& solver, double moment)
+    {
+        constexpr long most_liquid_steps = 3000;
+        double reached = 0;
+        while (reached < moment && solver.liquid_steps() < most_liquid_steps) reached = solver.advance(moment, 0.05);
+        if (reached < moment) ++covered_["stopped after 3000 steps of the free liquid"];
+        return reached;
     }
 
     void cover(const Design& design, const Scene& scene, double simulated)

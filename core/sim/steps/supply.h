@@ -178,7 +178,8 @@ struct EstimateExchange {
             const double bound_now = bound_water(s, line.yarn, i);
             const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
-            joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
+            const bool bath_warm = s.fed != nullptr && s.fed[i] != 0; // its temperature is set, not found
+            if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
             bound[i] = bound_now;
             heat[i] = heat_now;
         }

@@ -436,26 +436,31 @@ struct ExchangeInSegment {
         }
         double to_air = o.to_air + (pore < 0 ? pore : 0.0); // the air gives the rest
         if (pore < 0) pore = 0;
+        Outcome final = o;
+        final.bound = fibre.bound + taken;
+        final.from_liquid = from_liquid;
+        final.evaporated = evaporated;
+        double released = heat ? phase_heat(yarn, fibre, final, temperature) : 0.0;
+        const double lost = heat ? dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth) : 0.0;
+        double reached = s.warmth[i] + (released - lost) / capacity;
         // What the air that is left cannot hold condenses, or leaves where there is no room for it.
         const double left = s.liquid[i] - from_liquid - evaporated;
-        const double excess = vapour ? pore - saturation_concentration(temperature) * pore_air(s.pores[i], left, climate.density) : 0.0;
-        if (excess > 0) {
-            const double condensed = fmax_(0.0, fmin_(excess, climate.density * s.pores[i] - left));
+        const double holds = saturation_concentration(climate.temperature + reached) * pore_air(s.pores[i], left, climate.density);
+        if (vapour && pore > holds) {
+            const double condensed = fmax_(0.0, fmin_(pore - holds, climate.density * s.pores[i] - left));
             evaporated -= condensed;
-            to_air += excess - condensed;
-            pore -= excess;
+            to_air += pore - holds - condensed;
+            pore = holds;
+            if (heat) {
+                const double more = heat_of_evaporation(temperature) * condensed;
+                released += more;
+                reached += more / capacity;
+            }
         }
         s.liquid[i] = fmax_(0.0, s.liquid[i] - from_liquid - evaporated);
         s.vapour[i] = pore;
         s.evaporated[i] += to_air;
         if (!heat) return;
-        Outcome final = o;
-        final.bound = fibre.bound + taken;
-        final.from_liquid = from_liquid;
-        final.evaporated = evaporated;
-        const double released = phase_heat(yarn, fibre, final, temperature);
-        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
-        const double reached = s.warmth[i] + (released - lost) / capacity;
         const double water_change = taken - from_liquid - evaporated; // of liquid and bound water together
         s.released[i] += released;
         s.lost[i] += lost - water_specific_heat * water_change * reached;
