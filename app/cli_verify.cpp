@@ -49,7 +49,7 @@ Json report_json(const VerifyReport& report)
 const char* word_for(const VerifyReport& report, const VerifyResult& r)
 {
     if (r.pass()) return "pass";
-    return report.source.empty() ? "FAIL" : r.known_miss.empty() ? "MISS" : "miss";
+    return !r.known_miss.empty() ? "miss" : report.source.empty() ? "FAIL" : "MISS";
 }
 
 void print_report(const VerifyReport& report)
@@ -69,19 +69,21 @@ void print_report(const VerifyReport& report)
 /// What many reports come to, in a line each.
 void print_summary(const std::vector<VerifyReport>& reports)
 {
-    int known = 0, passed = 0, compared = 0, held = 0;
+    int known = 0, passed = 0, compared = 0, held = 0, left_out = 0;
     std::string misses;
     for (const VerifyReport& report : reports) {
-        const bool proof = report.source.empty();
-        if (!report.not_applicable.empty()) continue;
-        (proof ? known : compared) += 1;
-        (proof ? passed : held) += report.pass();
+        if (!report.not_applicable.empty()) {
+            ++left_out;
+            continue;
+        }
+        (report.source.empty() ? known : compared) += 1;
+        (report.source.empty() ? passed : held) += report.pass();
         for (const VerifyResult& r : report.results)
-            if (!proof && !r.pass()) misses += "\n  " + report.name + " " + r.name + (r.known_miss.empty() ? ", not known before" : "");
+            if (!r.pass()) misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
     }
-    if (known > 0) fmt::print("{} of {} cases with known answers pass.\n", passed, known);
-    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold in full.\n", held, compared);
-    if (!misses.empty()) fmt::print("Misses of comparisons:{}\n", misses);
+    if (known > 0) fmt::print("{} of {} cases with known answers pass in full.\n", passed, known);
+    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold in full; {} cannot be made.\n", held, compared, left_out);
+    if (!misses.empty()) fmt::print("Misses:{}\n", misses);
 }
 
 int list_cases(const VerifyOptions& options)

@@ -93,7 +93,7 @@ double wet_bulb_temperature(const AirExchange& air)
     return 0.5 * (low + high);
 }
 
-/// A crossing with full pores in moving air.
+/// A crossing with wet pores in moving air.
 Scene drying_scene(const AirExchange& air, double humidity)
 {
     Scene scene = bare_scene(1, 1, 1e-3, air.temperature);
@@ -103,9 +103,13 @@ Scene drying_scene(const AirExchange& air, double humidity)
     scene.climate.vapour = air.vapour;
     scene.climate.heat_transfer = air.heat_transfer;
     scene.climate.mass_transfer = air.mass_transfer;
-    for (YarnParameters& yarn : scene.yarns) yarn.fibre_area *= 0.1; // little to cool: the liquid outlasts it
-    const double full = scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
-    scene.initial_liquid = {full, full};
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.fibre_specific_heat *= 0.1; // little to cool: the liquid outlasts it
+        yarn.fibre_radius = 1e-6;        // much surface: the air outside is all that holds evaporation back
+    }
+    constexpr double saturation = 0.9; // full pores have hardly any air to evaporate into
+    const double liquid = saturation * scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
+    scene.initial_liquid = {liquid, liquid};
     return scene;
 }
 
