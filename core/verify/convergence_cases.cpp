@@ -75,7 +75,9 @@ Field levelling_yarn(Backend& backend, int cells, int steps)
             capacity * (0.5 + 0.4 * cells / pi * (std::sin(pi * (i + 1) / cells) - std::sin(pi * i / cells)));
     const Frame frame = frames_at(backend, scene, {short_time}).back();
     Field means(parts, 0.0);
-    for (int i = 0; i < cells; ++i) means[static_cast<std::size_t>(i * parts / cells)] += static_cast<double>(frame.saturation[static_cast<std::size_t>(i)]) * parts / cells;
+    for (int i = 0; i < cells; ++i)
+        means[static_cast<std::size_t>(i * parts / cells)] +=
+            static_cast<double>(frame.saturation[static_cast<std::size_t>(i)]) * parts / cells;
     return means;
 }
 
@@ -112,7 +114,7 @@ std::array<Frame, 3> working_spots(Backend& backend, bool vapour)
     return frames;
 }
 
-VerifyResult splitting_order(const char* name, const std::array<Frame, 3>& frames, std::vector<float> Frame::* values)
+VerifyResult splitting_order(const char* name, const std::array<Frame, 3>& frames, std::vector<float> Frame::*values)
 {
     const auto field = [&](const Frame& frame) { return Field((frame.*values).begin(), (frame.*values).end()); };
     return {name, observed_order({field(frames[0]), field(frames[1]), field(frames[2])}), 1, 0.2, Rule::at_least};
@@ -148,7 +150,12 @@ std::vector<VerifyResult> convergence(const VerifyValues&, Backend& backend)
 
 std::vector<VerifyCase> convergence_cases()
 {
-    return {{"convergence", "How errors fall with cells and steps twice as fine: observed orders against the schemes' own, 2 in space and 1 in time.", {}, convergence, "", ""}};
+    return {{"convergence",
+             "How errors fall with cells and steps twice as fine: observed orders against the schemes' own, 2 in space and 1 in time.",
+             {},
+             convergence,
+             "",
+             ""}};
 }
 
 } // namespace hygroloom

@@ -98,7 +98,9 @@ Spot spot_on_cotton_and_pvdf(double closeness, Backend& backend)
     double farthest = 0;
     for (int end = 0; end < textile.ends(); ++end)
         for (int pick = 0; pick < textile.picks(); ++pick) {
-            const auto saturation = [&](YarnKind kind) { return static_cast<double>(run.last.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))]); };
+            const auto saturation = [&](YarnKind kind) {
+                return static_cast<double>(run.last.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))]);
+            };
             spot.weft_saturation = std::max(spot.weft_saturation, saturation(YarnKind::weft));
             if (saturation(YarnKind::warp) >= wet_saturation) farthest = std::max(farthest, std::abs(textile.x_of_end(end)));
         }
@@ -111,7 +113,8 @@ Spot spot_on_cotton_and_pvdf(double closeness, Backend& backend)
 std::vector<VerifyResult> hydrophobic_weft(const VerifyValues&, Backend& backend)
 {
     const char* reason = "parallel yarns that touch exchange nothing in the model; liquid passes at crossings only";
-    const Spot open = spot_on_cotton_and_pvdf(0.5, backend), close = spot_on_cotton_and_pvdf(0.75, backend), touching = spot_on_cotton_and_pvdf(1.0, backend);
+    const Spot open = spot_on_cotton_and_pvdf(0.5, backend), close = spot_on_cotton_and_pvdf(0.75, backend),
+               touching = spot_on_cotton_and_pvdf(1.0, backend);
     return {at_most("weft_saturation", std::max({open.weft_saturation, close.weft_saturation, touching.weft_saturation}), 0.05),
             at_most("pitches_beyond_pool_apart", std::max(open.beyond, close.beyond), 1),
             known_miss(at_least("pitches_beyond_pool_touching", touching.beyond, 2), reason)};
@@ -136,7 +139,8 @@ std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
         if (before < 2) steepest = std::max(steepest, mean - before);
         before = mean;
     }
-    return {at_least("straightness_of_h2", fit_line(rise.time, squares).r_squared, 0.97), at_most("rise_of_saturation_per_cm", steepest, 0)};
+    return {at_least("straightness_of_h2", fit_line(rise.time, squares).r_squared, 0.97),
+            at_most("rise_of_saturation_per_cm", steepest, 0)};
 }
 
 /// T6: the same yarns and sett in three weaves, 120 min of wicking and drying.
@@ -151,12 +155,15 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues&, Backend& backe
         const Metrics metrics = run_whole(design_of(fabric, hanging_strip(150, 7200)), Fidelity::draft, backend).metrics;
         const Series& s = metrics.series;
         std::vector<double> taken;
-        for (std::size_t i = 0; i < s.time.size(); ++i) taken.push_back(s.yarn_water[i] + s.bound_water[i] - s.bound_water[0] + s.evaporated[i]);
+        for (std::size_t i = 0; i < s.time.size(); ++i)
+            taken.push_back(s.yarn_water[i] + s.bound_water[i] - s.bound_water[0] + s.evaporated[i]);
         early.push_back(value_at(s.time, taken, 600));
         late.push_back((taken.back() - early.back()) / (s.time.back() - 600));
     }
-    return {at_least("early_twill_over_plain", early[1] / early[0], 1), at_least("early_satin_over_twill", early[2] / early[1], 1),
-            {"late_twill_over_plain", late[1] / late[0], 1, 0.1}, {"late_satin_over_plain", late[2] / late[0], 1, 0.1}};
+    return {at_least("early_twill_over_plain", early[1] / early[0], 1),
+            at_least("early_satin_over_twill", early[2] / early[1], 1),
+            {"late_twill_over_plain", late[1] / late[0], 1, 0.1},
+            {"late_satin_over_plain", late[2] / late[0], 1, 0.1}};
 }
 
 /// T7: order of the fibres stands for the tortuosity of the pores, the only number of the model that it could change.
@@ -218,21 +225,49 @@ std::vector<VerifyResult> density_and_wicking(const VerifyValues&, Backend& back
 std::vector<VerifyCase> measured_wicking_cases()
 {
     return {
-        {"measured_n6", "The form of the rise in strips of finished synthetics: its exponents, Washburn's law with gravity through two points, its speed.", {},
+        {"measured_n6",
+         "The form of the rise in strips of finished synthetics: its exponents, Washburn's law with gravity through two points, its speed.",
+         {},
          rise_in_synthetics,
-         "Jasper et al., wjasper/Wicking_Tracker, NC State University 2025: knitted nylon and polyester, of unknown construction; the form alone", ""},
-        {"measured_t1", "Cotton warp, weft that water does not wet: liquid keeps to the warp, and gets across where warp yarns touch.", {}, hydrophobic_weft,
-         "Zhu and Takatera, Textile Research Journal 85 (2015) 479, doi 10.1177/0040517514549986", ""},
-        {"measured_t2", "A drop's first spreading over a textured solid.", {}, {}, "Stapelbroek et al., Soft Matter 2014, doi 10.1039/C3SM52464G",
+         "Jasper et al., wjasper/Wicking_Tracker, NC State University 2025: knitted nylon and polyester, of unknown construction; the form "
+         "alone",
+         ""},
+        {"measured_t1",
+         "Cotton warp, weft that water does not wet: liquid keeps to the warp, and gets across where warp yarns touch.",
+         {},
+         hydrophobic_weft,
+         "Zhu and Takatera, Textile Research Journal 85 (2015) 479, doi 10.1177/0040517514549986",
+         ""},
+        {"measured_t2",
+         "A drop's first spreading over a textured solid.",
+         {},
+         {},
+         "Stapelbroek et al., Soft Matter 2014, doi 10.1039/C3SM52464G",
          "Measured on solids, in the first millisecond; belongs to the cases of the free liquid, which are still to come."},
-        {"measured_t5", "A cotton strip: its height squared is straight over time, and it is the less full the higher.", {}, cotton_strip,
-         "Zhu et al., Fibres and Textiles in Eastern Europe 2015(2), p. 137", ""},
-        {"measured_t6", "Weaves of the same yarns and sett: more floats, faster uptake in 10 min; the same rate from 10 to 120 min.", {}, floats_and_wicking,
-         "Lei et al., Polymers 2020, 12(2), 422, doi 10.3390/polym12020422", ""},
-        {"measured_t7", "Disorder of the fibres slows wicking more than 10 degrees of contact angle do.", {}, order_and_angle,
-         "Hollies et al., Textile Research Journal 26 (1956), doi 10.1177/004051755602601102", ""},
-        {"measured_t8", "Level wicking goes with the root of time, and is the slower the denser the yarns stand.", {}, density_and_wicking,
-         "Measurement of in-plane capillary water flow of fabrics (dew-sensor array), woven cotton and polyester of several densities", ""},
+        {"measured_t5",
+         "A cotton strip: its height squared is straight over time, and it is the less full the higher.",
+         {},
+         cotton_strip,
+         "Zhu et al., Fibres and Textiles in Eastern Europe 2015(2), p. 137",
+         ""},
+        {"measured_t6",
+         "Weaves of the same yarns and sett: more floats, faster uptake in 10 min; the same rate from 10 to 120 min.",
+         {},
+         floats_and_wicking,
+         "Lei et al., Polymers 2020, 12(2), 422, doi 10.3390/polym12020422",
+         ""},
+        {"measured_t7",
+         "Disorder of the fibres slows wicking more than 10 degrees of contact angle do.",
+         {},
+         order_and_angle,
+         "Hollies et al., Textile Research Journal 26 (1956), doi 10.1177/004051755602601102",
+         ""},
+        {"measured_t8",
+         "Level wicking goes with the root of time, and is the slower the denser the yarns stand.",
+         {},
+         density_and_wicking,
+         "Measurement of in-plane capillary water flow of fabrics (dew-sensor array), woven cotton and polyester of several densities",
+         ""},
     };
 }
 

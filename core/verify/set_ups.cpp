@@ -76,8 +76,7 @@ std::vector<Frame> frames_at(Backend& backend, const Scene& scene, const std::ve
     backend.load(scene);
     std::vector<Frame> frames;
     for (double time : times) {
-        while (backend.advance(time) < time) {
-        }
+        while (backend.advance(time) < time) {}
         frames.push_back(backend.frame());
     }
     return frames;

@@ -54,7 +54,8 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
     VerifyReport report{found->name, found->parameters, {}, 0, found->source, found->not_applicable};
     for (const auto& [key, text] : changes) {
         const std::string& wanted = key;
-        const auto parameter = std::find_if(report.parameters.begin(), report.parameters.end(), [&](const VerifyParameter& p) { return p.name == wanted; });
+        const auto parameter =
+            std::find_if(report.parameters.begin(), report.parameters.end(), [&](const VerifyParameter& p) { return p.name == wanted; });
         if (parameter == report.parameters.end()) {
             std::string names;
             for (const VerifyParameter& p : found->parameters) names += (names.empty() ? "" : ", ") + p.name;
@@ -67,7 +68,8 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !(value >= parameter->smallest && value <= parameter->largest))
-            throw Error(fmt::format("{}: must be a number from {:g} to {:g}; \"{}\" was given.", key, parameter->smallest, parameter->largest, text));
+            throw Error(fmt::format("{}: must be a number from {:g} to {:g}; \"{}\" was given.", key, parameter->smallest,
+                                    parameter->largest, text));
         parameter->value = value;
     }
     VerifyValues values;
