@@ -16,7 +16,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr const char* part_names[] = {"liquid", "wicking", "sorption", "vapour", "heat"};
+constexpr const char* part_names[] = {"liquid", "wicking", "sorption", "vapour", "heat", "growth"};
 
 /// Points on the ladder of fidelities; each value stands here once.
 struct Level {
@@ -27,15 +27,16 @@ struct Level {
     double step_error;
     double density_tolerance;
     int burst_steps;
+    double rest_tolerance;     // of the air's humidity at the border of what is visited
     double neglected;          // part of the delivered water, or of the wicking rate, below which a part is left out
 };
 
 Level level_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 2e-3, 0.02, 20, 0.01};
-    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 5e-4, 0.01, 10, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0, 0.0};
+    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 2e-3, 0.02, 20, 1e-3, 0.01};
+    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 5e-4, 0.01, 10, 1e-4, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0, 1e-6, 0.0};
     }
     return {};
 }
@@ -245,6 +246,21 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
                                 forced));
 }
 
+/// Whether only the cloth near the water is visited, a region that grows.
+void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
+{
+    const auto [width, height] = sample_extent_mm(experiment);
+    const bool everywhere = experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
+                            experiment.type == ExperimentType::sweat || !experiment.climates.empty();
+    plan.parts.push_back(decide("growth", !everywhere,
+                                everywhere ? std::string("All of the sample changes from the start.")
+                                           : fmt::format("Only the cloth near the liquid is visited: it can wet at most {:.3g} % of the sample. What is "
+                                                         "visited grows before the air in its pores changes by {:.3g} % humidity at its border.",
+                                                         100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * level.rest_tolerance),
+                                forced));
+    plan.rest_tolerance = plan.on("growth") ? level.rest_tolerance : 0;
+}
+
 TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experiment& experiment, const Bounds& b)
 {
     const auto [width, height] = sample_extent_mm(experiment);
@@ -307,7 +323,7 @@ ForcedParts parse_forced_parts(const std::string& text)
         const std::size_t equals = std::min(item.find('='), item.size());
         const std::string name = item.substr(0, equals), value = equals < item.size() ? item.substr(equals + 1) : "";
         if (std::find(std::begin(part_names), std::end(part_names), name) == std::end(part_names) || (value != "on" && value != "off"))
-            throw Error("Each part of the physics is given as name=on or name=off, with the names liquid, wicking, sorption, vapour and heat; \"" +
+            throw Error("Each part of the physics is given as name=on or name=off, with the names liquid, wicking, sorption, vapour, heat and growth; \"" +
                         item + "\" was given.");
         forced[name] = value == "on";
     }
@@ -325,6 +341,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     ModelPlan plan;
     plan.fidelity = fidelity;
     decide_parts(plan, bounds, experiment, level, forced);
+    decide_growth(plan, bounds, experiment, level, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
     plan.particles_per_droplet = plan.on("liquid") ? particles_for(level, experiment, bounds) : 0;

@@ -319,6 +319,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.network_step = plan.network_step_limit;
     scene.calm_network_step = experiment.duration_s;
     scene.step_error = plan.step_error;
+    scene.rest_tolerance = plan.rest_tolerance;
     scene.saturation_change = plan.saturation_change;
     scene.density_tolerance = plan.density_tolerance;
     scene.burst_steps = plan.burst_steps;

@@ -135,6 +135,8 @@ struct Scene {
     bool wicking = true, sorption = true, vapour = true, heat = true;
     double network_step = 0;              ///< s, longest while drops are about
     double calm_network_step = 0;         ///< s, longest without drops; 0: the same
+    double rest_tolerance = 0;            ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
+                                          ///< the visited region grows where there is more. 0: all of the sample is visited
     double step_error = 0;                ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0;         ///< largest a step aims at, for the step's length
     double density_tolerance = 0.01;

@@ -25,6 +25,8 @@ public:
     Executor& executor() { return exec_; }
     long liquid_steps() const { return liquid_steps_; }
     int particles() const { return count_; }
+    /// Segments that steps go through now.
+    int visited_segments() { return yarns().visited_segments(); }
 
     void load(const Scene& scene)
     {
@@ -97,13 +99,18 @@ private:
     }
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
-    template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, scene_.segments(), stage); }
+    template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_segments(), stage); }
+    template <typename Stage> void each_crossing(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_crossings(), stage); }
+    template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
     template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
 
     void load_segments();
     void note_start(std::vector<double>& regain);
     double largest_change(const YarnParameters& yarn) const;
     void set_climate();
+    void visit_from_start();
+    void visit_around(double radius);
+    void visit_what_changed();
     double next_event() const;
     /// Short steps again: something sudden has happened.
     void begin_anew()
@@ -165,6 +172,8 @@ private:
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
+    Unvisited unvisited_;
+    Buffer<int> reach_; ///< see Reach: where liquid or vapour has come since the last step
     Buffer<double> pores_, supplied_, uptake_, liquid_rate_, bound_, bound_rate_, heat_, heat_rate_;
     Buffer<std::uint8_t> fed_;
     Buffer<std::uint8_t> warp_up_, type_;

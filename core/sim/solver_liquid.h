@@ -168,7 +168,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 {
     each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
-    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt});
+    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}});
     each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 

@@ -15,8 +15,9 @@ struct TrackChange {
     double density;
     double* before;
     int* largest;
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         const double change = s.liquid[i] - before[i];
         if (change == 0) return;
         union {
@@ -101,6 +102,58 @@ template <typename Executor> void Solver<Executor>::load_segments()
     vapour_.upload(vapour);
     regain_.upload(regain);
     if (scene_.step_error > 0) note_start(regain);
+    visit_from_start();
+}
+
+/// Nothing of a sample at rest, all of one that is not, or whose air changes.
+template <typename Executor> void Solver<Executor>::visit_from_start()
+{
+    reach_.resize(4);
+    reach_.fill(-1);
+    unvisited_ = {};
+    const bool stirred =
+        !scene_.initial_liquid.empty() || scene_.initial_warmth != 0 || scene_.initial_humidity >= 0 || !scene_.course.empty() || scene_.sweat > 0;
+    if (scene_.rest_tolerance <= 0 || stirred) return;
+    unvisited_ = {scene_.ends / 2, (scene_.ends - 1) / 2, scene_.picks / 2, (scene_.picks - 1) / 2};
+    for (int i = 0; i < static_cast<int>(scene_.fed.size()) / 2; ++i) {
+        if (scene_.fed[static_cast<std::size_t>(i)] == 0) continue;
+        const int end = i / scene_.picks, pick = i % scene_.picks;
+        unvisited_.ends_before = std::min(unvisited_.ends_before, end);
+        unvisited_.ends_after = std::min(unvisited_.ends_after, scene_.ends - 1 - end);
+        unvisited_.picks_before = std::min(unvisited_.picks_before, pick);
+        unvisited_.picks_after = std::min(unvisited_.picks_after, scene_.picks - 1 - pick);
+    }
+}
+
+/// Takes in what lies within a radius (m) of the sample's middle.
+template <typename Executor> void Solver<Executor>::visit_around(double radius)
+{
+    const auto least = [](int& out, int threads, double reach, double pitch) {
+        out = std::min(out, std::max(0, static_cast<int>(0.5 * (threads - 1) - reach / pitch)));
+    };
+    least(unvisited_.ends_before, scene_.ends, radius, scene_.warp_pitch);
+    least(unvisited_.ends_after, scene_.ends, radius, scene_.warp_pitch);
+    least(unvisited_.picks_before, scene_.picks, radius, scene_.weft_pitch);
+    least(unvisited_.picks_after, scene_.picks, radius, scene_.weft_pitch);
+}
+
+/// Grows by a quarter, or more, on the sides whose border liquid, vapour or heat has come near to since the last step.
+template <typename Executor> void Solver<Executor>::visit_what_changed()
+{
+    if (!unvisited_.any()) return;
+    constexpr int least_growth = 8;
+    const int near = 4 + std::max(yarns().visited_ends(), yarns().visited_picks()) / 16;
+    each_segment("find reach", FindReach{segments(), scene_.climate, scene_.rest_tolerance, near, {reach_.data()}});
+    const std::vector<int> reach = reach_.download();
+    reach_.fill(-1);
+    const int growth = std::max(least_growth, std::max(yarns().visited_ends(), yarns().visited_picks()) / 4);
+    const auto grow = [&](int& out, int threads, int farthest) { // farthest from the other side
+        if (farthest >= threads - out - near) out = std::max(0, threads - 1 - farthest - growth);
+    };
+    grow(unvisited_.ends_after, scene_.ends, reach[0]);
+    grow(unvisited_.picks_after, scene_.picks, reach[1]);
+    grow(unvisited_.ends_before, scene_.ends, reach[2]);
+    grow(unvisited_.picks_before, scene_.picks, reach[3]);
 }
 
 /// Water and heat of the fibres, from which the first changes count.
@@ -182,6 +235,7 @@ template <typename Executor> void Solver<Executor>::drink(double dt)
         if (pool_[k] <= 0) continue;
         const double volume = static_cast<double>(pool_[k]) * water_quantum / density;
         const double radius = std::max({std::cbrt(1.5 * volume / pi), scene_.warp_pitch, scene_.weft_pitch});
+        visit_around(radius);
         supply_.write(0, 0);
         supply_.write(1, 0);
         const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, supply_.data()};
@@ -210,17 +264,17 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
 {
     set_climate();
     supply(dt);
+    visit_what_changed();
     const ClimateParameters& climate = scene_.climate;
     each_segment("take absorbed", TakeAbsorbed{segments()});
     maxima_.write(1, 0);
     each_segment("remember", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     if (scene_.wicking || scene_.heat) {
         maxima_.write(1, 0);
-        const int lines = yarns().lines();
         if (scene_.wicking)
-            exec_.for_each("wick", lines, WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
-        if (scene_.heat) exec_.for_each("conduct", lines, ConductAlongYarn{segments(), climate, dt, scene_.face_only});
-        exec_.for_each("cross", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
+            each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
+        if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
+        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
     }
     choose_network_step(dt);
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
@@ -240,8 +294,7 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
     double grow = 1.5;
     if (watched && scene_.wicking) {
         supply_.write(2, 0);
-        exec_.for_each("wicking error", yarns().lines(),
-                       EstimateWicking{segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
+        each_line("wicking error", EstimateWicking{segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
         grow = growth(static_cast<double>(supply_.read(2)) * water_quantum / water_at_stake());
     }
     wicking_watch_ = {dt, watched};
@@ -264,8 +317,7 @@ template <typename Executor> void Solver<Executor>::choose_exchange_step(double 
     supply_.write(3, 0);
     supply_.write(4, 0);
     const Watch& watch = exchange_watch_;
-    exec_.for_each("exchange error", yarns().lines(),
-                   EstimateExchange{segments(), {bound_rate_.data(), dt, watch.dt, watch.known}, {heat_rate_.data(), dt, watch.dt, watch.known},
+    each_line("exchange error", EstimateExchange{segments(), {bound_rate_.data(), dt, watch.dt, watch.known}, {heat_rate_.data(), dt, watch.dt, watch.known},
                                     bound_.data(), heat_.data(), supply_.data() + 3});
     const double water = static_cast<double>(supply_.read(3)) * water_quantum / water_at_stake();
     const double heat = static_cast<double>(supply_.read(4)) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
@@ -279,8 +331,8 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
     if (scene_.vapour) {
-        exec_.for_each("vapour", yarns().lines(), DiffuseVapourAlongYarn{segments(), climate, dt, climate.vapour, scene_.heat, scene_.face_only});
-        exec_.for_each("cross vapour", scene_.crossings(), ExchangeAtCrossing{segments(), climate, dt, false, false, true});
+        each_line("vapour", DiffuseVapourAlongYarn{segments(), climate, dt, scene_.cell_area, scene_.heat, scene_.face_only});
+        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
     if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
@@ -289,13 +341,13 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
 
 template <typename Executor> Yarns Solver<Executor>::yarns()
 {
-    return {scene_.ends, scene_.picks, scene_.warp_types, scene_.weft_types(), type_.data(), yarns_.data(), crossing_.data()};
+    return {scene_.ends, scene_.picks, scene_.warp_types, scene_.weft_types(), type_.data(), yarns_.data(), crossing_.data(), unvisited_};
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns_on_host() const
 {
-    return {scene_.ends,        scene_.picks,        scene_.warp_types,     scene_.weft_types(),
-            scene_.type.data(), scene_.yarns.data(), scene_.crossing.data()};
+    return {scene_.ends,        scene_.picks,        scene_.warp_types,       scene_.weft_types(),
+            scene_.type.data(), scene_.yarns.data(), scene_.crossing.data(), {}};
 }
 
 template <typename Executor> Segments Solver<Executor>::segments()

@@ -6,14 +6,25 @@
 
 namespace hygroloom {
 
-/// One yarn's segments: first to last - 1.
+/// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
+struct Unvisited {
+    int ends_before = 0, ends_after = 0;
+    int picks_before = 0, picks_after = 0;
+
+    HL_FN bool any() const { return ends_before + ends_after + picks_before + picks_after > 0; }
+};
+
+/// One yarn's segments that a step visits: first to last - 1.
 struct YarnLine {
     const YarnParameters& yarn;
     int first;
     int last;
+    bool is_warp;
+    bool starts, stops; ///< whether the yarn's own start and end are among them
 };
 
 /// The cloth's yarns: lines of segments, all ends, then all picks. A yarn is of one type along its whole length.
+/// Stages go through the visited lines, crossings and segments by an index of their own.
 struct Yarns {
     int ends = 0;
     int picks = 0;
@@ -22,9 +33,14 @@ struct Yarns {
     const std::uint8_t* type = nullptr;           ///< of each line
     const YarnParameters* parameters = nullptr;   ///< per type: the warp's, then the weft's
     const CrossingParameters* crossing = nullptr; ///< warp type x weft_types + weft type
+    Unvisited unvisited;
 
     HL_FN int crossings() const { return ends * picks; }
-    HL_FN int lines() const { return ends + picks; }
+    HL_FN int visited_ends() const { return ends - unvisited.ends_before - unvisited.ends_after; }
+    HL_FN int visited_picks() const { return picks - unvisited.picks_before - unvisited.picks_after; }
+    HL_FN int visited_lines() const { return visited_ends() + visited_picks(); }
+    HL_FN int visited_crossings() const { return visited_ends() * visited_picks(); }
+    HL_FN int visited_segments() const { return 2 * visited_crossings(); }
     HL_FN bool is_warp(int segment) const { return segment < crossings(); }
     HL_FN int line_of(int segment) const { return is_warp(segment) ? segment / picks : ends + (segment - crossings()) / ends; }
     HL_FN int type_of_end(int end) const { return type[end]; }
@@ -34,10 +50,27 @@ struct Yarns {
     {
         return crossing[type_of_end(end) * weft_types + type_of_pick(pick) - warp_types];
     }
-    HL_FN YarnLine line(int index) const
+    HL_FN YarnLine visited_line(int index) const
     {
-        const int first = index < ends ? index * picks : crossings() + (index - ends) * ends;
-        return {parameters[type[index]], first, first + (index < ends ? picks : ends)};
+        const Unvisited& out = unvisited;
+        if (index < visited_ends()) {
+            const int end = out.ends_before + index, first = end * picks;
+            return {parameters[type[end]], first + out.picks_before, first + picks - out.picks_after, true, out.picks_before == 0, out.picks_after == 0};
+        }
+        const int pick = out.picks_before + index - visited_ends(), first = crossings() + pick * ends;
+        return {parameters[type[ends + pick]], first + out.ends_before, first + ends - out.ends_after, false, out.ends_before == 0, out.ends_after == 0};
+    }
+    HL_FN int visited_crossing(int index) const
+    {
+        if (!unvisited.any()) return index;
+        return (unvisited.ends_before + index / visited_picks()) * picks + unvisited.picks_before + index % visited_picks();
+    }
+    HL_FN int visited_segment(int index) const
+    {
+        if (!unvisited.any()) return index;
+        if (index < visited_crossings()) return visited_crossing(index);
+        const int weft = index - visited_crossings();
+        return crossings() + (unvisited.picks_before + weft / visited_ends()) * ends + unvisited.ends_before + weft % visited_ends();
     }
 };
 
@@ -55,7 +88,7 @@ struct Segments : Yarns {
     double* regain = nullptr;        ///< per shell, from the fibre's middle outwards
     std::int64_t* absorbed = nullptr;///< quanta taken from particles since the last network step
     int* contact = nullptr;          ///< lowest particle that touches, or none
-    double* uptake = nullptr;        ///< m3: how much more water fibres and air took in the last exchange per kg/m3 more of pore vapour
+    double* uptake = nullptr;        ///< m3: how much more water fibres took in the last exchange per kg/m3 more of pore vapour
     double* evaporated = nullptr;    ///< kg to the air since the start
     double* released = nullptr;      ///< J by phase change since the start
     double* lost = nullptr;          ///< J to the air since the start
@@ -70,6 +103,20 @@ struct Segments : Yarns {
         if (segment < crossings()) return segment;
         const int weft = segment - crossings();
         return (weft % ends) * picks + weft / ends;
+    }
+};
+
+/// How far something happens: its largest end, its largest pick, and both counted from the sample's other side.
+struct Reach {
+    int* farthest;
+
+    HL_FN void include(const Yarns& yarns, int crossing) const
+    {
+        const int end = crossing / yarns.picks, pick = crossing % yarns.picks;
+        atomic_max(farthest, end);
+        atomic_max(farthest + 1, pick);
+        atomic_max(farthest + 2, yarns.ends - 1 - end);
+        atomic_max(farthest + 3, yarns.picks - 1 - pick);
     }
 };
 

@@ -168,6 +168,55 @@ private Q_SLOTS:
         const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
         QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
     }
+    void onlyTheClothNearTheWaterIsVisited_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<int>("fidelity");
+        QTest::newRow("pool, draft") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::draft);
+        QTest::newRow("pool, standard") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::standard);
+        QTest::newRow("drop, draft") << static_cast<int>(ExperimentType::droplet) << static_cast<int>(Fidelity::draft);
+        QTest::newRow("strip, draft") << static_cast<int>(ExperimentType::vertical_wicking) << static_cast<int>(Fidelity::draft);
+    }
+    void onlyTheClothNearTheWaterIsVisited() // and what comes out is the same
+    {
+        QFETCH(int, type);
+        QFETCH(int, fidelity);
+        Design design = small(static_cast<ExperimentType>(type));
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
+        experiment.volume_ul = 0.5;
+        experiment.droplets[0] = {0.5, 0, {5, -3}, 0.2, 0};
+        experiment.duration_s = 4;
+        experiment.climate.relative_humidity = 0.3;
+        Frame frames[2];
+        int visited = 0;
+        for (bool growth : {false, true}) {
+            const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
+                                              {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
+            const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+            Solver<CpuExecutor> solver;
+            solver.executor().set_threads(2);
+            solver.load(scene);
+            solver.advance(experiment.duration_s, 1e9);
+            frames[growth] = solver.frame();
+            visited = solver.visited_segments();
+            if (!growth) QCOMPARE(visited, scene.segments());
+        }
+        const Frame &whole = frames[0], &part = frames[1];
+        QVERIFY2(visited < 0.7 * static_cast<double>(whole.liquid.size()), qPrintable(QString::number(visited)));
+        QVERIFY(std::abs(part.ledger.water_imbalance()) <= 1e-9 * moved_water(part.ledger));
+        QVERIFY(std::abs(part.ledger.energy_imbalance()) <= 1e-9 * moved_heat(part.ledger));
+        double water = 0, difference = 0, warmth = 0;
+        for (std::size_t i = 0; i < whole.liquid.size(); ++i) {
+            water += static_cast<double>(whole.liquid[i]);
+            difference += std::abs(static_cast<double>(whole.liquid[i] - part.liquid[i]));
+            warmth = std::max(warmth, static_cast<double>(std::abs(whole.temperature[i] - part.temperature[i])));
+        }
+        const double tolerance = fidelity == static_cast<int>(Fidelity::draft) ? 1e-2 : 1e-3;
+        QVERIFY2(difference < tolerance * water, qPrintable(QString::number(difference / water)));
+        QVERIFY2(warmth < 10 * tolerance, qPrintable(QString::number(warmth)));
+        QVERIFY(std::abs(part.ledger.water_evaporated - whole.ledger.water_evaporated) < tolerance * std::abs(whole.ledger.water_evaporated));
+    }
     void theClothFollowsTheAir()
     {
         Design design = small(ExperimentType::conditioning);

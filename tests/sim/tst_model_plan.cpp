@@ -111,7 +111,8 @@ private Q_SLOTS:
         const ModelPlan plan = plan_of(drop_design(), Fidelity::standard, parse_forced_parts("heat=off,vapour=on"));
         QVERIFY(!plan.on("heat"));
         QVERIFY(plan.on("vapour"));
-        QVERIFY(plan.parts.back().forced);
+        QVERIFY(!plan.parts.front().forced);
+        for (const PlannedPart& part : plan.parts) QCOMPARE(part.forced, part.name == "heat" || part.name == "vapour");
         for (const char* wrong : {"heat", "heat=maybe", "warmth=on", "=on", "heat=on,,x"})
             QVERIFY_EXCEPTION_THROWN(parse_forced_parts(wrong), Error);
     }

@@ -114,7 +114,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 5; ++i) yarns[i].pore_area = static_cast<double>(i);
         std::vector<CrossingParameters> crossings(6);
         for (std::size_t i = 0; i < 6; ++i) crossings[i].heat_conductance = static_cast<double>(10 * (i / 3) + i % 3 + 2);
-        const Yarns y{3, 4, 2, 3, type.data(), yarns.data(), crossings.data()};
+        const Yarns y{3, 4, 2, 3, type.data(), yarns.data(), crossings.data(), {}};
         for (int end = 0; end < 3; ++end)
             for (int pick = 0; pick < 4; ++pick) {
                 const double warp = type[static_cast<std::size_t>(end)], weft = type[static_cast<std::size_t>(3 + pick)];
@@ -122,8 +122,8 @@ private Q_SLOTS:
                 QCOMPARE(y.yarn_of(12 + pick * 3 + end).pore_area, weft);
                 QCOMPARE(y.crossing_at(end, pick).heat_conductance, 10 * warp + weft);
             }
-        for (int line = 0; line < y.lines(); ++line) {
-            const YarnLine found = y.line(line);
+        for (int line = 0; line < y.visited_lines(); ++line) {
+            const YarnLine found = y.visited_line(line);
             QCOMPARE(found.yarn.pore_area, double(type[static_cast<std::size_t>(line)]));
             QCOMPARE(found.last - found.first, line < 3 ? 4 : 3);
             for (int i = found.first; i < found.last; ++i) QCOMPARE(y.line_of(i), line);

@@ -215,6 +215,7 @@ struct GiveToSegments {
     Segments s;
     double density;
     double dt;
+    Reach reach;
 
     HL_FN void operator()(int i) const
     {
@@ -233,8 +234,10 @@ struct GiveToSegments {
         const double drunk = dt * yarn.intake_flux * yarn.face_area * room / capacity;
         const double most = (drunk < room ? drunk : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
+        if (given == 0) return;
         s.absorbed[segment] += given;
         p.content[i] -= given;
+        reach.include(s, s.crossing_of(segment));
     }
 };
 

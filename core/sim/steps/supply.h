@@ -12,8 +12,9 @@ struct KeepFed {
     Segments s;
     double density;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         if (s.fed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
         s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i)) * s.warmth[i];
@@ -59,9 +60,9 @@ struct AskPool {
         const double drawn = evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity;
         return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
     }
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
-        const std::int64_t quanta = wanted(i);
+        const std::int64_t quanta = wanted(s.visited_segment(index));
         if (quanta > 0) atomic_add(asked, quanta);
     }
 };
@@ -72,8 +73,9 @@ struct TakeFromPool {
     double share;
     std::int64_t* given;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = ask.s.visited_segment(index);
         const auto quanta = static_cast<std::int64_t>(share * static_cast<double>(ask.wanted(i)));
         if (quanta <= 0) return;
         ask.s.absorbed[i] += quanta;
@@ -87,14 +89,43 @@ struct Swell {
     double density;
     double swelling; ///< m3 per kg
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
         const double dry = yarn.pore_area * s.length[i];
         double pores = dry - swelling * bound_water(s, yarn, i);
         if (pores < 0.05 * dry) pores = 0.05 * dry;
         if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
         s.pores[i] = pores;
+    }
+};
+
+/// Finds where the cloth is no longer at rest near the border of what is visited.
+struct FindReach {
+    Segments s;
+    ClimateParameters climate;
+    double tolerance; ///< of saturation humidity; of ten kelvin
+    int near;         ///< threads from the border that count
+    Reach reach;
+
+    HL_FN bool is_near(int crossing) const
+    {
+        const Unvisited& out = s.unvisited;
+        const int end = crossing / s.picks, pick = crossing % s.picks;
+        return (out.ends_before > 0 && end < out.ends_before + near) || (out.ends_after > 0 && s.ends - 1 - end < out.ends_after + near) ||
+               (out.picks_before > 0 && pick < out.picks_before + near) || (out.picks_after > 0 && s.picks - 1 - pick < out.picks_after + near);
+    }
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        if (!is_near(s.crossing_of(i))) return;
+        const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
+        const double moister = s.vapour[i] / air - climate.vapour, warmer = s.warmth[i] - climate.air_warmth;
+        const double most_moister = tolerance * saturation_concentration(climate.temperature), most_warmer = 10.0 * tolerance;
+        const bool rests = s.liquid[i] <= 1e-9 * climate.density * s.pores[i] && moister < most_moister && moister > -most_moister &&
+                           warmer < most_warmer && warmer > -most_warmer;
+        if (!rests) reach.include(s, s.crossing_of(i));
     }
 };
 
@@ -122,7 +153,7 @@ struct EstimateWicking {
 
     HL_FN void operator()(int index) const
     {
-        const YarnLine line = s.line(index);
+        const YarnLine line = s.visited_line(index);
         std::int64_t quanta = 0;
         for (int i = line.first; i < line.last; ++i) quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
         if (quanta > 0) atomic_add(sum, quanta);
@@ -141,7 +172,7 @@ struct EstimateExchange {
     static constexpr double heat_quantum = 0x1.0p-50; ///< J
     HL_FN void operator()(int index) const
     {
-        const YarnLine line = s.line(index);
+        const YarnLine line = s.visited_line(index);
         std::int64_t water = 0, joules = 0;
         for (int i = line.first; i < line.last; ++i) {
             const double bound_now = bound_water(s, line.yarn, i);

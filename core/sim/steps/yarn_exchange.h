@@ -17,8 +17,8 @@ struct ExchangeAtCrossing {
 
     HL_FN void operator()(int index) const
     {
-        const int end = index / s.picks, pick = index % s.picks;
-        const int a = index;
+        const int a = s.visited_crossing(index);
+        const int end = a / s.picks, pick = a % s.picks;
         const int b = s.weft_of(end, pick);
         const YarnParameters& warp = s.parameters[s.type_of_end(end)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
@@ -111,8 +111,9 @@ struct ExchangeInSegment {
         double dry_mass, bound, base, slope;
     };
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
         const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;
@@ -131,16 +132,14 @@ struct ExchangeInSegment {
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
         accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
-        if (vapour) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth);
+        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth);
     }
 
     HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature) const
     {
-        double taken = dt * climate.mass_transfer * face_area;
         const double more = 1e-3 * saturation_concentration(temperature);
-        if (sorption)
-            taken += fibre.slope * (skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature)) / more;
-        return taken > 0 ? taken : 0.0;
+        const double rise = skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature);
+        return fmax_(0.0, fibre.slope * rise / more);
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
@@ -149,7 +148,7 @@ struct ExchangeInSegment {
         const double off = s.vapour[i] / air - background;
         const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
-        return s.liquid[i] <= 0 && warmer < 1e-7 && warmer > -1e-7 && off < 1e-8 * (background + 1e-6) &&
+        return s.liquid[i] <= 0 && s.vapour[i] >= 0 && warmer < 1e-7 && warmer > -1e-7 && off < 1e-8 * (background + 1e-6) &&
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }
 
@@ -415,7 +414,7 @@ struct ExchangeInSegment {
         double taken = 0;
         if (sorption) {
             // A yarn that holds neither liquid nor vapour enough gives its fibres what there is.
-            const double offered = s.liquid[i] + (vapour ? s.vapour[i] + fmax_(0.0, -o.to_air) : 0.0);
+            const double offered = fmax_(0.0, s.liquid[i] + (vapour ? s.vapour[i] + fmax_(0.0, -o.to_air) : 0.0));
             const double wanted = o.bound - fibre.bound;
             const double share = wanted > offered ? offered / wanted : 1.0;
             const double skin = skin_regain(yarn, wet, o.pore_vapour, temperature);
@@ -429,12 +428,23 @@ struct ExchangeInSegment {
         double evaporated = vapour ? fmin_(o.evaporated, s.liquid[i] - from_liquid) : 0.0;
         double pore = s.vapour[i] + evaporated - o.to_air - (taken - from_liquid);
         if (pore < 0) { // rounding, or a fibre that drank the pore dry: the liquid makes up for it
-            const double made_up = fmin_(-pore, s.liquid[i] - from_liquid - evaporated);
+            constexpr double most_cooling = 3.0; // K
+            const double bearable = heat ? capacity * most_cooling / heat_of_evaporation(temperature) : -pore;
+            const double made_up = fmin_(fmin_(-pore, bearable), s.liquid[i] - from_liquid - evaporated);
             evaporated += made_up;
             pore += made_up;
         }
-        const double to_air = o.to_air + (pore < 0 ? pore : 0.0); // with no liquid left the air gives it
+        double to_air = o.to_air + (pore < 0 ? pore : 0.0); // the air gives the rest
         if (pore < 0) pore = 0;
+        // What the air that is left cannot hold condenses, or leaves where there is no room for it.
+        const double left = s.liquid[i] - from_liquid - evaporated;
+        const double excess = vapour ? pore - saturation_concentration(temperature) * pore_air(s.pores[i], left, climate.density) : 0.0;
+        if (excess > 0) {
+            const double condensed = fmax_(0.0, fmin_(excess, climate.density * s.pores[i] - left));
+            evaporated -= condensed;
+            to_air += excess - condensed;
+            pore -= excess;
+        }
         s.liquid[i] = fmax_(0.0, s.liquid[i] - from_liquid - evaporated);
         s.vapour[i] = pore;
         s.evaporated[i] += to_air;
@@ -457,8 +467,9 @@ struct ExchangeInSegment {
 struct TakeAbsorbed {
     Segments s;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         if (s.absorbed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
         const double added = static_cast<double>(s.absorbed[i]) * water_quantum;

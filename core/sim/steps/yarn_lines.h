@@ -41,7 +41,7 @@ struct WickAlongYarn {
 
     HL_FN void operator()(int index) const
     {
-        const YarnLine line = s.line(index);
+        const YarnLine line = s.visited_line(index);
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
         double held = 0;
@@ -51,7 +51,7 @@ struct WickAlongYarn {
         }
         if (held <= 0 || yarn.liquid_diffusivity <= 0) return;
 
-        const double gravity = index < s.ends ? gravity_along_warp : gravity_along_weft;
+        const double gravity = line.is_warp ? gravity_along_warp : gravity_along_weft;
         double* saturation = s.work0;
         for (int i = a; i < b; ++i) saturation[i] = is_fed(i) ? 1.0 : s.liquid[i] / capacity(i);
         for (int round = 0; round < most_newton_rounds; ++round)
@@ -166,7 +166,7 @@ struct ConductAlongYarn {
 
     HL_FN void operator()(int index) const
     {
-        const YarnLine line = s.line(index);
+        const YarnLine line = s.visited_line(index);
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
         bool any = climate.air_warmth != 0;
@@ -189,15 +189,18 @@ struct ConductAlongYarn {
             const double then = now - water_specific_heat * (in - out);
             const double lower = -before_joint - water_specific_heat * (in > 0 ? in : 0.0);
             const double higher = -next_joint + water_specific_heat * (out < 0 ? out : 0.0);
-            const double ends = (i == a ? end : 0.0) + (i == b - 1 ? end : 0.0);
+            const double ends = (i == a && line.starts ? end : 0.0) + (i == b - 1 && line.stops ? end : 0.0);
             const double pivot = then + water_specific_heat * came + before_joint + next_joint + ends - (i > a ? lower * s.work1[i - 1] : 0.0);
             s.work1[i] = higher / pivot;
             s.work2[i] = (then * s.warmth[i] + ends * climate.air_warmth - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
             before_joint = next_joint;
         }
         for (int i = b - 1; i >= a; --i) s.warmth[i] = s.work2[i] - (i < b - 1 ? s.work1[i] * s.warmth[i + 1] : 0.0);
-        for (int i : {a, b - 1})
+        const auto lose = [&](int i) {
             if (s.fed == nullptr || s.fed[i] == 0) s.lost[i] += end * (s.warmth[i] - climate.air_warmth);
+        };
+        if (line.starts) lose(a);
+        if (line.stops) lose(b - 1);
         if (s.fed == nullptr) return;
         for (int i = a; i < b - 1; ++i) {
             const double passed = joint(yarn, i) * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
@@ -215,12 +218,12 @@ HL_FN double pore_air(double pores, double liquid, double density)
 }
 
 /// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for it.
-/// What fibres and air will take of it in the local exchange that follows counts as capacity (uptake), so that it goes as far as it does.
+/// What fibres and air will take of it in the local exchange that follows is foreseen here (uptake), so that it goes as far as it does.
 struct DiffuseVapourAlongYarn {
     Segments s;
     ClimateParameters climate;
     double dt;
-    double background; ///< kg/m3, of undisturbed pores
+    double face_area;  ///< m2 of fabric face that a segment answers for
     bool heat;         ///< whether evaporation cools
     bool face_only = false; ///< cut ends are closed
 
@@ -231,12 +234,14 @@ struct DiffuseVapourAlongYarn {
         const double narrow = own_air / s.length[i] < next_air / s.length[i + 1] ? own_air / s.length[i] : next_air / s.length[i + 1];
         return dt * (yarn.vapour_diffusivity * narrow + yarn.open_vapour) / distance;
     }
-    HL_FN double cut_end(const YarnParameters& yarn, int i, double own_air) const // m3, through the end of the yarn to the air
+    HL_FN double cut_ends(const YarnLine& line, int i, double own_air) const // m3, through the ends of the yarn to the air
     {
-        if (face_only) return 0;
+        const int ends = (line.starts && i == line.first ? 1 : 0) + (line.stops && i == line.last - 1 ? 1 : 0);
+        if (face_only || ends == 0) return 0;
+        const YarnParameters& yarn = line.yarn;
         const double inside = 2.0 * (yarn.vapour_diffusivity * own_air / s.length[i] + yarn.open_vapour) / s.length[i];
         const double outside = climate.mass_transfer * (yarn.fibre_area + yarn.pore_area);
-        return inside > 0 && outside > 0 ? dt * inside * outside / (inside + outside) : 0.0;
+        return inside > 0 && outside > 0 ? ends * dt * inside * outside / (inside + outside) : 0.0;
     }
     /// m3 of air that the segment's liquid can bring to saturation in this step: never more than the liquid lasts for, nor than cools it
     /// by a few kelvin.
@@ -255,16 +260,17 @@ struct DiffuseVapourAlongYarn {
 
     HL_FN void operator()(int index) const
     {
-        const YarnLine line = s.line(index);
+        const YarnLine line = s.visited_line(index);
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
         bool disturbed = false;
         for (int i = a; i < b && !disturbed; ++i) {
-            const double difference = s.vapour[i] / air(i) - background;
-            disturbed = s.liquid[i] > 0 || difference > 1e-9 * background || difference < -1e-9 * background;
+            const double difference = s.vapour[i] / air(i) - climate.vapour;
+            disturbed = s.liquid[i] > 0 || difference > 1e-9 * climate.vapour || difference < -1e-9 * climate.vapour;
         }
         if (!disturbed) return;
 
+        const double to_air = dt * climate.mass_transfer * face_area;
         double before_joint = 0;
         double own_air = air(a);
         for (int i = a; i < b; ++i) {
@@ -272,11 +278,11 @@ struct DiffuseVapourAlongYarn {
             const double next_joint = i < b - 1 ? joint(yarn, i, own_air, next_air) : 0.0;
             const double saturated = saturation_concentration(climate.temperature + s.warmth[i]);
             const double fed = supply(yarn, i, own_air, saturated);
-            const double end = (i == a ? cut_end(yarn, i, own_air) : 0.0) + (i == b - 1 ? cut_end(yarn, i, own_air) : 0.0);
+            const double end = cut_ends(line, i, own_air);
             const double taken = s.uptake[i];
             const double lower = -before_joint;
-            const double pivot = own_air + taken + fed + end + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
-            const double known = s.vapour[i] * (1.0 + taken / own_air) + fed * saturated + end * climate.vapour;
+            const double pivot = own_air + taken + to_air + fed + end + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
+            const double known = s.vapour[i] * (1.0 + taken / own_air) + fed * saturated + (end + to_air) * climate.vapour;
             s.work1[i] = -next_joint / pivot;
             s.work2[i] = (known - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
             before_joint = next_joint;
@@ -292,11 +298,9 @@ struct DiffuseVapourAlongYarn {
             const double temperature = climate.temperature + s.warmth[i];
             const double saturated = saturation_concentration(temperature);
             const double evaporated = supply(yarn, i, own_air, saturated) * (saturated - s.work2[i]);
-            double to_air = 0;
-            if (i == a) to_air += cut_end(yarn, i, own_air) * (s.work2[i] - climate.vapour);
-            if (i == b - 1) to_air += cut_end(yarn, i, own_air) * (s.work2[i] - climate.vapour);
-            s.vapour[i] += arriving - leaving + evaporated - to_air; // less than nothing is what fibres will give
-            s.evaporated[i] += to_air;
+            const double through_end = cut_ends(line, i, own_air) * (s.work2[i] - climate.vapour);
+            s.vapour[i] += arriving - leaving + evaporated - through_end; // less than nothing is what fibres and air will give
+            s.evaporated[i] += through_end;
             if (heat && evaporated != 0) {
                 const double released = -heat_of_evaporation(temperature) * evaporated;
                 s.warmth[i] += released / heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
