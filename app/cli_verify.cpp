@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdio>
+
 namespace hygroloom {
 namespace {
 
@@ -31,25 +34,66 @@ Json parameters_json(const std::vector<VerifyParameter>& parameters)
 Json report_json(const VerifyReport& report)
 {
     Json results = Json::array();
-    for (const VerifyResult& r : report.results)
-        results.push_back(
-            {{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}});
-    return {{"case", report.name}, {"parameters", parameters_json(report.parameters)}, {"results", results}, {"wall_s", report.wall}};
+    for (const VerifyResult& r : report.results) {
+        Json result{{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}};
+        if (r.rule != Rule::near) result["rule"] = r.rule == Rule::at_most ? "at_most" : "at_least";
+        if (!r.known_miss.empty()) result["known_miss"] = r.known_miss;
+        results.push_back(result);
+    }
+    Json json{{"case", report.name}, {"parameters", parameters_json(report.parameters)}, {"results", results}, {"wall_s", report.wall}};
+    if (!report.source.empty()) json["compared_with"] = report.source;
+    if (!report.not_applicable.empty()) json["not_applicable"] = report.not_applicable;
+    return json;
+}
+
+const char* word_for(const VerifyReport& report, const VerifyResult& r)
+{
+    if (r.pass()) return "pass";
+    return !r.known_miss.empty() ? "miss" : report.source.empty() ? "FAIL" : "MISS";
 }
 
 void print_report(const VerifyReport& report)
 {
     fmt::print("{} ({:.2f} s)\n", report.name, report.wall);
-    for (const VerifyResult& r : report.results)
-        fmt::print("  {:<4} {:<24} computed {:<12.6g} expected {:<12.6g} tolerance {:.3g}\n", r.pass() ? "pass" : "FAIL", r.name,
-                   r.computed, r.expected, r.tolerance);
+    if (!report.source.empty()) fmt::print("  measured (compared, not a proof): {}\n", report.source);
+    if (!report.not_applicable.empty()) fmt::print("  not applicable: {}\n", report.not_applicable);
+    for (const VerifyResult& r : report.results) {
+        const char* rule = r.rule == Rule::near ? "expected" : r.rule == Rule::at_most ? "at most" : "at least";
+        fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule, r.expected,
+                   r.tolerance);
+        if (!r.known_miss.empty())
+            fmt::print("       {}{}\n", r.pass() ? "holds now, although noted as a miss: " : "known miss: ", r.known_miss);
+    }
+}
+
+/// What many reports come to, in a line each.
+void print_summary(const std::vector<VerifyReport>& reports)
+{
+    int known = 0, passed = 0, compared = 0, held = 0, left_out = 0;
+    std::string misses;
+    for (const VerifyReport& report : reports) {
+        if (!report.not_applicable.empty()) {
+            ++left_out;
+            continue;
+        }
+        (report.source.empty() ? known : compared) += 1;
+        (report.source.empty() ? passed : held) += report.pass();
+        for (const VerifyResult& r : report.results)
+            if (!r.pass()) misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
+    }
+    if (known > 0) fmt::print("{} of {} cases with known answers pass in full.\n", passed, known);
+    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold in full; {} cannot be made.\n", held, compared, left_out);
+    if (!misses.empty()) fmt::print("Misses:{}\n", misses);
 }
 
 int list_cases(const VerifyOptions& options)
 {
     Json list = Json::array();
     for (const VerifyCase& c : verify_cases()) {
-        list.push_back({{"case", c.name}, {"about", c.about}, {"parameters", parameters_json(c.parameters)}});
+        Json entry{{"case", c.name}, {"about", c.about}, {"parameters", parameters_json(c.parameters)}};
+        if (!c.source.empty()) entry["compared_with"] = c.source;
+        if (!c.not_applicable.empty()) entry["not_applicable"] = c.not_applicable;
+        list.push_back(entry);
         if (!options.json) fmt::print("{:<26} {}\n", c.name, c.about);
     }
     if (options.json) fmt::print("{}\n", Json{{"cases", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -65,7 +109,6 @@ int verify(const VerifyOptions& options)
         if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a name, =, and a value.");
         changes[set.substr(0, sign)] = set.substr(sign + 1);
     }
-    if (options.name.empty() && !changes.empty()) throw Stop(exit_usage, "--set needs the name of one case.");
     std::unique_ptr<Backend> backend;
     try {
         backend = make_backend(options.backend);
@@ -76,32 +119,29 @@ int verify(const VerifyOptions& options)
     }
     backend->set_threads(options.threads);
 
-    std::vector<std::string> names{options.name};
-    if (options.name.empty()) {
-        names.clear();
-        for (const VerifyCase& c : verify_cases()) names.push_back(c.name);
-    }
-    bool pass = true;
-    Json reports = Json::array();
+    const std::vector<std::string> names = verify_names(options.name);
+    const bool several = names.size() > 1;
+    if (several && !changes.empty()) throw Stop(exit_usage, "--set needs the name of one case.");
+    std::vector<VerifyReport> reports;
     for (const std::string& name : names) {
-        VerifyReport report;
         try {
-            report = run_verify_case(name, changes, *backend);
+            reports.push_back(run_verify_case(name, changes, *backend));
         } catch (const DeviceError&) {
             throw;
         } catch (const Error& error) {
             throw Stop(exit_usage, error.what());
         }
-        pass = pass && report.pass();
-        if (options.json)
-            reports.push_back(report_json(report));
-        else
-            print_report(report);
+        if (!options.json) print_report(reports.back());
+        std::fflush(stdout);
     }
-    if (options.json)
-        fmt::print("{}\n", options.name.empty() ? Json{{"reports", reports}}.dump(2)
-                                                : reports[0].dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    return pass ? exit_ok : exit_failed;
+    if (options.json) {
+        Json all = Json::array();
+        for (const VerifyReport& report : reports) all.push_back(report_json(report));
+        fmt::print("{}\n", (several ? Json{{"reports", all}} : all[0]).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else if (several) {
+        print_summary(reports);
+    }
+    return std::all_of(reports.begin(), reports.end(), [](const VerifyReport& r) { return r.as_expected(); }) ? exit_ok : exit_failed;
 }
 
 } // namespace
@@ -111,7 +151,7 @@ void add_verify(CLI::App& app, Verb& chosen)
     auto options = std::make_shared<VerifyOptions>();
     CLI::App& verb = *app.add_subcommand("verify", "Physics cases with known answers: computed, expected, tolerance, pass or fail");
     verb.footer("Example: hygroloom-cli verify washburn --set radius_um=20 --set contact_angle_deg=45 --json");
-    verb.add_option("case", options->name, "Name of one case; all when left out");
+    verb.add_option("case", options->name, "Name of one case, or measured for all comparisons with measurements; everything when left out");
     verb.add_flag("--list", options->list, "Only list the cases");
     verb.add_option("--set", options->sets, "Change a parameter of the case, e.g. radius_um=20")
         ->type_name("NAME=VALUE")

@@ -38,6 +38,7 @@ struct Frame {
     std::vector<float> regain;                    ///< bound water / dry fibre
     std::vector<float> vapour;                    ///< kg/m3
     std::vector<float> temperature;               ///< K
+    std::vector<float> shells;                    ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

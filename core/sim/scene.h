@@ -131,6 +131,7 @@ struct Scene {
     double swelling = 0;                  ///< m3 of pore lost per kg of water that fibres bind
     int particles_per_droplet = 0;
     int fibre_shells = 1;
+    bool shows_shells = false;            ///< whether frames show the regain of each shell
     bool wicking = true, sorption = true, vapour = true, heat = true;
     double network_step = 0;              ///< s, longest while drops are about
     double calm_network_step = 0;         ///< s, longest without drops; 0: the same

@@ -433,6 +433,7 @@ template <typename Executor> Frame Solver<Executor>::frame()
     f.ledger = ledger();
     const std::vector<double> liquid = liquid_.download(), vapour = vapour_.download(), warmth = warmth_.download();
     std::vector<double> regain = regain_.download();
+    if (scene_.shows_shells) f.shells.assign(regain.begin(), regain.end());
     const Segments s = fibres_on_host(regain);
     const std::vector<double> pores = pores_.download();
     const auto n = liquid.size();

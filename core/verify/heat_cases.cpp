@@ -16,22 +16,6 @@ namespace {
 
 double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
 
-/// A yarn of fibre alone, warm by 1 K, with its first segment (and its last) kept at 0.
-Scene warm_yarn(int cells, double cell, double diffusivity, bool both_ends)
-{
-    Scene scene = bare_scene(1, cells, cell, 293.15);
-    scene.heat = true;
-    for (YarnParameters& yarn : scene.yarns) {
-        yarn.pore_area = 1e-9 * yarn.fibre_area;
-        yarn.fibre_conductivity = diffusivity * yarn.fibre_density * yarn.fibre_specific_heat;
-    }
-    scene.initial_warmth = 1;
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-    scene.fed[0] = 1;
-    if (both_ends) scene.fed[static_cast<std::size_t>(cells - 1)] = 1;
-    return scene;
-}
-
 double warmth_at(const Frame& frame, double place) // in cells from the first one's middle
 {
     const auto cell = static_cast<std::size_t>(place);
@@ -69,16 +53,6 @@ std::vector<VerifyResult> half_space(const VerifyValues& v, Backend& backend)
     return {{"temperature", warmth_at(frame, depth / cell), std::erf(depth / reach), 0.005}};
 }
 
-const Material& material_of(const VerifyValues& v)
-{
-    const std::string& name = v.at("material").word;
-    const Material* material = find_library_material(name);
-    if (!material) throw Error("There is no material \"" + name + "\" in the library.");
-    return *material;
-}
-
-Isotherm isotherm_of(const Material& m) { return {m.standard_regain, m.saturation_regain, m.gab.monolayer_regain, m.gab.c, m.gab.k}; }
-
 /// A sheet whose fibres are always in equilibrium with their pores, or take up water by diffusion, in air of a humidity: one temperature, one
 /// pore vapour, both faces alike. Integrated by itself, in small explicit steps, for comparison.
 struct Sheet {
@@ -107,7 +81,7 @@ struct Sheet {
         std::vector<double> w(diffusivity > 0 ? shells : 1, regain_at_reference(isotherm, from));
         double warmth = 0;
         const double dr = radius / shells;
-        double dt = 0.005;
+        double dt = std::min(0.005, 1e-3 * mass / mass_transfer); // s
         if (diffusivity > 0) dt = std::min(dt, 0.2 * dr * dr / diffusivity);
         const auto mean = [&] {
             if (w.size() == 1) return w[0];
@@ -157,7 +131,7 @@ struct Sheet {
 
 std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backend)
 {
-    const Material& material = material_of(v);
+    const Material& material = library_material(v.at("material").word);
     const std::string& curve = v.at("isotherm").word;
     if (curve != "master" && curve != "gab") throw Error(fmt::format("isotherm: Must be master or gab; \"{}\" was given.", curve));
     Isotherm isotherm = isotherm_of(material);
@@ -173,31 +147,14 @@ std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backe
     const Sheet sheet{1e-3 * value(v, "areal_density_g_m2"), material.specific_heat_j_kgk, value(v, "mass_transfer_m_s"), value(v, "heat_transfer_w_m2k"),
                       isotherm, metre_from_um(material.fibre_radius_um), value(v, "fibre_diffusivity_m2_s"), temperature, vapour};
 
-    Scene scene = bare_scene(1, 1, 1e-3, temperature);
-    scene.sorption = scene.vapour = scene.heat = true;
-    scene.fibre_shells = sheet.diffusivity > 0 ? largest_shell_count : 1;
-    scene.climate.humidity = to;
-    scene.climate.vapour = vapour;
-    scene.climate.mass_transfer = sheet.mass_transfer;
-    scene.climate.heat_transfer = sheet.heat_transfer;
-    scene.initial_humidity = from;
-    for (YarnParameters& yarn : scene.yarns) {
-        yarn.fibre_density = material.density_kg_m3;
-        yarn.fibre_specific_heat = sheet.specific_heat;
-        yarn.fibre_radius = sheet.radius;
-        yarn.fibre_area = 0.5 * sheet.mass * scene.cell_area / (scene.length[0] * yarn.fibre_density);
-        yarn.pore_area = 0.01 * yarn.fibre_area;
-        yarn.isotherm = isotherm;
-        yarn.diffusivity = {DiffusionLaw::constant, sheet.diffusivity > 0 ? sheet.diffusivity : 1e-6, 0.0};
-        yarn.vapour_diffusivity = 0;
-        yarn.initial_regain = regain_at_reference(isotherm, from);
-        yarn.resting_regain = regain_at_reference(isotherm, to);
-    }
-    // Faces only: a sheet has no cut ends.
-    scene.face_only = true;
-    scene.network_step = 0.02;
+    Scene scene = sheet_in_air(material, isotherm,
+                               {sheet.mass, sheet.mass_transfer, sheet.heat_transfer, sheet.diffusivity, from, to, temperature});
+    const double course = sheet.mass * regain_at_reference(isotherm, std::max(from, to)) / (2.0 * sheet.mass_transfer * saturation_concentration(temperature));
+    scene.network_step = std::clamp(course / 5000, 1e-3, 0.02);
     std::vector<double> times;
-    for (int i = 1; i <= 1200; ++i) times.push_back(0.5 * i);
+    const double until = 600, spacing = std::min(0.5, course / 500);
+    for (double time = spacing; time < until; time += time < 500 * spacing ? spacing : 0.5) times.push_back(time);
+    times.push_back(until);
     double peak = 0, peak_time = 0;
     const std::vector<Frame> frames = frames_at(backend, scene, times);
     for (const Frame& frame : frames) {
@@ -207,7 +164,7 @@ std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backe
             peak_time = frame.time;
         }
     }
-    const Sheet::Course expected = sheet.run(from, 600);
+    const Sheet::Course expected = sheet.run(from, until);
     return {{"peak_rise_k", peak, expected.peak, 1.0},
             {"peak_time_s", peak_time, expected.peak_time, 5.0},
             {"regain_600s", frames.back().regain[0], expected.regain, 0.03 * std::max(1e-6, expected.regain)}};
@@ -215,32 +172,13 @@ std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backe
 
 std::vector<VerifyResult> adiabatic_wetting(const VerifyValues& v, Backend& backend)
 {
-    const Material& material = material_of(v);
+    const Material& material = library_material(v.at("material").word);
     const double regain = value(v, "regain");
     if (regain > material.saturation_regain + 1e-9)
         throw Error(fmt::format("regain: {} takes up at most {}; {} was given.", material.name, material.saturation_regain, regain));
-    Isotherm isotherm = isotherm_of(material);
-    isotherm.shifts = false; // heats of wetting are measured at one temperature
-    Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
-    scene.sorption = scene.vapour = scene.heat = true; // vapour fills the pores; no air takes it
-    scene.fibre_shells = 12;
-    scene.climate.humidity = scene.initial_humidity = 1;
-    scene.climate.vapour = saturation_concentration(scene.climate.temperature);
-    const double scale = material.heat_of_wetting_j_g > 0 ? 1e3 * material.heat_of_wetting_j_g / heat_of_wetting(isotherm) : 1.0;
-    scene.initial_liquid.assign(2, 0.0);
-    for (std::size_t i = 0; i < 2; ++i) {
-        YarnParameters& yarn = scene.yarns[i];
-        yarn.fibre_density = material.density_kg_m3;
-        yarn.fibre_specific_heat = material.specific_heat_j_kgk;
-        yarn.isotherm = isotherm;
-        yarn.sorption_heat_scale = scale;
-        yarn.diffusivity = {DiffusionLaw::constant, 1e-12, 0.0};
-        yarn.resting_regain = 1;
-        scene.initial_liquid[i] = regain * scene.length[i] * yarn.fibre_area * yarn.fibre_density;
-        yarn.pore_area = std::max(yarn.pore_area, 2.0 * scene.initial_liquid[i] / (scene.climate.density * scene.length[i]));
-    }
-    scene.face_only = true;
-    scene.network_step = 0.05;
+    const Scene scene = fibre_with_liquid(material, regain);
+    const Isotherm& isotherm = scene.yarns[0].isotherm;
+    const double scale = scene.yarns[0].sorption_heat_scale;
     const Frame frame = frames_at(backend, scene, {600.0}).back();
 
     // The heat of sorption over the isotherm up to this regain.

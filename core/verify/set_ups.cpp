@@ -1,9 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/verify/set_ups.h"
 
+#include "core/base/error.h"
 #include "core/physics/air.h"
+#include "core/physics/sorption.h"
+#include "core/project/library.h"
+
+#include <algorithm>
 
 namespace hygroloom {
+namespace {
+
+/// Textile F of the paper with one drop.
+Design drop_on_cotton(double volume, double duration, double contact_angle)
+{
+    Design design;
+    Fabric fabric;
+    fabric.name = "cotton";
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
+    fabric.ends_per_cm = fabric.picks_per_cm = 35;
+    fabric.contact_angle_deg = contact_angle;
+    design.fabrics.push_back(fabric);
+    Experiment experiment;
+    experiment.name = "drop";
+    experiment.duration_s = duration;
+    experiment.sample_mm = {12, 12};
+    experiment.droplets[0].volume_ul = volume;
+    design.experiments.push_back(experiment);
+    return design;
+}
+
+} // namespace
 
 Scene bare_scene(int ends, int picks, double pitch, double temperature)
 {
@@ -49,11 +76,161 @@ std::vector<Frame> frames_at(Backend& backend, const Scene& scene, const std::ve
     backend.load(scene);
     std::vector<Frame> frames;
     for (double time : times) {
-        while (backend.advance(time) < time) {
-        }
+        while (backend.advance(time) < time) {}
         frames.push_back(backend.frame());
     }
     return frames;
+}
+
+const Material& library_material(const std::string& name)
+{
+    const Material* material = find_library_material(name);
+    if (!material) throw Error("There is no material \"" + name + "\" in the library.");
+    return *material;
+}
+
+const Fabric& library_fabric(const std::string& name)
+{
+    std::string names;
+    for (const Preset& preset : shipped_presets()) {
+        if (preset.fabric().name == name || (name.size() == 1 && preset.fabric().name == "Textile " + name)) return preset.fabric();
+        names += (names.empty() ? "" : ", ") + preset.fabric().name;
+    }
+    throw Error("There is no fabric \"" + name + "\" in the library; there are: " + names + ".");
+}
+
+Isotherm isotherm_of(const Material& m) { return {m.standard_regain, m.saturation_regain, m.gab.monolayer_regain, m.gab.c, m.gab.k}; }
+
+Scene fibre_in_air(const Material& material, double temperature, double humidity)
+{
+    Scene scene = bare_scene(1, 1, 1e-3, temperature);
+    scene.sorption = scene.vapour = true;
+    scene.fibre_shells = 8;
+    scene.climate.humidity = humidity;
+    scene.climate.vapour = humidity * saturation_concentration(temperature);
+    scene.climate.mass_transfer = 0.01;
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.isotherm = isotherm_of(material);
+        yarn.diffusivity.constant = 1e-12; // only the end matters here
+        yarn.initial_regain = 0;
+        yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, temperature);
+    }
+    scene.network_step = 5.0;
+    return scene;
+}
+
+Scene fibre_with_liquid(const Material& material, double regain)
+{
+    Isotherm isotherm = isotherm_of(material);
+    isotherm.shifts = false; // heats of wetting are measured at one temperature
+    Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
+    scene.sorption = scene.vapour = scene.heat = true; // vapour fills the pores; no air takes it
+    scene.fibre_shells = 12;
+    scene.climate.humidity = scene.initial_humidity = 1;
+    scene.climate.vapour = saturation_concentration(scene.climate.temperature);
+    scene.initial_liquid.assign(2, 0.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+        YarnParameters& yarn = scene.yarns[i];
+        yarn.fibre_density = material.density_kg_m3;
+        yarn.fibre_specific_heat = material.specific_heat_j_kgk;
+        yarn.isotherm = isotherm;
+        if (material.heat_of_wetting_j_g > 0) yarn.sorption_heat_scale = 1e3 * material.heat_of_wetting_j_g / heat_of_wetting(isotherm);
+        yarn.diffusivity = {DiffusionLaw::constant, 1e-12, 0.0};
+        yarn.resting_regain = 1;
+        scene.initial_liquid[i] = regain * scene.length[i] * yarn.fibre_area * yarn.fibre_density;
+        yarn.pore_area = std::max(yarn.pore_area, 2.0 * scene.initial_liquid[i] / (scene.climate.density * scene.length[i]));
+    }
+    scene.face_only = true;
+    scene.network_step = 0.05;
+    return scene;
+}
+
+Scene warm_yarn(int cells, double cell, double diffusivity, bool both_ends)
+{
+    Scene scene = bare_scene(1, cells, cell, 293.15);
+    scene.heat = true;
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.pore_area = 1e-9 * yarn.fibre_area;
+        yarn.fibre_conductivity = diffusivity * yarn.fibre_density * yarn.fibre_specific_heat;
+    }
+    scene.initial_warmth = 1;
+    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    scene.fed[0] = 1;
+    if (both_ends) scene.fed[static_cast<std::size_t>(cells - 1)] = 1;
+    return scene;
+}
+
+Scene sheet_in_air(const Material& material, const Isotherm& isotherm, const SheetClimate& air)
+{
+    Scene scene = bare_scene(1, 1, 1e-3, air.temperature);
+    scene.sorption = scene.vapour = scene.heat = true;
+    scene.fibre_shells = air.diffusivity > 0 ? largest_shell_count : 1;
+    scene.climate.humidity = air.to_humidity;
+    scene.climate.vapour = air.to_humidity * saturation_concentration(air.temperature);
+    scene.climate.mass_transfer = air.mass_transfer;
+    scene.climate.heat_transfer = air.heat_transfer;
+    scene.initial_humidity = air.from_humidity;
+    for (YarnParameters& yarn : scene.yarns) {
+        yarn.fibre_density = material.density_kg_m3;
+        yarn.fibre_specific_heat = material.specific_heat_j_kgk;
+        yarn.fibre_radius = metre_from_um(material.fibre_radius_um);
+        yarn.fibre_area = 0.5 * air.areal_density * scene.cell_area / (scene.length[0] * yarn.fibre_density);
+        yarn.pore_area = 0.01 * yarn.fibre_area;
+        yarn.isotherm = isotherm;
+        yarn.diffusivity = {DiffusionLaw::constant, air.diffusivity > 0 ? air.diffusivity : 1e-6, 0.0};
+        yarn.vapour_diffusivity = 0;
+        yarn.initial_regain = equilibrium_regain(isotherm, air.from_humidity, air.temperature);
+        yarn.resting_regain = equilibrium_regain(isotherm, air.to_humidity, air.temperature);
+    }
+    scene.face_only = true; // a sheet has no cut ends
+    scene.network_step = 0.02;
+    return scene;
+}
+
+Scene wet_spot()
+{
+    const Design design = drop_on_cotton(1, 1, 35);
+    const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 37, 41});
+    ModelPlan plan;
+    for (const char* part : {"wicking", "sorption", "vapour", "heat"}) plan.parts.push_back({part, true, false, ""});
+    plan.fibre_shells = 6;
+    plan.network_step_limit = 5e-3;
+    plan.saturation_change = 0.1;
+    Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
+    scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
+    for (int end = 12; end < 25; ++end)
+        for (int pick = 14; pick < 27; ++pick) {
+            const auto i = static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick));
+            scene.initial_liquid[i] = 0.9 * scene.climate.density * scene.yarns[0].pore_area * scene.length[i];
+        }
+    return scene;
+}
+
+Design design_of(Fabric fabric, Experiment experiment)
+{
+    Design design;
+    experiment.name = name_of(experiment.type);
+    design.fabrics.push_back(std::move(fabric));
+    design.experiments.push_back(std::move(experiment));
+    return design;
+}
+
+WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend)
+{
+    RunOptions options;
+    options.fidelity = fidelity;
+    RunControl control;
+    WholeRun whole;
+    MetricsCollector collector;
+    RunCallbacks callbacks;
+    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+        collector.add(*frame);
+        whole.last = *frame;
+    };
+    whole.record = run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, backend, control, callbacks);
+    whole.metrics = collector.metrics();
+    return whole;
 }
 
 } // namespace hygroloom

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/convergence_cases.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
+  verify/measured_cloth_cases.cpp
+  verify/measured_fibre_cases.cpp
+  verify/measured_wicking_cases.cpp
   verify/moisture_cases.cpp
   verify/set_ups.cpp
   verify/verify.cpp

@@ -18,7 +18,7 @@ namespace {
 double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
 
 /// A front so sharp that the yarn fills like a tube: D = D0 s^p with D0 / (p + 1) kept and p large.
-constexpr double tube_exponent = 199;
+constexpr double tube_exponent = 1999;
 
 /// How far liquid has run at times/64, /16, /4 and 1 into a yarn that hangs in it; mobility = x^2 / 2t of the ideal front.
 std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time)
@@ -237,7 +237,8 @@ std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
 
     const double centre = 0.5 * (frame.saturation[static_cast<std::size_t>((cells / 2) * cells + cells / 2)] +
                                  frame.saturation[static_cast<std::size_t>(scene.crossings() + (cells / 2) * cells + cells / 2)]);
-    const auto wet = std::count_if(frame.saturation.begin(), frame.saturation.end(), [&](float s) { return s > 0.02 * centre; });
+    constexpr double front = 1e-4; // of the centre: low, because a small exponent's profile ends in a long flat foot
+    const auto wet = std::count_if(frame.saturation.begin(), frame.saturation.end(), [&](float s) { return s > front * centre; });
     const double radius = std::sqrt(0.5 * static_cast<double>(wet) * pitch * pitch / pi);
     const double expected_radius = exact.radius(time), expected_centre = exact.saturation(0, time);
     return {{"radius_mm", 1e3 * radius, 1e3 * expected_radius, 0.03 * 1e3 * expected_radius},
@@ -264,7 +265,7 @@ std::vector<VerifyCase> wicking_cases()
           {"source_radius_mm", 2, 0.1, 100, ""}, {"radius_mm", 10, 0.2, 1000, ""}, temperature},
          radial_wicking},
         {"barenblatt", "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
-         {{"exponent", 2, 0.5, 5, ""}, {"volume_ul", 50, 1e-3, 5e3, ""}, {"thickness_mm", 0.4, 1e-3, 10, ""}, {"porosity", 0.6, 0.01, 1, ""},
+         {{"exponent", 2, 0.3, 5, ""}, {"volume_ul", 50, 1e-3, 5e3, ""}, {"thickness_mm", 0.4, 1e-3, 10, ""}, {"porosity", 0.6, 0.01, 1, ""},
           {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""}, {"time_s", 20, 1e-3, 1e5, ""}, temperature},
          barenblatt},
     };
