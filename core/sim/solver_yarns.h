@@ -274,7 +274,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
         if (scene_.wicking)
             each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
         if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
-        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
+        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false, 0, false});
     }
     choose_network_step(dt);
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
@@ -330,12 +330,12 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     exchange_time_ = time_;
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
+    if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
     if (scene_.vapour) {
         each_line("vapour", DiffuseVapourAlongYarn{segments(), climate, dt, scene_.cell_area, scene_.heat, scene_.face_only});
-        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true});
+        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true, scene_.cell_area, scene_.heat});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
-    if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
     choose_exchange_step(dt);
 }
 

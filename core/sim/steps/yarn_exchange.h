@@ -14,6 +14,8 @@ struct ExchangeAtCrossing {
     bool move_liquid;
     bool move_heat;
     bool move_vapour;
+    double face_area; ///< m2, see ForeseeVapour
+    bool cools;       ///< whether evaporation does
 
     HL_FN void operator()(int index) const
     {
@@ -29,7 +31,7 @@ struct ExchangeAtCrossing {
         double moved = 0;
         if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
         if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
-        if (move_vapour) diffuse(a, b, crossing.vapour_conductance);
+        if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
     }
 
     /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
@@ -79,13 +81,14 @@ struct ExchangeAtCrossing {
         s.warmth[b] = (heat_b + passed) / new_b;
     }
 
-    HL_FN void diffuse(int a, int b, double vapour_conductance) const
+    /// From the concentrations that DiffuseVapourAlongYarn foresaw.
+    HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
     {
-        const double air_a = pore_air(s.pores[a], s.liquid[a], climate.density);
-        const double air_b = pore_air(s.pores[b], s.liquid[b], climate.density);
+        const ForeseeVapour foresee{s, climate, dt, face_area, cools};
         const double conductance = dt * vapour_conductance;
-        const double passed = conductance * (s.vapour[a] / air_a - s.vapour[b] / air_b) / (1.0 + conductance * (1.0 / air_a + 1.0 / air_b));
-        s.vapour[a] -= passed;
+        const double passed = conductance * (s.work2[a] - s.work2[b]) /
+                              (1.0 + conductance * (1.0 / foresee(warp, a).pivot + 1.0 / foresee(weft, b).pivot));
+        s.vapour[a] -= passed; // less than nothing is what liquid, fibres and air will give
         s.vapour[b] += passed;
     }
 };
@@ -204,7 +207,7 @@ struct ExchangeInSegment {
     HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
 
     /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; the return of balance() is what is missing, kg.
-    HL_FN Outcome try_vapour(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double temperature,
+    HL_FN Outcome try_vapour(int i, const YarnParameters& yarn, const Fibre& fibre, double wet, double temperature,
                              double pore_vapour) const
     {
         Outcome o{pore_vapour, 0, fibre.base, 0, 0};
@@ -217,7 +220,7 @@ struct ExchangeInSegment {
             const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
             const double excess = saturation_concentration(temperature) - pore_vapour;
             const double share = excess > 0 ? wet_share(wet) : 1.0;
-            o.evaporated = fmax_(fmin_(air * rate * dt * share * excess, s.liquid[i] - o.from_liquid), -room - o.from_liquid);
+            o.evaporated = fmax_(fmin_(s.pores[i] * rate * dt * share * excess, s.liquid[i] - o.from_liquid), -room - o.from_liquid);
             o.to_air = dt * climate.mass_transfer * face_area * (pore_vapour - climate.vapour);
         }
         return o;
@@ -230,23 +233,23 @@ struct ExchangeInSegment {
     HL_FN Outcome pore_balance(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double warmth) const
     {
         const double temperature = climate.temperature + warmth;
-        if (!vapour) return try_vapour(i, yarn, fibre, air, wet, temperature, s.vapour[i] / air);
+        if (!vapour) return try_vapour(i, yarn, fibre, wet, temperature, s.vapour[i] / air);
         // Rising in the trial: more vapour means less evaporation, more sorption, more loss.
         double low = 0, high = fmax_(saturation_concentration(temperature), fmax_(climate.vapour, s.vapour[i] / air)) * 1.0001;
-        double low_missing = missing(i, fibre, air, try_vapour(i, yarn, fibre, air, wet, temperature, low));
-        Outcome o = try_vapour(i, yarn, fibre, air, wet, temperature, high);
+        double low_missing = missing(i, fibre, air, try_vapour(i, yarn, fibre, wet, temperature, low));
+        Outcome o = try_vapour(i, yarn, fibre, wet, temperature, high);
         double high_missing = missing(i, fibre, air, o);
         while (high_missing < 0 && high < 1e3) { // a drying fibre may push its pore over saturation
             high *= 2;
-            o = try_vapour(i, yarn, fibre, air, wet, temperature, high);
+            o = try_vapour(i, yarn, fibre, wet, temperature, high);
             high_missing = missing(i, fibre, air, o);
         }
-        if (low_missing >= 0) return try_vapour(i, yarn, fibre, air, wet, temperature, 0.0);
+        if (low_missing >= 0) return try_vapour(i, yarn, fibre, wet, temperature, 0.0);
         int side = 0;
         for (int round = 0; round < 80 && high - low > 1e-14 * high; ++round) { // Illinois
             double trial = (low * high_missing - high * low_missing) / (high_missing - low_missing);
             if (!(trial > low && trial < high)) trial = 0.5 * (low + high);
-            o = try_vapour(i, yarn, fibre, air, wet, temperature, trial);
+            o = try_vapour(i, yarn, fibre, wet, temperature, trial);
             const double m = missing(i, fibre, air, o);
             if (m > -1e-9 * air * high && m < 1e-9 * air * high) break;
             if (m > 0) {
@@ -293,20 +296,21 @@ struct ExchangeInSegment {
                       Outcome& o) const
     {
         const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
-        const double rate = air * dt * phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
+        const double rate = s.pores[i] * dt * phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
         const double room = climate.density * s.pores[i] - s.liquid[i];
         const double to_air = dt * climate.mass_transfer * face_area, to_air_heat = dt * climate.heat_transfer * face_area;
         double pore = fmax_(0.0, s.vapour[i] / air);
         for (int round = 0; round < 12; ++round) {
             const double temperature = climate.temperature + warmth;
             const double saturated = saturation_concentration(temperature), saturated_slope = saturation_concentration_slope(temperature);
-            o = try_vapour(i, yarn, fibre, air, wet, temperature, pore);
+            o = try_vapour(i, yarn, fibre, wet, temperature, pore);
             const double taken = o.bound - fibre.bound;
             const double mass = missing(i, fibre, air, o);
             const double joules = heat ? capacity * (warmth - s.warmth[i]) + to_air_heat * (warmth - climate.air_warmth) -
                                              phase_heat(yarn, fibre, o, temperature)
                                        : 0.0;
-            if (mass > -1e-10 * air * saturated && mass < 1e-10 * air * saturated && joules > -1e-8 * capacity && joules < 1e-8 * capacity)
+            const double little = saturated * (1e-10 * air + 1e-13 * rate);
+            if (mass > -little && mass < little && joules > -1e-8 * capacity && joules < 1e-8 * capacity)
                 return true;
 
             // How bound water answers to pore vapour (p) and temperature (t).

@@ -217,14 +217,55 @@ HL_FN double pore_air(double pores, double liquid, double density)
     return air > 1e-3 * pores ? air : 1e-3 * pores;
 }
 
+/// What a step of a segment's own will do to its pore vapour, foreseen by whatever moves vapour from one segment to another: its liquid feeds
+/// it, fibres and air take from it. A concentration c at the end of the step leaves known - pivot c for the neighbours.
+struct VapourAtHome {
+    double air;       ///< m3
+    double saturated; ///< kg/m3
+    double fed;       ///< m3 of air that its liquid can bring to saturation
+    double pivot;     ///< m3
+    double known;     ///< kg
+};
+
+/// Foresees it.
+struct ForeseeVapour {
+    Segments s;
+    ClimateParameters climate;
+    double dt;
+    double face_area; ///< m2 of fabric face that a segment answers for
+    bool heat;        ///< whether evaporation cools
+
+    HL_FN VapourAtHome operator()(const YarnParameters& yarn, int i) const
+    {
+        const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
+        const double saturated = saturation_concentration(climate.temperature + s.warmth[i]);
+        const double fed = supply(yarn, i, saturated), to_air = dt * climate.mass_transfer * face_area;
+        return {air, saturated, fed, air + s.uptake[i] + to_air + fed,
+                s.vapour[i] * (1.0 + s.uptake[i] / air) + fed * saturated + to_air * climate.vapour};
+    }
+    /// Never more than the liquid lasts for, nor than cools it by a few kelvin.
+    HL_FN double supply(const YarnParameters& yarn, int i, double saturated) const
+    {
+        if (s.liquid[i] <= 0) return 0;
+        constexpr double most_cooling = 3.0; // K
+        const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
+        const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
+        const double wanted = s.pores[i] * rate * dt * wet_share(s.liquid[i] / (climate.density * s.pores[i]));
+        const double dry = heat_capacity(yarn, s.length[i], 0.0);
+        const double bearable = heat ? dry * most_cooling / heat_of_evaporation(climate.temperature) : s.liquid[i];
+        const double lasting = (s.liquid[i] < bearable ? s.liquid[i] : bearable) / saturated;
+        return wanted < lasting ? wanted : lasting;
+    }
+};
+
 /// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for it.
-/// What fibres and air will take of it in the local exchange that follows is foreseen here (uptake), so that it goes as far as it does.
+/// What the exchange that follows will take is foreseen, so that it goes as far as it does. Leaves the concentrations foreseen in work2.
 struct DiffuseVapourAlongYarn {
     Segments s;
     ClimateParameters climate;
     double dt;
-    double face_area;  ///< m2 of fabric face that a segment answers for
-    bool heat;         ///< whether evaporation cools
+    double face_area;
+    bool heat;
     bool face_only = false; ///< cut ends are closed
 
     HL_FN double air(int i) const { return pore_air(s.pores[i], s.liquid[i], climate.density); }
@@ -243,20 +284,6 @@ struct DiffuseVapourAlongYarn {
         const double outside = climate.mass_transfer * (yarn.fibre_area + yarn.pore_area);
         return inside > 0 && outside > 0 ? ends * dt * inside * outside / (inside + outside) : 0.0;
     }
-    /// m3 of air that the segment's liquid can bring to saturation in this step: never more than the liquid lasts for, nor than cools it
-    /// by a few kelvin.
-    HL_FN double supply(const YarnParameters& yarn, int i, double own_air, double saturated) const
-    {
-        if (s.liquid[i] <= 0) return 0;
-        constexpr double most_cooling = 3.0; // K
-        const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
-        const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
-        const double wanted = own_air * rate * dt * wet_share(s.liquid[i] / (climate.density * s.pores[i]));
-        const double dry = heat_capacity(yarn, s.length[i], 0.0);
-        const double bearable = heat ? dry * most_cooling / heat_of_evaporation(climate.temperature) : s.liquid[i];
-        const double lasting = (s.liquid[i] < bearable ? s.liquid[i] : bearable) / saturated;
-        return wanted < lasting ? wanted : lasting;
-    }
 
     HL_FN void operator()(int index) const
     {
@@ -268,23 +295,23 @@ struct DiffuseVapourAlongYarn {
             const double difference = s.vapour[i] / air(i) - climate.vapour;
             disturbed = s.liquid[i] > 0 || difference > 1e-9 * climate.vapour || difference < -1e-9 * climate.vapour;
         }
-        if (!disturbed) return;
+        if (!disturbed) {
+            for (int i = a; i < b; ++i) s.work2[i] = climate.vapour;
+            return;
+        }
 
-        const double to_air = dt * climate.mass_transfer * face_area;
+        const ForeseeVapour foresee{s, climate, dt, face_area, heat};
         double before_joint = 0;
         double own_air = air(a);
         for (int i = a; i < b; ++i) {
             const double next_air = i < b - 1 ? air(i + 1) : 0.0;
             const double next_joint = i < b - 1 ? joint(yarn, i, own_air, next_air) : 0.0;
-            const double saturated = saturation_concentration(climate.temperature + s.warmth[i]);
-            const double fed = supply(yarn, i, own_air, saturated);
+            const VapourAtHome home = foresee(yarn, i);
             const double end = cut_ends(line, i, own_air);
-            const double taken = s.uptake[i];
             const double lower = -before_joint;
-            const double pivot = own_air + taken + to_air + fed + end + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
-            const double known = s.vapour[i] * (1.0 + taken / own_air) + fed * saturated + (end + to_air) * climate.vapour;
+            const double pivot = home.pivot + end + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
             s.work1[i] = -next_joint / pivot;
-            s.work2[i] = (known - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
+            s.work2[i] = (home.known + end * climate.vapour - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
             before_joint = next_joint;
             own_air = next_air;
         }
@@ -297,7 +324,7 @@ struct DiffuseVapourAlongYarn {
             const double leaving = i < b - 1 ? joint(yarn, i, own_air, next_air) * (s.work2[i] - s.work2[i + 1]) : 0.0;
             const double temperature = climate.temperature + s.warmth[i];
             const double saturated = saturation_concentration(temperature);
-            const double evaporated = supply(yarn, i, own_air, saturated) * (saturated - s.work2[i]);
+            const double evaporated = foresee.supply(yarn, i, saturated) * (saturated - s.work2[i]);
             const double through_end = cut_ends(line, i, own_air) * (s.work2[i] - climate.vapour);
             s.vapour[i] += arriving - leaving + evaporated - through_end; // less than nothing is what fibres and air will give
             s.evaporated[i] += through_end;
