@@ -314,6 +314,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.vapour = plan.on("vapour");
     scene.heat = plan.on("heat");
     set_up(scene, textile, experiment, plan);
+    if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
     constexpr double swelling = 1e-3; // m3 per kg: bound water takes as much room as liquid
     if (experiment.swelling) scene.swelling = swelling;
     scene.network_step = plan.network_step_limit;

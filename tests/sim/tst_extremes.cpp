@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Five hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its bounds.
+// More than five hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its bounds.
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/design/design.h"
@@ -20,7 +20,7 @@ using namespace hygroloom;
 
 namespace {
 
-constexpr int designs = 500, chunks = 50;
+constexpr int designs = 650, chunks = 65; // about one in five is refused
 constexpr double longest = 5; // s of simulated time; whole runs of a few go on to their end
 
 /// Numbers of one design, from its index alone.
@@ -136,7 +136,7 @@ Design random_design(int index, double& simulated)
 
 ForcedParts random_parts(int index)
 {
-    Dice dice(index + designs);
+    Dice dice(index + 1000000); // of their own
     ForcedParts forced;
     if (dice.chance(0.4)) return forced;
     const bool all = dice.chance(0.5);
@@ -205,7 +205,7 @@ private Q_SLOTS:
     void cleanupTestCase()
     {
         for (const auto& [what, count] : covered_) qInfo("%4d %s", count, what.c_str());
-        QVERIFY(covered_["run"] > 0.9 * designs || QTest::currentTestFailed() || covered_["run"] + covered_["refused"] < designs);
+        if (covered_["run"] + covered_["refused"] == designs) QVERIFY2(covered_["run"] >= 500, "too few designs are valid");
     }
 
 private:
@@ -249,10 +249,10 @@ private:
     /// Free liquid of some designs would take millions of steps; they stop early, at the end of a network step, and are counted.
     double run_to(Solver<CpuExecutor>& solver, double moment)
     {
-        constexpr long most_liquid_steps = 3000;
+        constexpr long most_liquid_steps = 1000;
         double reached = 0;
         while (reached < moment && solver.liquid_steps() < most_liquid_steps) reached = solver.advance(moment, 0.05);
-        if (reached < moment) ++covered_["stopped after 3000 steps of the free liquid"];
+        if (reached < moment) ++covered_["stopped after 1000 steps of the free liquid"];
         return reached;
     }
 

@@ -60,7 +60,7 @@ struct HostShape {
 
     explicit HostShape(const Scene& scene) : shapes(yarn_shapes(scene, profiles))
     {
-        view = {{scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data()},
+        view = {{scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data(), {}},
                 static_cast<Real>(scene.half_thickness),
                 static_cast<Real>(scene.warp_pitch),
                 static_cast<Real>(scene.weft_pitch),
