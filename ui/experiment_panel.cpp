@@ -238,7 +238,8 @@ void ExperimentPanel::addModel()
     liquids_ = new LiquidPanel(*form_, this);
     closure_ = new QComboBox;
     closure_->addItems({tr("As Kissa measured"), tr("Li and Zhu"), tr("As the paper prints")});
-    closure_->setToolTip(tr("How liquid moves in the pores of the yarns."));
+    closure_->setToolTip(tr("How liquid moves in the pores of the yarns. As the paper prints: pores of 0.2 mm, one contact angle "
+                            "for all fibres, uptake in proportion to their regain."));
     form_->addRow(tr("Flow in yarns"), closure_);
     connect(closure_, &QComboBox::activated, this,
             [this](int chosen) { edit(tr("flow in yarns"), [&](Experiment& e) { e.closure = static_cast<Closure>(chosen); }); });

@@ -77,17 +77,24 @@ void MainWindow::buildFileMenu()
     recent_ = menu->addMenu(tr("Open &Recent"));
     recent_->setToolTipsVisible(true);
     QMenu* examples = menu->addMenu(tr("&Examples"));
-    const QDir folder(examplesFolder());
-    const QStringList files = examplesFolder().isEmpty() ? QStringList() : folder.entryList({"*.hygro"}, QDir::Files, QDir::Name);
-    for (const QString& file : files) {
-        QAction* action = examples->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
-        connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
-            if (mayDiscard() && document_.openExample(path) && !run_.running()) {
-                playback_.clear();
-            }
-        });
+    const auto fill = [this](QMenu* into, const QDir& folder) {
+        const QStringList files = folder.entryList({"*.hygro"}, QDir::Files, QDir::Name);
+        for (const QString& file : files) {
+            QAction* action = into->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
+            connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
+                if (mayDiscard() && document_.openExample(path) && !run_.running()) {
+                    playback_.clear();
+                }
+            });
+        }
+        into->setEnabled(!files.isEmpty());
+    };
+    if (!examplesFolder().isEmpty()) {
+        fill(examples, QDir(examplesFolder()));
+        fill(examples->addMenu(tr("The &Paper's Experiments")), QDir(examplesFolder() + "/paper"));
+    } else {
+        examples->setEnabled(false);
     }
-    examples->setEnabled(!files.isEmpty());
     menu->addSeparator();
     save_ = addCommand(menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the project."));
     connect(save_, &QAction::triggered, this, &MainWindow::save);

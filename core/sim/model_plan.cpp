@@ -330,12 +330,20 @@ ForcedParts parse_forced_parts(const std::string& text)
     return forced;
 }
 
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region)
+{
+    if (experiment.closure != Closure::paper || fabric.contact_angle_deg) return build_textile(design, fabric, region);
+    Fabric alike = fabric;
+    alike.contact_angle_deg = find_library_material("cotton")->contact_angle_deg;
+    return build_textile(design, alike, region);
+}
+
 ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced)
 {
     const Level level = level_of(fidelity);
     const auto [width, height] = sample_extent_mm(experiment);
     const TextileRegion sample = region_of_sample(fabric, width, height);
-    const Textile textile = build_textile(design, fabric, sample);
+    const Textile textile = textile_of_run(design, fabric, experiment, sample);
     const Bounds bounds = find_bounds(design, textile, experiment);
 
     ModelPlan plan;

@@ -52,6 +52,10 @@ using ForcedParts = std::map<std::string, bool>;
 /// Parses "heat=off,vapour=on". Throws Error naming the parts.
 ForcedParts parse_forced_parts(const std::string& text);
 
+/// The textile as the experiment takes it: build_textile(), but with the paper's closure a fabric that gives no contact angle of its own
+/// has that of cotton, whatever its fibres are.
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
+
 /// Precondition: validate() found no error. Throws Error when the experiment cannot be run on the fabric.
 ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity,
                      const ForcedParts& forced = {});

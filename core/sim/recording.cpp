@@ -185,14 +185,15 @@ try : file_(std::make_unique<File>()) {
     run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
     const Fabric* fabric = find_fabric(run.design, run.fabric);
-    if (!fabric || !find_experiment(run.design, run.experiment) || has_error(validate(run.design)))
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    if (!fabric || !experiment || has_error(validate(run.design)))
         throw FileError("the recording's design is not valid; it is damaged.");
     const TextileRegion& region = run.plan.region;
-    const std::array<double, 2> sample = sample_extent_mm(*find_experiment(run.design, run.experiment));
+    const std::array<double, 2> sample = sample_extent_mm(*experiment);
     const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
     if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks)
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
-    run.textile = build_textile(run.design, *fabric, region);
+    run.textile = textile_of_run(run.design, *fabric, *experiment, region);
     file_->finished = H5Aexists(file, "wall_s") > 0;
     if (file_->finished) run.wall = h5::read_number(file, "wall_s");
     for (const std::vector<double>& row : h5::read_table(file, "ledger")) {

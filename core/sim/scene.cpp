@@ -68,13 +68,23 @@ FibreDiffusivity diffusivity_of(const Material& fibre)
     return {two_stage_law(fibre) == "wool" ? DiffusionLaw::wool_two_stage : DiffusionLaw::cotton_two_stage, 0};
 }
 
-/// The paper's printed parameters (its table A1 and eq. 14), with the liquid's surface tension where it has the fibre's.
+constexpr double paper_pore_radius = 0.2e-3; // m, R_c of the paper's table A1
+
+/// The paper's printed parameters (its table A1, eqs. 12 and 14), with the liquid's surface tension where it has the fibre's.
 PoreFlow paper_flow(const YarnType& type, const ClimateParameters& climate)
 {
-    constexpr double pore_radius = 0.2e-3, sine_of_beta = 0.34202014332566873; // 20 degrees
-    const double diffusivity = 3.0 * sine_of_beta * sine_of_beta *
-                               saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, pore_radius, climate.viscosity);
-    return pore_flow(diffusivity, 1.0, capillary_pressure(climate.surface_tension, type.contact_angle, pore_radius), climate.density);
+    constexpr double sine_of_beta = 0.34202014332566873; // 20 degrees
+    const double full = saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, paper_pore_radius, climate.viscosity);
+    return pore_flow(3.0 * sine_of_beta * sine_of_beta * full / type.tortuosity, 1.0,
+                     capillary_pressure(climate.surface_tension, type.contact_angle, paper_pore_radius), climate.density);
+}
+
+/// What the paper's closure makes of a yarn's uptake: the same bundle scaled up to its pores (permeability as their square, suction as
+/// their inverse), and as much as the fibre's regain is of cotton's, the fibre of its table A1.
+double paper_uptake(const YarnType& type)
+{
+    return paper_pore_radius / bundle_pore_radius(metre_from_um(type.fibre.fibre_radius_um), type.packing) * type.fibre.standard_regain /
+           find_library_material("cotton")->standard_regain;
 }
 
 PoreFlow flow_in(const YarnType& type, Closure closure, const ClimateParameters& climate)
@@ -111,11 +121,14 @@ YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure cl
     yarn.adhesion = work_of_adhesion(climate.surface_tension, type.contact_angle);
     yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
     if (yarn.liquid_diffusivity > 0) {
-        yarn.suction_radius = type.pore_radius / std::cos(type.contact_angle);
+        const bool paper = closure == Closure::paper;
+        const double own_radius = paper ? bundle_pore_radius(yarn.fibre_radius, type.packing) : type.pore_radius;
+        yarn.suction_radius = (paper ? paper_pore_radius : type.pore_radius) / std::cos(type.contact_angle);
         // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
         yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing) *
-                           capillary_pressure(climate.surface_tension, type.contact_angle, type.pore_radius) /
+                           capillary_pressure(climate.surface_tension, type.contact_angle, own_radius) /
                            (climate.viscosity * 0.25 * type.section.height);
+        if (paper) yarn.intake_flux *= paper_uptake(type);
     }
     return yarn;
 }

@@ -2,6 +2,7 @@
 // The plan: what it leaves out, and that it says why with a number.
 #include "core/base/error.h"
 #include "core/sim/plan_json.h"
+#include "core/sim/scene.h"
 #include "tests/support/drop_design.h"
 
 #include <QRegularExpression>
@@ -53,6 +54,47 @@ private Q_SLOTS:
         const ModelPlan plan = plan_of(drop_design(120));
         QVERIFY(plan.on("liquid"));
         for (const char* part : {"wicking", "sorption", "vapour", "heat"}) QVERIFY(!plan.on(part));
+    }
+    void thePapersClosureTakesAllFibresForAlikeButForTheirRegain()
+    {
+        const auto warp_of = [](const char* fibre, Closure closure, std::optional<double> angle) {
+            Design design = drop_design();
+            Fabric& fabric = design.fabrics[0];
+            fabric.warp.material = fabric.weft.material = {{fibre, 1.0}};
+            fabric.contact_angle_deg = angle;
+            Experiment& experiment = design.experiments[0];
+            experiment.closure = closure;
+            const ModelPlan plan = plan_of(design);
+            return build_scene(design, textile_of_run(design, fabric, experiment, plan.region), experiment, plan, 1).yarns[0];
+        };
+        const YarnParameters cotton = warp_of("cotton", Closure::paper, {});
+        constexpr double cosine = 0.81915204428899179; // of cotton's 35 degrees
+        QVERIFY(std::abs(cotton.suction_radius / (0.2e-3 / cosine) - 1) < 1e-12);
+        for (const auto& [fibre, share] : {std::pair("wool", 0.145 / 0.071), std::pair("polyester", 0.004 / 0.071)}) {
+            const YarnParameters yarn = warp_of(fibre, Closure::paper, {});
+            QCOMPARE(yarn.liquid_diffusivity, cotton.liquid_diffusivity);
+            QCOMPARE(yarn.suction_radius, cotton.suction_radius);
+            QCOMPARE(yarn.adhesion, cotton.adhesion);
+            QVERIFY2(std::abs(yarn.intake_flux / cotton.intake_flux / share - 1) < 1e-12, fibre);
+            QVERIFY(warp_of(fibre, Closure::kissa, {}).liquid_diffusivity != yarn.liquid_diffusivity);
+        }
+        // 3 sin2(20 deg) gamma cos(60 deg) 0.2 mm / (20 mu 1.2) at 25 C: 0.07197 N/m, 0.8900 mPa s (IAPWS).
+        const YarnParameters finished = warp_of("wool", Closure::paper, 60);
+        QVERIFY2(std::abs(finished.liquid_diffusivity / 1.1826e-4 - 1) < 0.005, qPrintable(QString::number(finished.liquid_diffusivity)));
+        QCOMPARE(finished.exponent, 1.0);
+    }
+    void thePapersClosureWetsFibresThatRepel()
+    {
+        Design design = drop_design();
+        design.materials.push_back(*find_library_material("wool"));
+        design.materials[0].name = "raw wool";
+        design.materials[0].based_on = "wool";
+        design.materials[0].contact_angle_deg = 95;
+        design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"raw wool", 1.0}};
+        design.fabrics[0].contact_angle_deg.reset();
+        QVERIFY(!plan_of(design).on("wicking"));
+        design.experiments[0].closure = Closure::paper;
+        QVERIFY(plan_of(design).on("wicking"));
     }
     void polyesterSorbsTooLittleToMatterInADraft()
     {

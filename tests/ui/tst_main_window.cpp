@@ -266,6 +266,17 @@ private Q_SLOTS:
         QVERIFY(QSettings().value("recent").toStringList().first().endsWith("textile-A.hygro"));
     }
 
+    void thePapersExperimentsAreInTheMenu()
+    {
+        window_->openShippedExample(); // nothing to save
+        CommandPalette palette(*window_->menuBar());
+        palette.search("figure 08");
+        QCOMPARE(palette.shown(), 1);
+        palette.chosen()->trigger();
+        QVERIFY(window_->document().fabric());
+        QCOMPARE(window_->document().fabric()->name, std::string("Textile C"));
+    }
+
     void aDroppedDraftAsksAndBecomesACandidate()
     {
         const QString path = QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/wif/desired_basic_wif__two_color_liftplan.wif";
