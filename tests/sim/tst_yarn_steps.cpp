@@ -356,6 +356,30 @@ private Q_SLOTS:
             QVERIFY(std::abs(energy() - energy_before) < 1e-10 * (std::abs(energy_before) + std::abs(s.released[0]) + std::abs(s.lost[0])));
         }
     }
+    void squeezedVapourDoesNotFloodTheNeighbours() // liquid that fills a pore presses its vapour together; fibres have not met that
+    {
+        const ClimateParameters climate = room();
+        const double saturated = saturation_concentration(climate.temperature);
+        double left[2];
+        for (bool squeezed : {false, true}) {
+            Network n(1, 2, cotton(), cotton());
+            n.yarns[0].vapour_diffusivity = 2e-5;
+            n.yarns[0].open_vapour = 1e-12;
+            n.liquid[0] = 0.95 * climate.density * n.pores[0];
+            for (std::size_t i = 0; i < 2; ++i) {
+                const double air = pore_air(n.pores[i], n.liquid[i], climate.density);
+                n.uptake[i] = 1e3 * n.pores[i];
+                n.vapour[i] = (i > 0 ? climate.vapour : squeezed ? 20 * saturated : saturated) * air;
+            }
+            const double before = n.vapour[1];
+            DiffuseVapourAlongYarn{n.views(), climate, 0.3, 8e-8, true}(0);
+            left[squeezed] = n.vapour[1] - before;
+        }
+        QVERIFY(left[0] > 0);
+        // No more than the vapour itself that was pressed together, a pore full.
+        const double pore_full = cotton().pore_area * 3e-4 * saturated;
+        QVERIFY2(left[1] - left[0] < pore_full, qPrintable(QString("%1 %2 %3").arg(left[0]).arg(left[1]).arg(pore_full)));
+    }
     void newtonAndTheBracketedSearchAgree()
     {
         const ClimateParameters climate = room();

@@ -135,14 +135,19 @@ struct ExchangeInSegment {
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
         accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
-        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth);
+        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth, capacity);
     }
 
-    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature) const
+    /// With the warmth it brings, which makes fibres take less.
+    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature, double capacity) const
     {
         const double more = 1e-3 * saturation_concentration(temperature);
         const double rise = skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature);
-        return fmax_(0.0, fibre.slope * rise / more);
+        const double taken = fmax_(0.0, fibre.slope * rise / more); // m3
+        if (!heat) return taken;
+        const double humidity = fmin_(1.0, pore_vapour / saturation_concentration(temperature));
+        const double less_per_kelvin = taken * humidity * saturation_concentration_slope(temperature); // kg/K
+        return taken / (1.0 + less_per_kelvin * heat_of_evaporation(temperature) / (capacity + dt * climate.heat_transfer * face_area));
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const

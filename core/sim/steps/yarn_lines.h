@@ -240,8 +240,9 @@ struct ForeseeVapour {
         const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         const double saturated = saturation_concentration(climate.temperature + s.warmth[i]);
         const double fed = supply(yarn, i, saturated), to_air = dt * climate.mass_transfer * face_area;
-        return {air, saturated, fed, air + s.uptake[i] + to_air + fed,
-                s.vapour[i] * (1.0 + s.uptake[i] / air) + fed * saturated + to_air * climate.vapour};
+        // Liquid that came since has squeezed the vapour; fibres are at peace with no more than saturation.
+        const double squeezed = s.vapour[i] / air, met = squeezed < saturated ? squeezed : saturated;
+        return {air, saturated, fed, air + s.uptake[i] + to_air + fed, s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
     }
     /// Never more than the liquid lasts for, nor than cools it by a few kelvin.
     HL_FN double supply(const YarnParameters& yarn, int i, double saturated) const
