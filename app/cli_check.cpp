@@ -147,7 +147,8 @@ void print_stripes(const std::vector<StripeYarn>& stripes)
         const std::optional<YarnQuantities>&end = stripes[i].as_end, &pick = stripes[i].as_pick;
         const std::string name = fmt::format("extra yarn {}", i + 1);
         if (!end && !pick) {
-            fmt::print("  {}: neither order has it; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex), text(stripes[i].free.diameter));
+            fmt::print("  {}: neither order has it; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
+                       text(stripes[i].free.diameter));
             continue;
         }
         const auto both = [&](const char* what, double YarnQuantities::*value, const char* unit) {

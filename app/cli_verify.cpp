@@ -59,8 +59,8 @@ void print_report(const VerifyReport& report)
     if (!report.not_applicable.empty()) fmt::print("  not applicable: {}\n", report.not_applicable);
     for (const VerifyResult& r : report.results) {
         const char* rule = r.rule == Rule::near ? "expected" : r.rule == Rule::at_most ? "at most" : "at least";
-        fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule, r.expected,
-                   r.tolerance);
+        fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
+                   r.expected, r.tolerance);
         if (!r.known_miss.empty())
             fmt::print("       {}{}\n", r.pass() ? "holds now, although noted as a miss: " : "known miss: ", r.known_miss);
     }
@@ -79,7 +79,8 @@ void print_summary(const std::vector<VerifyReport>& reports)
         (report.source.empty() ? known : compared) += 1;
         (report.source.empty() ? passed : held) += report.pass();
         for (const VerifyResult& r : report.results)
-            if (!r.pass()) misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
+            if (!r.pass())
+                misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
     }
     if (known > 0) fmt::print("{} of {} cases with known answers pass in full.\n", passed, known);
     if (compared > 0) fmt::print("{} of {} comparisons with measurements hold in full; {} cannot be made.\n", held, compared, left_out);

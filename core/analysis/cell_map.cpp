@@ -48,7 +48,8 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
                 const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
                 const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
                                      textile.segment_length(kind, end, pick);
-                const auto cell = static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n);
+                const auto cell =
+                    static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n);
                 map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]) + bound;
             }
     }
@@ -64,10 +65,11 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
 void write_cell_map_csv(const CellMap& map, const RunRecord& run, double time, MapSide side, const std::filesystem::path& path)
 {
     constexpr const char* names[] = {"top", "bottom", "total"};
-    std::string text = fmt::format("# program=Hygroloom {}\n# simulated=true\n# fabric={}\n# experiment={}\n# fidelity={}\n# seed={}\n# time_s={}\n"
-                                   "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,water_g_m2\n",
-                                   HYGROLOOM_VERSION, run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
-                                   names[static_cast<int>(side)], map.crossings_per_cell);
+    std::string text =
+        fmt::format("# program=Hygroloom {}\n# simulated=true\n# fabric={}\n# experiment={}\n# fidelity={}\n# seed={}\n# time_s={}\n"
+                    "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,water_g_m2\n",
+                    HYGROLOOM_VERSION, run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
+                    names[static_cast<int>(side)], map.crossings_per_cell);
     const double width = run.textile.ends() * run.textile.warp.pitch, height = run.textile.picks() * run.textile.weft.pitch;
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.columns; ++column) {

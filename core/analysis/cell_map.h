@@ -14,12 +14,12 @@ enum class MapSide { top, bottom, total };
 MapSide map_side_from_name(const std::string& name);
 
 struct CellMap {
-    int columns = 0;               ///< along the weft
-    int rows = 0;                  ///< along the warp, first row at the bottom (smallest y)
-    int crossings_per_cell = 2;    ///< n
-    double cell_width = 0;         ///< m
-    double cell_height = 0;        ///< m
-    std::vector<double> water;     ///< kg/m2 over the start, row by row
+    int columns = 0;            ///< along the weft
+    int rows = 0;               ///< along the warp, first row at the bottom (smallest y)
+    int crossings_per_cell = 2; ///< n
+    double cell_width = 0;      ///< m
+    double cell_height = 0;     ///< m
+    std::vector<double> water;  ///< kg/m2 over the start, row by row
     double at(int column, int row) const { return water[static_cast<std::size_t>(row) * columns + column]; }
     double maximum() const;
 };

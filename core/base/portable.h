@@ -45,8 +45,7 @@ HL_FN void atomic_max(int* target, int value)
     atomicMax(target, value);
 #else
     int seen = __atomic_load_n(target, __ATOMIC_RELAXED);
-    while (value > seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
+    while (value > seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 #endif
 }
 
@@ -57,8 +56,7 @@ HL_FN void atomic_min(int* target, int value)
     atomicMin(target, value);
 #else
     int seen = __atomic_load_n(target, __ATOMIC_RELAXED);
-    while (value < seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
+    while (value < seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 #endif
 }
 

@@ -7,11 +7,11 @@
 namespace hygroloom {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double zero_celsius = 273.15;              // K
-constexpr double gravity_acceleration = 9.80665;     // m/s2, standard gravity
-constexpr double gas_constant = 8.314462618;         // J/(mol K), CODATA 2018
-constexpr double water_molar_mass = 0.01801528;      // kg/mol
-constexpr double standard_pressure = 101325.0;       // Pa
+constexpr double zero_celsius = 273.15;          // K
+constexpr double gravity_acceleration = 9.80665; // m/s2, standard gravity
+constexpr double gas_constant = 8.314462618;     // J/(mol K), CODATA 2018
+constexpr double water_molar_mass = 0.01801528;  // kg/mol
+constexpr double standard_pressure = 101325.0;   // Pa
 
 constexpr double metre_from_mm(double mm) { return mm * 1e-3; }
 constexpr double mm_from_metre(double m) { return m * 1e3; }

@@ -8,12 +8,23 @@
 
 namespace hygroloom {
 
-template <typename T>
-struct Vec3T {
+template <typename T> struct Vec3T {
     T x = 0, y = 0, z = 0;
 
-    HL_FN Vec3T& operator+=(const Vec3T& o) { x += o.x; y += o.y; z += o.z; return *this; }
-    HL_FN Vec3T& operator-=(const Vec3T& o) { x -= o.x; y -= o.y; z -= o.z; return *this; }
+    HL_FN Vec3T& operator+=(const Vec3T& o)
+    {
+        x += o.x;
+        y += o.y;
+        z += o.z;
+        return *this;
+    }
+    HL_FN Vec3T& operator-=(const Vec3T& o)
+    {
+        x -= o.x;
+        y -= o.y;
+        z -= o.z;
+        return *this;
+    }
 };
 
 template <typename T> HL_FN Vec3T<T> operator+(const Vec3T<T>& a, const Vec3T<T>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

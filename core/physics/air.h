@@ -6,12 +6,12 @@
 
 namespace hygroloom {
 
-constexpr double air_specific_heat = 1006.0;      // J/(kg K), 20 C
-constexpr double air_conductivity = 0.0257;       // W/(m K), 20 C
+constexpr double air_specific_heat = 1006.0;        // J/(kg K), 20 C
+constexpr double air_conductivity = 0.0257;         // W/(m K), 20 C
 constexpr double air_kinematic_viscosity = 1.51e-5; // m2/s, 20 C
 constexpr double air_prandtl = 0.71;
-constexpr double lewis_number = 0.865;            // heat diffusivity / vapour diffusivity, 20 C
-constexpr double still_air_heat_transfer = 3.5;   // W/(m2 K), free convection (ASHRAE 3.1 below 0.2 m/s; 3 to 4)
+constexpr double lewis_number = 0.865;          // heat diffusivity / vapour diffusivity, 20 C
+constexpr double still_air_heat_transfer = 3.5; // W/(m2 K), free convection (ASHRAE 3.1 below 0.2 m/s; 3 to 4)
 constexpr double stefan_boltzmann = 5.670374419e-8;
 
 /// Density of air at standard pressure, kg/m3; ideal gas.

@@ -6,7 +6,7 @@
 
 namespace hygroloom {
 
-constexpr double pore_mass_transfer = 0.17; // m/s, h_lg of the paper's table A1: at the pore, not at the fabric's face
+constexpr double pore_mass_transfer = 0.17;  // m/s, h_lg of the paper's table A1: at the pore, not at the fabric's face
 constexpr double wet_area_saturation = 0.05; // saturation from which all fibre surface counts as wet
 
 /// Conductivity of fibre, liquid and air side by side, W/(m K): along a yarn. Fractions of the volume.

@@ -17,15 +17,12 @@ struct Isotherm {
     double monolayer_regain = 0;  ///< GAB; 0: master curve
     double gab_c = 0;
     double gab_k = 0;
-    bool shifts = true;           ///< with temperature
+    bool shifts = true; ///< with temperature
 };
 
 /// Differential heat of sorption from the liquid, J/kg water; humidity is the fibre's own. Gibson's law; within 15 % of the
 /// integral heats of wetting in Morton and Hearle's table 8.1.
-HL_FN double heat_of_sorption(double humidity)
-{
-    return 195e3 * (1.0 - humidity) * (1.0 / (0.2 + humidity) + 1.0 / (1.05 - humidity));
-}
+HL_FN double heat_of_sorption(double humidity) { return 195e3 * (1.0 - humidity) * (1.0 / (0.2 + humidity) + 1.0 / (1.05 - humidity)); }
 
 /// Regain at 20 C: GAB where fitted, else the master curve of Lotens and Havenith; never above saturation.
 HL_FN double regain_at_reference(const Isotherm& isotherm, double humidity)
@@ -76,7 +73,10 @@ HL_FN double reference_humidity(double humidity, double temperature)
     double r = a;
     for (int round = 0; round < 60; ++round) {
         const double excess = std::log(r) - heat_of_sorption(r) * shift - target;
-        if (excess >= 0) high = r; else low = r;
+        if (excess >= 0)
+            high = r;
+        else
+            low = r;
         double next = r - excess / (1.0 / r - heat_of_sorption_slope(r) * shift);
         if (!(next >= low && next <= high)) next = 0.5 * (low + high);
         const double moved = next > r ? next - r : r - next;
@@ -117,7 +117,8 @@ HL_FN double regain_slope_at_reference(const Isotherm& isotherm, double humidity
     if (isotherm.monolayer_regain > 0) {
         const double ka = isotherm.gab_k * humidity, c = isotherm.gab_c;
         const double dry = 1.0 - ka, bound = 1.0 - ka + c * ka;
-        return isotherm.monolayer_regain * c * isotherm.gab_k * (dry * bound + ka * (bound - (c - 1.0) * dry)) / (dry * dry * bound * bound);
+        return isotherm.monolayer_regain * c * isotherm.gab_k * (dry * bound + ka * (bound - (c - 1.0) * dry)) /
+               (dry * dry * bound * bound);
     }
     const double first = 1.0 / (humidity + 0.321), second = 1.0 / (1.262 - humidity);
     return 0.578 * isotherm.standard_regain * (first + second + humidity * (second * second - first * first));
@@ -134,7 +135,7 @@ enum class DiffusionLaw { constant, cotton_two_stage, wool_two_stage };
 /// Diffusivity of water in a fibre.
 struct FibreDiffusivity {
     DiffusionLaw law = DiffusionLaw::constant;
-    double constant = 0; ///< m2/s at 20 C
+    double constant = 0;             ///< m2/s at 20 C
     double activation_energy = 35e3; ///< J/mol, of the constant
 };
 
@@ -147,8 +148,8 @@ HL_FN double fibre_diffusivity(const FibreDiffusivity& diffusivity, double regai
         return diffusivity.constant * std::exp(-diffusivity.activation_energy / gas_constant * (1.0 / temperature - 1.0 / 293.15));
     const bool cotton = diffusivity.law == DiffusionLaw::cotton_two_stage;
     const double first = cotton ? (0.8481 + w * (50.6 - 1100.0 * w)) * 1e-14 : (1.04 + w * (68.20 - 1342.59 * w)) * 1e-14;
-    const double second = cotton ? 2.5e-14 * (1.0 - std::exp(-3.5385 * std::exp(-45.0 * w)))
-                                 : 1.614e-14 * (1.0 - std::exp(-18.163 * std::exp(-28.0 * w)));
+    const double second =
+        cotton ? 2.5e-14 * (1.0 - std::exp(-3.5385 * std::exp(-45.0 * w))) : 1.614e-14 * (1.0 - std::exp(-18.163 * std::exp(-28.0 * w)));
     const double floor = cotton ? 5e-16 : 1e-15;
     const double larger = first > second ? first : second;
     return larger > floor ? larger : floor;

@@ -8,8 +8,8 @@
 
 namespace hygroloom {
 
-constexpr double water_specific_heat = 4186.0;    // J/(kg K), 20 C
-constexpr double water_conductivity = 0.60;       // W/(m K), 20 C
+constexpr double water_specific_heat = 4186.0;                          // J/(kg K), 20 C
+constexpr double water_conductivity = 0.60;                             // W/(m K), 20 C
 constexpr double vapour_gas_constant = gas_constant / water_molar_mass; // J/(kg K)
 
 /// Surface tension against air, N/m. IAPWS release on surface tension (1994/2014).

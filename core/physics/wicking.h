@@ -37,7 +37,7 @@ HL_FN double saturated_liquid_diffusivity(double surface_tension, double contact
 struct PoreFlow {
     double diffusivity = 0; ///< m2/s at saturation, tortuosity included; 0: does not wick
     double exponent = spreading_exponent;
-    double fall = 0;        ///< s, speed of the liquid of full pores per acceleration along them
+    double fall = 0; ///< s, speed of the liquid of full pores per acceleration along them
 };
 
 /// The pores' permeability and suction are one closure with D: permeability x suction / viscosity = D / (p s^(p-1) porosity), so that a

@@ -21,8 +21,9 @@ std::vector<Vec3d> droplet_lattice(int count, double spacing)
     std::nth_element(places.begin(), places.begin() + count, places.end(),
                      [&](const Vec3d& a, const Vec3d& b) { return distance(a) < distance(b); });
     places.resize(static_cast<std::size_t>(count));
-    std::sort(places.begin(), places.end(),
-              [](const Vec3d& a, const Vec3d& b) { return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x; });
+    std::sort(places.begin(), places.end(), [](const Vec3d& a, const Vec3d& b) {
+        return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
+    });
     for (Vec3d& p : places) p = spacing * p;
     return places;
 }

@@ -31,14 +31,14 @@ struct Ledger {
 };
 
 struct Frame {
-    double time = 0;                              ///< s
+    double time = 0; ///< s
     // One value per segment, in the textile's order.
-    std::vector<float> saturation;                ///< liquid volume / pore volume
-    std::vector<float> liquid;                    ///< kg
-    std::vector<float> regain;                    ///< bound water / dry fibre
-    std::vector<float> vapour;                    ///< kg/m3
-    std::vector<float> temperature;               ///< K
-    std::vector<float> shells;                    ///< regain of every shell of every segment, from the inside; empty unless the scene asks
+    std::vector<float> saturation;  ///< liquid volume / pore volume
+    std::vector<float> liquid;      ///< kg
+    std::vector<float> regain;      ///< bound water / dry fibre
+    std::vector<float> vapour;      ///< kg/m3
+    std::vector<float> temperature; ///< K
+    std::vector<float> shells;      ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

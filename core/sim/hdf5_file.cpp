@@ -15,7 +15,8 @@ void check(herr_t result, const std::string& what)
 
 Handle open_dataset(hid_t parent, const std::string& name)
 {
-    return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "The recording lacks \"" + name + "\"; it is damaged or not a recording."};
+    return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose,
+            "The recording lacks \"" + name + "\"; it is damaged or not a recording."};
 }
 
 std::vector<hsize_t> extents(hid_t dataset)
@@ -36,7 +37,8 @@ Handle untimed_properties()
 
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values, const std::vector<hsize_t>& sizes, const char* unit)
 {
-    const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose, "The recording cannot be written.");
+    const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose,
+                       "The recording cannot be written.");
     const Handle properties = untimed_properties();
     if (sizes[0] >= 1024) {
         std::vector<hsize_t> chunk = sizes;
@@ -47,12 +49,14 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
     }
     const Handle set(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
                      "The recording cannot be written: no room for \"" + name + "\".");
-    if (sizes[0] > 0) check(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "The recording cannot be written; the disk may be full.");
+    if (sizes[0] > 0)
+        check(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "The recording cannot be written; the disk may be full.");
     if (!unit) return;
     const Handle text(H5Tcopy(H5T_C_S1), H5Tclose, "The recording cannot be written.");
     H5Tset_size(text.get(), std::max<std::size_t>(1, std::char_traits<char>::length(unit)));
     const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "The recording cannot be written.");
-    const Handle attribute(H5Acreate2(set.get(), "unit", text.get(), scalar.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "The recording cannot be written.");
+    const Handle attribute(H5Acreate2(set.get(), "unit", text.get(), scalar.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           "The recording cannot be written.");
     check(H5Awrite(attribute.get(), text.get(), unit), "The recording cannot be written.");
 }
 
@@ -84,7 +88,8 @@ Handle create_group(hid_t parent, const std::string& name)
 
 Handle open_group(hid_t parent, const std::string& name)
 {
-    return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "The recording lacks \"" + name + "\"; it is damaged or not a recording."};
+    return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose,
+            "The recording lacks \"" + name + "\"; it is damaged or not a recording."};
 }
 
 bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
@@ -96,7 +101,8 @@ void write_text(hid_t parent, const std::string& name, const std::string& value)
     H5Tset_cset(type.get(), H5T_CSET_UTF8);
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "The recording cannot be written.");
     const Handle properties = untimed_properties();
-    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose, "The recording cannot be written.");
+    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
+                     "The recording cannot be written.");
     const std::string padded = value.empty() ? std::string(1, '\0') : value;
     check(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "The recording cannot be written.");
 }
@@ -105,11 +111,13 @@ std::string read_text(hid_t parent, const std::string& name)
 {
     const Handle set = open_dataset(parent, name);
     const Handle type(H5Dget_type(set.get()), H5Tclose, "The recording is damaged.");
-    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) throw FileError("The recording's \"" + name + "\" is not text.");
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
+        throw FileError("The recording's \"" + name + "\" is not text.");
     const std::size_t size = H5Tget_size(type.get());
     if (size > (std::size_t(1) << 30)) throw FileError("The recording's \"" + name + "\" is too long.");
     std::string value(size, '\0');
-    check(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()), "The recording is damaged: \"" + name + "\" cannot be read.");
+    check(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()),
+          "The recording is damaged: \"" + name + "\" cannot be read.");
     while (!value.empty() && value.back() == '\0') value.pop_back();
     return value;
 }
@@ -118,7 +126,8 @@ void write_number(hid_t parent, const std::string& name, double value)
 {
     if (H5Aexists(parent, name.c_str()) > 0) H5Adelete(parent, name.c_str());
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "The recording cannot be written.");
-    const Handle attribute(H5Acreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "The recording cannot be written.");
+    const Handle attribute(H5Acreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           "The recording cannot be written.");
     check(H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value), "The recording cannot be written.");
 }
 
@@ -132,7 +141,8 @@ double read_number(hid_t parent, const std::string& name)
 
 void write_floats(hid_t parent, const std::string& name, const float* values, hsize_t rows, hsize_t columns, const char* unit)
 {
-    write_array(parent, name, H5T_NATIVE_FLOAT, values, columns > 1 ? std::vector<hsize_t>{rows, columns} : std::vector<hsize_t>{rows}, unit);
+    write_array(parent, name, H5T_NATIVE_FLOAT, values, columns > 1 ? std::vector<hsize_t>{rows, columns} : std::vector<hsize_t>{rows},
+                unit);
 }
 
 std::vector<float> read_floats(hid_t parent, const std::string& name)
@@ -143,7 +153,8 @@ std::vector<float> read_floats(hid_t parent, const std::string& name)
     if (count > (hsize_t(1) << 32)) throw FileError("The recording's \"" + name + "\" is too large.");
     std::vector<float> values(count);
     if (count > 0)
-        check(H5Dread(set.get(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "The recording is damaged: \"" + name + "\" cannot be read.");
+        check(H5Dread(set.get(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+              "The recording is damaged: \"" + name + "\" cannot be read.");
     return values;
 }
 
@@ -177,7 +188,8 @@ void append_row(hid_t table, const std::vector<double>& row)
     const Handle file_space(H5Dget_space(table), H5Sclose, "The recording cannot be written.");
     H5Sselect_hyperslab(file_space.get(), H5S_SELECT_SET, start, nullptr, count, nullptr);
     const Handle space(H5Screate_simple(2, count, nullptr), H5Sclose, "The recording cannot be written.");
-    check(H5Dwrite(table, H5T_NATIVE_DOUBLE, space.get(), file_space.get(), H5P_DEFAULT, row.data()), "The recording cannot be written; the disk may be full.");
+    check(H5Dwrite(table, H5T_NATIVE_DOUBLE, space.get(), file_space.get(), H5P_DEFAULT, row.data()),
+          "The recording cannot be written; the disk may be full.");
 }
 
 std::vector<std::vector<double>> read_table(hid_t parent, const std::string& name)
@@ -186,10 +198,13 @@ std::vector<std::vector<double>> read_table(hid_t parent, const std::string& nam
     const std::vector<hsize_t> sizes = extents(set.get());
     if (sizes.size() != 2 || sizes[0] * sizes[1] > (hsize_t(1) << 28)) throw FileError("The recording's \"" + name + "\" is not a table.");
     std::vector<double> values(sizes[0] * sizes[1]);
-    if (!values.empty()) check(H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "The recording is damaged: \"" + name + "\" cannot be read.");
+    if (!values.empty())
+        check(H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+              "The recording is damaged: \"" + name + "\" cannot be read.");
     std::vector<std::vector<double>> rows;
     for (hsize_t i = 0; i < sizes[0]; ++i)
-        rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i * sizes[1]), values.begin() + static_cast<std::ptrdiff_t>((i + 1) * sizes[1]));
+        rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i * sizes[1]),
+                          values.begin() + static_cast<std::ptrdiff_t>((i + 1) * sizes[1]));
     return rows;
 }
 

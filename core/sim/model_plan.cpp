@@ -22,13 +22,13 @@ constexpr const char* part_names[] = {"liquid", "wicking", "sorption", "vapour",
 struct Level {
     int particles;
     int shells;
-    double network_step;       // s
+    double network_step; // s
     double saturation_change;
     double step_error;
     double density_tolerance;
     int burst_steps;
-    double rest_tolerance;     // of the air's humidity at the border of what is visited
-    double neglected;          // part of the delivered water, or of the wicking rate, below which a part is left out
+    double rest_tolerance; // of the air's humidity at the border of what is visited
+    double neglected;      // part of the delivered water, or of the wicking rate, below which a part is left out
 };
 
 Level level_of(Fidelity fidelity)
@@ -43,15 +43,15 @@ Level level_of(Fidelity fidelity)
 
 /// Quantities that the bounds are made of.
 struct Bounds {
-    double delivered = 0;        // kg that come as liquid
-    double at_stake = 0;         // kg that what is left out is compared with
-    double capacity = 0;         // kg/m2 that the wicking yarns' pores hold, at least, where liquid is
-    double wet_area = 0;         // m2 that can get wet, or that the air works on
-    double sorbable = 0;         // kg the fibres of that area can take or give
-    double evaporated = 0;       // kg from both its faces in the duration
-    double temperature_rise = 0; // K if all sorbed at once and nothing escaped
+    double delivered = 0;           // kg that come as liquid
+    double at_stake = 0;            // kg that what is left out is compared with
+    double capacity = 0;            // kg/m2 that the wicking yarns' pores hold, at least, where liquid is
+    double wet_area = 0;            // m2 that can get wet, or that the air works on
+    double sorbable = 0;            // kg the fibres of that area can take or give
+    double evaporated = 0;          // kg from both its faces in the duration
+    double temperature_rise = 0;    // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
-    double finest = 0;           // m, height of the thinnest yarn
+    double finest = 0;              // m, height of the thinnest yarn
     bool wicks = false;
 };
 
@@ -112,21 +112,23 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const auto look_at = [&](const YarnType& type, double along) { // m of yarn per m2, crimp left out
         const double pores = type.area * (1.0 - type.packing) * density, fibres = type.area * type.packing * type.fibre.density_kg_m3;
         const bool wicks = std::cos(type.contact_angle) > 1e-12;
-        const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
-                                type.fibre.gab.c, type.fibre.gab.k};
+        const Isotherm isotherm{type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain, type.fibre.gab.c,
+                                type.fibre.gab.k};
         const auto regain = [&](const Climate& climate) {
             return equilibrium_regain(isotherm, climate.relative_humidity, kelvin_from_celsius(climate.temperature_c));
         };
         double gain = equilibrium_regain(isotherm, 1.0, temperature) - regain(air);
         if (conditioning) gain = std::abs(regain(experiment.initial) - regain(experiment.climate));
-        for (const ClimateMoment& moment : experiment.climates) gain = std::max(gain, std::abs(regain(moment.climate) - regain(experiment.climate)));
+        for (const ClimateMoment& moment : experiment.climates)
+            gain = std::max(gain, std::abs(regain(moment.climate) - regain(experiment.climate)));
         everything += along * pores;
         sorbable += along * fibres * gain;
         const double liquid = conditioning ? 0.0 : least_mobile_saturation * pores;
         if (wicks && liquid > 0) thirst = std::max(thirst, fibres * gain / liquid);
         const double heat = heat_of_sorption(std::min(humidity, conditioning ? experiment.initial.relative_humidity : 1.0)) +
                             (conditioning ? heat_of_evaporation(temperature) : 0.0);
-        b.temperature_rise = std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
+        b.temperature_rise =
+            std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
         b.wicks = b.wicks || wicks;
         return wicks ? along * pores : 0.0;
@@ -167,7 +169,8 @@ int particles_for(const Level& level, const Experiment& experiment, const Bounds
 {
     const double finest = 0.1 * b.finest;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    const double volume =
+        b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
 }
 
@@ -176,8 +179,8 @@ PlannedPart decide(const char* name, bool on, std::string reason, const ForcedPa
     PlannedPart part{name, on, false, std::move(reason)};
     const auto found = forced.find(name);
     if (found != forced.end()) {
-        part.reason = fmt::format("Forced {} by the user; left to itself it would be {}: {}", found->second ? "on" : "off", on ? "on" : "off",
-                                  part.reason);
+        part.reason = fmt::format("Forced {} by the user; left to itself it would be {}: {}", found->second ? "on" : "off",
+                                  on ? "on" : "off", part.reason);
         part.on = found->second;
         part.forced = true;
     }
@@ -194,7 +197,8 @@ std::string supply_in_words(const Experiment& experiment, const Bounds& b)
                            experiment.droplets.size() == 1 ? "One drop brings" : fmt::format("{} drops bring", experiment.droplets.size()),
                            1e6 * b.delivered);
     case ExperimentType::moisture_management:
-    case ExperimentType::horizontal_wicking: return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * b.delivered);
+    case ExperimentType::horizontal_wicking:
+        return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * b.delivered);
     case ExperimentType::vertical_wicking: return "The strip hangs in the liquid; no drop falls.";
     case ExperimentType::drying: return fmt::format("{:.4g} mg are in the cloth at the start; no drop falls.", 1e6 * b.delivered);
     case ExperimentType::sweat: return fmt::format("{:.4g} mg are fed straight into one face; no drop falls.", 1e6 * b.delivered);
@@ -222,15 +226,17 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
                            conditioning ? "that fibres exchange" : "delivered", 100 * level.neglected);
     };
     const double sorbed = b.sorbable / at_stake;
-    plan.parts.push_back(decide("sorption", moist && b.sorbable > 0 && sorbed > level.neglected,
-                                share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), forced));
+    plan.parts.push_back(
+        decide("sorption", moist && b.sorbable > 0 && sorbed > level.neglected,
+               share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), forced));
     const bool sorption = plan.parts.back().on;
     // A sample in a new climate exchanges vapour or nothing; without liquid it is the only way.
     const bool only_way = conditioning || !experiment.climates.empty();
-    plan.parts.push_back(decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > level.neglected),
-                                only_way ? std::string("What fibres exchange comes and goes as vapour.")
-                                         : share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / at_stake),
-                                forced));
+    plan.parts.push_back(
+        decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > level.neglected),
+               only_way ? std::string("What fibres exchange comes and goes as vapour.")
+                        : share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / at_stake),
+               forced));
     const bool vapour = plan.parts.back().on;
     // Two per cent per kelvin is how surface tension over viscosity follows temperature; saturation pressure follows it faster.
     const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour && b.delivered > 0 ? b.wet_bulb_depression : 0.0;
@@ -238,12 +244,13 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     for (const ClimateMoment& moment : experiment.climates)
         change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
     const double effect = 0.02 * std::max({warming, cooling, change});
-    plan.parts.push_back(decide("heat", moist && effect > level.neglected,
-                                fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
-                                            "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
-                                            "fidelity.",
-                                            warming, cooling, change, 100 * effect, 100 * level.neglected),
-                                forced));
+    plan.parts.push_back(
+        decide("heat", moist && effect > level.neglected,
+               fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
+                           "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
+                           "fidelity.",
+                           warming, cooling, change, 100 * effect, 100 * level.neglected),
+               forced));
 }
 
 /// Whether only the cloth near the water is visited, a region that grows.
@@ -252,12 +259,13 @@ void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experimen
     const auto [width, height] = sample_extent_mm(experiment);
     const bool everywhere = experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
                             experiment.type == ExperimentType::sweat || !experiment.climates.empty();
-    plan.parts.push_back(decide("growth", !everywhere,
-                                everywhere ? std::string("All of the sample changes from the start.")
-                                           : fmt::format("Only the cloth near the liquid is visited: it can wet at most {:.3g} % of the sample. What is "
-                                                         "visited grows before the air in its pores changes by {:.3g} % humidity at its border.",
-                                                         100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * level.rest_tolerance),
-                                forced));
+    plan.parts.push_back(
+        decide("growth", !everywhere,
+               everywhere ? std::string("All of the sample changes from the start.")
+                          : fmt::format("Only the cloth near the liquid is visited: it can wet at most {:.3g} % of the sample. What is "
+                                        "visited grows before the air in its pores changes by {:.3g} % humidity at its border.",
+                                        100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * level.rest_tolerance),
+               forced));
     plan.rest_tolerance = plan.on("growth") ? level.rest_tolerance : 0;
 }
 
@@ -265,8 +273,8 @@ TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experim
 {
     const auto [width, height] = sample_extent_mm(experiment);
     const TextileRegion sample = region_of_sample(fabric, width, height);
-    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm² of its {:.3g} mm².", sample.ends,
-                                     sample.picks, 1e6 * b.wet_area, width * height);
+    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm² of its {:.3g} mm².",
+                                     sample.ends, sample.picks, 1e6 * b.wet_area, width * height);
     return sample;
 }
 
@@ -279,17 +287,20 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
     const double drops = static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
     const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
     const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
-    const double liquid_step = 0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
+    const double liquid_step =
+        0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
     const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(experiment.droplets.size());
-    const double rests = std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
+    const double rests =
+        std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
     const double resting_steps = plan.burst_steps > 0 ? rests / plan.network_step_limit * plan.burst_steps : rests / liquid_step;
     const double steps = std::min(moving_time, experiment.duration_s) / liquid_step + resting_steps;
     const double left = plan.on("wicking") ? 0.4 : 1.0; // of the particles, on average
     plan.expected_seconds = steps * particles * left * particle_step +
                             (plan.on("wicking") ? plan.segments * experiment.duration_s / plan.network_step_limit * segment_step : 0.0);
     plan.expected_bytes = 40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (4.0 * largest_neighbour_count + 200.0);
-    plan.expectation_source = fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
-                                          1e6 * b.delivered, resting_time);
+    plan.expectation_source =
+        fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
+                    1e6 * b.delivered, resting_time);
 }
 
 } // namespace
@@ -323,7 +334,8 @@ ForcedParts parse_forced_parts(const std::string& text)
         const std::size_t equals = std::min(item.find('='), item.size());
         const std::string name = item.substr(0, equals), value = equals < item.size() ? item.substr(equals + 1) : "";
         if (std::find(std::begin(part_names), std::end(part_names), name) == std::end(part_names) || (value != "on" && value != "off"))
-            throw Error("Each part of the physics is given as name=on or name=off, with the names liquid, wicking, sorption, vapour, heat and growth; \"" +
+            throw Error("Each part of the physics is given as name=on or name=off, with the names liquid, wicking, sorption, vapour, heat "
+                        "and growth; \"" +
                         item + "\" was given.");
         forced[name] = value == "on";
     }
@@ -360,12 +372,12 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.density_tolerance = level.density_tolerance;
     plan.burst_steps = level.burst_steps;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
-    plan.resolution_reason = fmt::format("{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
-                                         "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
-                                         name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit,
-                                         plan.saturation_change,
-                                         plan.burst_steps > 0 ? fmt::format("a puddle at rest moves {} steps in each of them", plan.burst_steps)
-                                                              : std::string("a puddle at rest is never skipped"));
+    plan.resolution_reason =
+        fmt::format("{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
+                    "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
+                    name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit, plan.saturation_change,
+                    plan.burst_steps > 0 ? fmt::format("a puddle at rest moves {} steps in each of them", plan.burst_steps)
+                                         : std::string("a puddle at rest is never skipped"));
     expect(plan, bounds, experiment);
     return plan;
 }

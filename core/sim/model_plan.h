@@ -17,7 +17,7 @@ Fidelity fidelity_from_name(const std::string& name);
 
 /// One part of the physics, on or off, and why, with the number that decided.
 struct PlannedPart {
-    std::string name;    ///< "liquid", "wicking", "sorption", "vapour", "heat", "growth"
+    std::string name; ///< "liquid", "wicking", "sorption", "vapour", "heat", "growth"
     bool on = false;
     bool forced = false; ///< by the user
     std::string reason;
@@ -30,14 +30,14 @@ struct ModelPlan {
     std::string region_reason;
     int particles_per_droplet = 0;
     int segments = 0;
-    int fibre_shells = 0;           ///< radial cells in a fibre
-    double frame_interval = 0;      ///< s
-    double network_step_limit = 0;  ///< s
-    double saturation_change = 0;   ///< that a network step aims at while drops are about
-    double rest_tolerance = 0;      ///< see Scene; 0: all of the sample is visited
-    double step_error = 0;          ///< of a step without drops: part of the water and heat at stake that it may misplace
-    double density_tolerance = 0;   ///< of the pressure loop, fraction
-    int burst_steps = 0;            ///< liquid steps between two network steps once the liquid rests; 0: all
+    int fibre_shells = 0;          ///< radial cells in a fibre
+    double frame_interval = 0;     ///< s
+    double network_step_limit = 0; ///< s
+    double saturation_change = 0;  ///< that a network step aims at while drops are about
+    double rest_tolerance = 0;     ///< see Scene; 0: all of the sample is visited
+    double step_error = 0;         ///< of a step without drops: part of the water and heat at stake that it may misplace
+    double density_tolerance = 0;  ///< of the pressure loop, fraction
+    int burst_steps = 0;           ///< liquid steps between two network steps once the liquid rests; 0: all
     std::string resolution_reason;
     double expected_seconds = 0;
     double expected_bytes = 0;

@@ -12,21 +12,28 @@ using Json = nlohmann::ordered_json;
 std::string plan_json(const ModelPlan& plan)
 {
     Json parts = Json::array();
-    for (const PlannedPart& p : plan.parts)
-        parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
+    for (const PlannedPart& p : plan.parts) parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
     const Json json{
         {"fidelity", name_of(plan.fidelity)},
         {"parts", parts},
         {"region",
-         {{"first_end", plan.region.first_end}, {"first_pick", plan.region.first_pick}, {"ends", plan.region.ends}, {"picks", plan.region.picks},
+         {{"first_end", plan.region.first_end},
+          {"first_pick", plan.region.first_pick},
+          {"ends", plan.region.ends},
+          {"picks", plan.region.picks},
           {"reason", plan.region_reason}}},
         {"resolution",
-         {{"particles_per_droplet", plan.particles_per_droplet}, {"segments", plan.segments}, {"fibre_shells", plan.fibre_shells},
-          {"frame_interval_s", plan.frame_interval}, {"network_step_limit_s", plan.network_step_limit},
-          {"saturation_change", plan.saturation_change}, {"step_error", plan.step_error}, {"density_tolerance", plan.density_tolerance},
-          {"burst_steps", plan.burst_steps}, {"reason", plan.resolution_reason}}},
-        {"expected",
-         {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
+         {{"particles_per_droplet", plan.particles_per_droplet},
+          {"segments", plan.segments},
+          {"fibre_shells", plan.fibre_shells},
+          {"frame_interval_s", plan.frame_interval},
+          {"network_step_limit_s", plan.network_step_limit},
+          {"saturation_change", plan.saturation_change},
+          {"step_error", plan.step_error},
+          {"density_tolerance", plan.density_tolerance},
+          {"burst_steps", plan.burst_steps},
+          {"reason", plan.resolution_reason}}},
+        {"expected", {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
     };
     return json.dump(2);
 }

@@ -24,8 +24,19 @@ constexpr const char* ledger_columns =
 
 std::vector<double> row_of(const Ledger& l)
 {
-    return {l.time,          l.water_initial,    l.water_delivered, l.water_free,    l.water_liquid,    l.water_bound,     l.water_vapour,
-            l.water_evaporated, l.water_dripped, l.energy_stored,   l.energy_released, l.energy_lost,   l.energy_delivered};
+    return {l.time,
+            l.water_initial,
+            l.water_delivered,
+            l.water_free,
+            l.water_liquid,
+            l.water_bound,
+            l.water_vapour,
+            l.water_evaporated,
+            l.water_dripped,
+            l.energy_stored,
+            l.energy_released,
+            l.energy_lost,
+            l.energy_delivered};
 }
 
 Ledger ledger_of(const std::vector<double>& r)
@@ -86,7 +97,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
     const h5::Quiet quiet;
     std::error_code ignored;
     if (std::filesystem::file_size(path, ignored) > 0 && !ignored && H5Fis_hdf5(path.c_str()) <= 0)
-        throw FileError(path.string() + ": there is a file of this name already and it is no recording. Choose another name for the recording.");
+        throw FileError(path.string() +
+                        ": there is a file of this name already and it is no recording. Choose another name for the recording.");
     file_->file = h5::Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
                              path.string() + ": the recording cannot be created. Check that the folder exists and can be written to.");
     const hid_t file = file_->file.get();
@@ -169,10 +181,12 @@ try : file_(std::make_unique<File>()) {
     const h5::Quiet quiet;
     file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "this is not a recording that can be read.");
     const hid_t file = file_->file.get();
-    if (!h5::exists(file, "format") || h5::read_text(file, "format") != "hygroloom-recording") throw FileError("this is not a Hygroloom recording.");
+    if (!h5::exists(file, "format") || h5::read_text(file, "format") != "hygroloom-recording")
+        throw FileError("this is not a Hygroloom recording.");
     const double version = h5::read_number(file, "version");
     if (version > recording_version)
-        throw FileError(fmt::format("the recording has version {:.0f}; this program reads up to {}. Use a newer program.", version, recording_version));
+        throw FileError(
+            fmt::format("the recording has version {:.0f}; this program reads up to {}. Use a newer program.", version, recording_version));
 
     RunRecord& run = file_->run;
     run.design = parse_project(h5::read_text(file, "design"), "the recording's design");
@@ -186,8 +200,7 @@ try : file_(std::make_unique<File>()) {
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    if (!fabric || !experiment || has_error(validate(run.design)))
-        throw FileError("the recording's design is not valid; it is damaged.");
+    if (!fabric || !experiment || has_error(validate(run.design))) throw FileError("the recording's design is not valid; it is damaged.");
     const TextileRegion& region = run.plan.region;
     const std::array<double, 2> sample = sample_extent_mm(*experiment);
     const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);

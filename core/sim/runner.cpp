@@ -27,8 +27,8 @@ void obey(const RunControl& control)
 
 } // namespace
 
-RunRecord run_experiment(const Design& design, const std::string& fabric_name, const std::string& experiment_name, const RunOptions& options,
-                         Backend& backend, RunControl& control, const RunCallbacks& callbacks)
+RunRecord run_experiment(const Design& design, const std::string& fabric_name, const std::string& experiment_name,
+                         const RunOptions& options, Backend& backend, RunControl& control, const RunCallbacks& callbacks)
 {
     const Fabric* fabric = find_fabric(design, fabric_name);
     const Experiment* experiment = find_experiment(design, experiment_name);

@@ -18,8 +18,8 @@ struct RunOptions {
     Fidelity fidelity = Fidelity::standard;
     ForcedParts forced;
     std::uint64_t seed = 1;
-    int threads = 0;                      ///< 0: all the machine has
-    std::filesystem::path recording;      ///< empty: none is written
+    int threads = 0;                 ///< 0: all the machine has
+    std::filesystem::path recording; ///< empty: none is written
 };
 
 /// What a caller may do to a run from another thread.

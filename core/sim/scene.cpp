@@ -57,7 +57,8 @@ void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, con
     // A parabola through the values 15 K colder, here and 15 K warmer.
     constexpr double apart = 15;
     const auto ease = [&](double temperature) { return water_surface_tension(temperature) / water_viscosity(temperature); };
-    const double middle = ease(climate.temperature), cold = ease(climate.temperature - apart) / middle, warm = ease(climate.temperature + apart) / middle;
+    const double middle = ease(climate.temperature), cold = ease(climate.temperature - apart) / middle,
+                 warm = ease(climate.temperature + apart) / middle;
     climate.flow_slope = (warm - cold) / (2 * apart);
     climate.flow_curve = (warm + cold - 2) / (2 * apart * apart);
 }
@@ -142,7 +143,8 @@ CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft
     const auto in_series = [&](double a, double b) { return a > 0 && b > 0 ? area / (half_warp / a + half_weft / b) : 0.0; };
     // The obstruction of the crossing: how much less permeable a bundle is across its fibres than along them (Gebart).
     const auto across = [](const YarnType& type, const YarnParameters& yarn) {
-        const double obstruction = permeability_across(yarn.fibre_radius, type.packing) / permeability_along(yarn.fibre_radius, type.packing);
+        const double obstruction =
+            permeability_across(yarn.fibre_radius, type.packing) / permeability_along(yarn.fibre_radius, type.packing);
         return yarn.liquid_diffusivity * obstruction * (1.0 - type.packing);
     };
     CrossingParameters crossing;
@@ -199,10 +201,12 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
             scene.crossing.back().weft_rise = under.rise[warp];
         }
     // The open space between the yarns of the layer serves the vapour of both systems, each in its own direction.
-    const double open = std::max(0.0, 1.0 - (mean_area(textile.warp) / textile.warp.pitch + mean_area(textile.weft) / textile.weft.pitch) / textile.thickness);
+    const double open = std::max(0.0, 1.0 - (mean_area(textile.warp) / textile.warp.pitch + mean_area(textile.weft) / textile.weft.pitch) /
+                                                textile.thickness);
     for (std::size_t type = 0; type < scene.yarns.size(); ++type) {
         const double pitch = type < warps ? textile.warp.pitch : textile.weft.pitch;
-        scene.yarns[type].open_vapour = vapour_diffusivity(scene.climate.temperature) * std::pow(open, 1.5) * pitch * textile.thickness; // Bruggeman
+        scene.yarns[type].open_vapour =
+            vapour_diffusivity(scene.climate.temperature) * std::pow(open, 1.5) * pitch * textile.thickness; // Bruggeman
     }
     scene.warp_pitch = textile.warp.pitch;
     scene.weft_pitch = textile.weft.pitch;
@@ -218,7 +222,8 @@ std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment
         drop.volume = cubic_metre_from_ul(d.volume_ul);
         drop.speed = d.speed_m_s;
         const double radius = std::cbrt(3.0 * drop.volume / (4.0 * pi));
-        drop.centre = {metre_from_mm(d.at_mm[0]), metre_from_mm(d.at_mm[1]), textile.half_thickness() + metre_from_mm(d.height_mm) + radius};
+        drop.centre = {metre_from_mm(d.at_mm[0]), metre_from_mm(d.at_mm[1]),
+                       textile.half_thickness() + metre_from_mm(d.height_mm) + radius};
         droplets.push_back(drop);
     }
     std::stable_sort(droplets.begin(), droplets.end(), [](const SceneDroplet& a, const SceneDroplet& b) { return a.time < b.time; });
@@ -234,7 +239,8 @@ void hang_in_liquid(Scene& scene, const Textile& textile, const Experiment& expe
     for (int end = 0; end < scene.ends; ++end)
         for (int pick = 0; pick < scene.picks; ++pick)
             if ((experiment.along_weft ? end : pick) < deep)
-                for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) scene.fed[static_cast<std::size_t>(textile.segment(kind, end, pick))] = 1;
+                for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                    scene.fed[static_cast<std::size_t>(textile.segment(kind, end, pick))] = 1;
     (experiment.along_weft ? scene.gravity_along_weft : scene.gravity_along_warp) = gravity_acceleration;
 }
 
@@ -245,8 +251,9 @@ void wet_evenly(Scene& scene, double water_per_area)
     double wanted = 0, pores = 0;
     const auto yarn_of = [&](std::size_t i) -> std::size_t {
         const auto crossings = static_cast<std::size_t>(scene.crossings());
-        const std::size_t line = i < crossings ? i / static_cast<std::size_t>(scene.picks)
-                                               : static_cast<std::size_t>(scene.ends) + (i - crossings) / static_cast<std::size_t>(scene.ends);
+        const std::size_t line = i < crossings
+                                     ? i / static_cast<std::size_t>(scene.picks)
+                                     : static_cast<std::size_t>(scene.ends) + (i - crossings) / static_cast<std::size_t>(scene.ends);
         return scene.type[line];
     };
     std::vector<double> thirst; // regain each type can still bind
@@ -274,7 +281,8 @@ void start_in(Scene& scene, const Climate& initial)
     const double temperature = kelvin_from_celsius(initial.temperature_c);
     scene.initial_warmth = temperature - scene.climate.temperature;
     scene.initial_humidity = initial.relative_humidity;
-    for (YarnParameters& yarn : scene.yarns) yarn.initial_regain = equilibrium_regain(yarn.isotherm, initial.relative_humidity, temperature);
+    for (YarnParameters& yarn : scene.yarns)
+        yarn.initial_regain = equilibrium_regain(yarn.isotherm, initial.relative_humidity, temperature);
 }
 
 void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, const ModelPlan& plan)
@@ -328,7 +336,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.heat = plan.on("heat");
     set_up(scene, textile, experiment, plan);
     if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
-    constexpr double swelling = 1e-3; // m3 per kg: bound water takes as much room as liquid
+    constexpr double swelling = 1e-3;          // m3 per kg: bound water takes as much room as liquid
     if (experiment.swelling) scene.swelling = swelling;
     scene.network_step = plan.network_step_limit;
     scene.calm_network_step = experiment.duration_s;

@@ -16,7 +16,7 @@
 namespace hygroloom {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
-constexpr double first_step = 1e-3; ///< s, of the yarns after something sudden
+constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 
 template <typename Executor> class Solver {
 public:
@@ -99,8 +99,14 @@ private:
     }
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
-    template <typename Stage> void each_segment(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_segments(), stage); }
-    template <typename Stage> void each_crossing(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_crossings(), stage); }
+    template <typename Stage> void each_segment(const char* name, const Stage& stage)
+    {
+        exec_.for_each(name, yarns().visited_segments(), stage);
+    }
+    template <typename Stage> void each_crossing(const char* name, const Stage& stage)
+    {
+        exec_.for_each(name, yarns().visited_crossings(), stage);
+    }
     template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
     template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
 
@@ -119,7 +125,10 @@ private:
         exchange_dt_ = scene_.step_error > 0 ? std::min(first_step, exchange_limit()) : exchange_limit();
     }
     double step_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
-    double exchange_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step; }
+    double exchange_limit() const
+    {
+        return count_ > 0 || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
+    }
     void supply(double dt);
     void drink(double dt);
     void sweat(double dt);
@@ -157,18 +166,18 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0;
-    int burst_ = 0;         ///< liquid steps since the last synchronisation
-    double calm_time_ = 0;  ///< from which the free liquid has had time to settle
-    double fastest_ = 0;    ///< m/s, of the last liquid step
+    int burst_ = 0;        ///< liquid steps since the last synchronisation
+    double calm_time_ = 0; ///< from which the free liquid has had time to settle
+    double fastest_ = 0;   ///< m/s, of the last liquid step
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;
     Watch wicking_watch_, exchange_watch_;
-    double heat_scale_ = 0;      ///< J that an error of a step is compared with
-    double water_scale_ = 0;     ///< kg
+    double heat_scale_ = 0;          ///< J that an error of a step is compared with
+    double water_scale_ = 0;         ///< kg
     std::vector<std::int64_t> pool_; ///< quanta that stand in each pool
-    std::int64_t pumped_ = 0;    ///< quanta, into pools and as sweat
-    std::int64_t ran_off_ = 0;   ///< quanta of sweat that found no room
+    std::int64_t pumped_ = 0;        ///< quanta, into pools and as sweat
+    std::int64_t ran_off_ = 0;       ///< quanta of sweat that found no room
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
@@ -194,10 +203,10 @@ private:
     Buffer<Real> pressure_, wall_distance_, sorted_distance_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_;  ///< density error, dripped quanta
+    Buffer<std::int64_t> sums_; ///< density error, dripped quanta
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> maxima_;         ///< fastest, largest change of saturation
+    Buffer<int> maxima_;          ///< fastest, largest change of saturation
     CellGrid grid_;
 };
 

@@ -7,11 +7,11 @@
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
-constexpr Real friction_coefficient = Real(0.2);  // of water sliding on yarn, per normal impulse
-constexpr double grain_viscosity = 0.03;           // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
-constexpr double drip_distance = 5e-3;            // m below the fabric at which a particle counts as dripped off
-constexpr double pressure_relaxation = 0.5;       // of a pressure correction; whole ones overshoot between close particles
-constexpr double most_cells = 2e5;                // of the grid that finds neighbours
+constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
+constexpr double grain_viscosity = 0.03;         // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
+constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
+constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
+constexpr double most_cells = 2e5;               // of the grid that finds neighbours
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
@@ -46,13 +46,14 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
     stiffness_ = pressure_relaxation * pressure_stiffness(spacing, support_);
-    capillary_dt_ = 0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
+    capillary_dt_ =
+        0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
     liquid_dt_ = capillary_dt_;
 
     std::size_t capacity = 0;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &sorted_position_,
-                    &sorted_velocity_, &sorted_normal_})
+    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_,
+                    &sorted_normal_})
         b->resize(capacity);
     for (auto* b : {&pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
@@ -103,7 +104,8 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         count_ += added;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
         const double fall = drop.centre.z - std::cbrt(drop.volume * 3.0 / (4.0 * pi)) - scene_.half_thickness;
-        const double landed = (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
+        const double landed =
+            (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
         const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);
         calm_time_ = std::max(calm_time_, drop.time + landed + 10.0 * capillary_time);
         delivered_ += static_cast<double>(water) * water_quantum;
@@ -240,8 +242,9 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
-    l.kinematic_viscosity = static_cast<Real>(scene_.climate.viscosity / scene_.climate.density +
-                                              grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
+    l.kinematic_viscosity = static_cast<Real>(
+        scene_.climate.viscosity / scene_.climate.density +
+        grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(gravity_acceleration);
     return l;

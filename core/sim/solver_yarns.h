@@ -36,7 +36,7 @@ template <typename Executor> double Solver<Executor>::largest_change(const YarnP
     double change = std::abs(yarn.initial_regain - yarn.resting_regain);
     for (const SceneClimate& moment : scene_.course)
         change = std::max(change, std::abs(yarn.initial_regain - equilibrium_regain(yarn.isotherm, moment.humidity,
-                                                                                     scene_.climate.temperature + moment.air_warmth)));
+                                                                                    scene_.climate.temperature + moment.air_warmth)));
     return change;
 }
 
@@ -91,7 +91,8 @@ template <typename Executor> void Solver<Executor>::load_segments()
         vapour[i] = pore_vapour * pore_air(pores[i], liquid, climate.density);
         std::fill_n(regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
         if (scene_.sorption) water_scale_ += fibres * std::max(least_change, largest_change(yarn));
-        heat_scale_ += 50.0 * heat_capacity(yarn, scene_.length[i], liquid); // K: temperatures settle at once, so errors of steps do not add up
+        heat_scale_ +=
+            50.0 * heat_capacity(yarn, scene_.length[i], liquid); // K: temperatures settle at once, so errors of steps do not add up
     }
     // What is still to come counts too, or the first drops would have to be followed exactly.
     constexpr double filled = 0.2; // of the pores, by a bath
@@ -111,8 +112,8 @@ template <typename Executor> void Solver<Executor>::visit_from_start()
     reach_.resize(4);
     reach_.fill(-1);
     unvisited_ = {};
-    const bool stirred =
-        !scene_.initial_liquid.empty() || scene_.initial_warmth != 0 || scene_.initial_humidity >= 0 || !scene_.course.empty() || scene_.sweat > 0;
+    const bool stirred = !scene_.initial_liquid.empty() || scene_.initial_warmth != 0 || scene_.initial_humidity >= 0 ||
+                         !scene_.course.empty() || scene_.sweat > 0;
     if (scene_.rest_tolerance <= 0 || stirred) return;
     unvisited_ = {scene_.ends / 2, (scene_.ends - 1) / 2, scene_.picks / 2, (scene_.picks - 1) / 2};
     for (int i = 0; i < static_cast<int>(scene_.fed.size()) / 2; ++i) {
@@ -181,7 +182,7 @@ template <typename Executor> void Solver<Executor>::set_climate()
     SceneClimate now = last;
     if (after != scene_.course.end()) {
         const double share = (time_ - last.time) / (after->time - last.time);
-        const auto between = [&](double SceneClimate::* value) { now.*value += share * (*after.*value - last.*value); };
+        const auto between = [&](double SceneClimate::*value) { now.*value += share * (*after.*value - last.*value); };
         between(&SceneClimate::air_warmth);
         between(&SceneClimate::humidity);
         between(&SceneClimate::heat_transfer);
@@ -271,8 +272,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     each_segment("remember", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
     if (scene_.wicking || scene_.heat) {
         maxima_.write(1, 0);
-        if (scene_.wicking)
-            each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
+        if (scene_.wicking) each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
         if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
         each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false, 0, false});
     }
@@ -281,10 +281,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     if (next_event() <= time_ + 1e-12) begin_anew();
 }
 
-template <typename Executor> double Solver<Executor>::water_at_stake() const
-{
-    return std::max(1e-30, water_scale_ + delivered_);
-}
+template <typename Executor> double Solver<Executor>::water_at_stake() const { return std::max(1e-30, water_scale_ + delivered_); }
 
 /// From the error of the last step, and from the change of saturation while drops or pools are about.
 template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
@@ -294,7 +291,9 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
     double grow = 1.5;
     if (watched && scene_.wicking) {
         supply_.write(2, 0);
-        each_line("wicking error", EstimateWicking{segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
+        each_line("wicking error",
+                  EstimateWicking{
+                      segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
         grow = growth(static_cast<double>(supply_.read(2)) * water_quantum / water_at_stake());
     }
     wicking_watch_ = {dt, watched};
@@ -317,12 +316,17 @@ template <typename Executor> void Solver<Executor>::choose_exchange_step(double 
     supply_.write(3, 0);
     supply_.write(4, 0);
     const Watch& watch = exchange_watch_;
-    each_line("exchange error", EstimateExchange{segments(), {bound_rate_.data(), dt, watch.dt, watch.known}, {heat_rate_.data(), dt, watch.dt, watch.known},
-                                    bound_.data(), heat_.data(), supply_.data() + 3});
+    each_line("exchange error", EstimateExchange{segments(),
+                                                 {bound_rate_.data(), dt, watch.dt, watch.known},
+                                                 {heat_rate_.data(), dt, watch.dt, watch.known},
+                                                 bound_.data(),
+                                                 heat_.data(),
+                                                 supply_.data() + 3});
     const double water = static_cast<double>(supply_.read(3)) * water_quantum / water_at_stake();
     const double heat = static_cast<double>(supply_.read(4)) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
     exchange_watch_ = {dt, true};
-    exchange_dt_ = std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
+    exchange_dt_ =
+        std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
 }
 
 template <typename Executor> void Solver<Executor>::exchange(double dt)
@@ -346,7 +350,7 @@ template <typename Executor> Yarns Solver<Executor>::yarns()
 
 template <typename Executor> Yarns Solver<Executor>::yarns_on_host() const
 {
-    return {scene_.ends,        scene_.picks,        scene_.warp_types,       scene_.weft_types(),
+    return {scene_.ends,        scene_.picks,        scene_.warp_types,      scene_.weft_types(),
             scene_.type.data(), scene_.yarns.data(), scene_.crossing.data(), {}};
 }
 

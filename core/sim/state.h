@@ -55,10 +55,12 @@ struct Yarns {
         const Unvisited& out = unvisited;
         if (index < visited_ends()) {
             const int end = out.ends_before + index, first = end * picks;
-            return {parameters[type[end]], first + out.picks_before, first + picks - out.picks_after, true, out.picks_before == 0, out.picks_after == 0};
+            return {parameters[type[end]], first + out.picks_before, first + picks - out.picks_after, true,
+                    out.picks_before == 0, out.picks_after == 0};
         }
         const int pick = out.picks_before + index - visited_ends(), first = crossings() + pick * ends;
-        return {parameters[type[ends + pick]], first + out.ends_before, first + ends - out.ends_after, false, out.ends_before == 0, out.ends_after == 0};
+        return {parameters[type[ends + pick]], first + out.ends_before, first + ends - out.ends_after, false,
+                out.ends_before == 0,          out.ends_after == 0};
     }
     HL_FN int visited_crossing(int index) const
     {
@@ -80,22 +82,22 @@ struct Segments : Yarns {
     const double* length = nullptr;
     const std::uint8_t* warp_up = nullptr; ///< per crossing
     const std::uint8_t* fed = nullptr;     ///< whether it stays full; null: none does
-    double* pores = nullptr;         ///< m3
-    double* supplied = nullptr;      ///< kg since the start by hanging in liquid; null where none does
-    double* liquid = nullptr;        ///< kg
-    double* vapour = nullptr;        ///< kg
-    double* warmth = nullptr;        ///< K over the climate
-    double* regain = nullptr;        ///< per shell, from the fibre's middle outwards
-    std::int64_t* absorbed = nullptr;///< quanta taken from particles since the last network step
-    int* contact = nullptr;          ///< lowest particle that touches, or none
-    double* uptake = nullptr;        ///< m3: how much more water fibres took in the last exchange per kg/m3 more of pore vapour
-    double* evaporated = nullptr;    ///< kg to the air since the start
-    double* released = nullptr;      ///< J by phase change since the start
-    double* lost = nullptr;          ///< J to the air since the start
-    double* work0 = nullptr;         ///< scratch of the line solves
+    double* pores = nullptr;               ///< m3
+    double* supplied = nullptr;            ///< kg since the start by hanging in liquid; null where none does
+    double* liquid = nullptr;              ///< kg
+    double* vapour = nullptr;              ///< kg
+    double* warmth = nullptr;              ///< K over the climate
+    double* regain = nullptr;              ///< per shell, from the fibre's middle outwards
+    std::int64_t* absorbed = nullptr;      ///< quanta taken from particles since the last network step
+    int* contact = nullptr;                ///< lowest particle that touches, or none
+    double* uptake = nullptr;              ///< m3: how much more water fibres took in the last exchange per kg/m3 more of pore vapour
+    double* evaporated = nullptr;          ///< kg to the air since the start
+    double* released = nullptr;            ///< J by phase change since the start
+    double* lost = nullptr;                ///< J to the air since the start
+    double* work0 = nullptr;               ///< scratch of the line solves
     double* work1 = nullptr;
     double* work2 = nullptr;
-    double* flux = nullptr;          ///< kg that crossed to the next segment along the yarn in this step
+    double* flux = nullptr; ///< kg that crossed to the next segment along the yarn in this step
 
     HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
     HL_FN int crossing_of(int segment) const
@@ -125,9 +127,9 @@ constexpr int no_particle = 0x7fffffff;
 /// One value per particle.
 struct Particles {
     int count = 0;
-    Real mass = 0;                   ///< kg, of each
-    Real support = 0;                ///< m, of the kernel
-    Real spacing = 0;                ///< m
+    Real mass = 0;    ///< kg, of each
+    Real support = 0; ///< m, of the kernel
+    Real spacing = 0; ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
     Vec3* predicted = nullptr;
@@ -139,7 +141,7 @@ struct Particles {
     Real* pressure = nullptr;        ///< Pa
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    int* neighbours = nullptr;       ///< largest_neighbour_count slots each
+    int* neighbours = nullptr; ///< largest_neighbour_count slots each
     int* neighbour_count = nullptr;
 };
 
@@ -150,8 +152,8 @@ struct CellGrid {
     Vec3 origin;
     Real size = 0;
     int nx = 0, ny = 0, nz = 0;
-    int* key = nullptr;              ///< per particle
-    int* start = nullptr;            ///< per cell, first particle; count of cells + 1
+    int* key = nullptr;   ///< per particle
+    int* start = nullptr; ///< per cell, first particle; count of cells + 1
 
     HL_FN int cells() const { return nx * ny * nz; }
     HL_FN int clamped(Real value, int count) const { return value < 0 ? 0 : value >= Real(count) ? count - 1 : static_cast<int>(value); }

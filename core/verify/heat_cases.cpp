@@ -53,13 +53,13 @@ std::vector<VerifyResult> half_space(const VerifyValues& v, Backend& backend)
     return {{"temperature", warmth_at(frame, depth / cell), std::erf(depth / reach), 0.005}};
 }
 
-/// A sheet whose fibres are always in equilibrium with their pores, or take up water by diffusion, in air of a humidity: one temperature, one
-/// pore vapour, both faces alike. Integrated by itself, in small explicit steps, for comparison.
+/// A sheet whose fibres are always in equilibrium with their pores, or take up water by diffusion, in air of a humidity: one temperature,
+/// one pore vapour, both faces alike. Integrated by itself, in small explicit steps, for comparison.
 struct Sheet {
     double mass, specific_heat, mass_transfer, heat_transfer; // per m2 of sheet and face
     Isotherm isotherm;
-    double radius, diffusivity;                                // 0: always in equilibrium
-    double temperature, vapour;                                // of the air
+    double radius, diffusivity; // 0: always in equilibrium
+    double temperature, vapour; // of the air
 
     struct Course {
         double peak = 0, peak_time = 0, regain = 0;
@@ -111,7 +111,8 @@ struct Sheet {
                 for (int k = 0; k < shells; ++k) {
                     const auto i = static_cast<std::size_t>(k);
                     const double inner = k > 0 ? 2.0 * k * (w[i] - w[i - 1]) : 0.0;
-                    const double outer = k < shells - 1 ? 2.0 * (k + 1) * (w[i + 1] - w[i]) : 4.0 * shells * (regain_at_reference(isotherm, skin) - w[i]);
+                    const double outer =
+                        k < shells - 1 ? 2.0 * (k + 1) * (w[i + 1] - w[i]) : 4.0 * shells * (regain_at_reference(isotherm, skin) - w[i]);
                     next[i] += dt * diffusivity / (dr * dr) * (outer - inner) / (2 * k + 1);
                 }
                 w = next;
@@ -144,12 +145,20 @@ std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backe
     }
     const double temperature = 293.15, to = value(v, "humidity_to"), from = value(v, "humidity_from");
     const double vapour = to * saturation_concentration(temperature);
-    const Sheet sheet{1e-3 * value(v, "areal_density_g_m2"), material.specific_heat_j_kgk, value(v, "mass_transfer_m_s"), value(v, "heat_transfer_w_m2k"),
-                      isotherm, metre_from_um(material.fibre_radius_um), value(v, "fibre_diffusivity_m2_s"), temperature, vapour};
+    const Sheet sheet{1e-3 * value(v, "areal_density_g_m2"),
+                      material.specific_heat_j_kgk,
+                      value(v, "mass_transfer_m_s"),
+                      value(v, "heat_transfer_w_m2k"),
+                      isotherm,
+                      metre_from_um(material.fibre_radius_um),
+                      value(v, "fibre_diffusivity_m2_s"),
+                      temperature,
+                      vapour};
 
-    Scene scene = sheet_in_air(material, isotherm,
-                               {sheet.mass, sheet.mass_transfer, sheet.heat_transfer, sheet.diffusivity, from, to, temperature});
-    const double course = sheet.mass * regain_at_reference(isotherm, std::max(from, to)) / (2.0 * sheet.mass_transfer * saturation_concentration(temperature));
+    Scene scene =
+        sheet_in_air(material, isotherm, {sheet.mass, sheet.mass_transfer, sheet.heat_transfer, sheet.diffusivity, from, to, temperature});
+    const double course = sheet.mass * regain_at_reference(isotherm, std::max(from, to)) /
+                          (2.0 * sheet.mass_transfer * saturation_concentration(temperature));
     scene.network_step = std::clamp(course / 5000, 1e-3, 0.02);
     std::vector<double> times;
     const double until = 600, spacing = std::min(0.5, course / 500);
@@ -198,17 +207,29 @@ std::vector<VerifyResult> adiabatic_wetting(const VerifyValues& v, Backend& back
 std::vector<VerifyCase> heat_cases()
 {
     return {
-        {"slab_conduction", "A slab cooled on both faces: temperature against Fourier's series.",
-         {{"fourier", 0.5, 1e-3, 5, ""}, {"position", 0, 0, 1, ""}}, slab_conduction},
-        {"half_space", "A half space whose face is cooled: temperature at a depth.",
-         {{"diffusivity_m2_s", 1e-7, 1e-9, 1e-3, ""}, {"depth_mm", 1, 1e-3, 1e4, ""}, {"time_s", 5, 1e-3, 1e6, ""}}, half_space},
-        {"sorption_heating", "A dry sheet in moist air: how warm it gets, when, and its regain after 600 s, against an integration of its own.",
-         {{"material", 0, 0, 0, "wool"}, {"areal_density_g_m2", 250, 10, 2000, ""}, {"humidity_from", 0, 0, 1, ""}, {"humidity_to", 0.65, 0, 1, ""},
-          {"mass_transfer_m_s", 0.005, 1e-4, 0.1, ""}, {"heat_transfer_w_m2k", 5.48, 0, 100, ""}, {"fibre_diffusivity_m2_s", 0, 0, 1e-10, ""},
+        {"slab_conduction",
+         "A slab cooled on both faces: temperature against Fourier's series.",
+         {{"fourier", 0.5, 1e-3, 5, ""}, {"position", 0, 0, 1, ""}},
+         slab_conduction},
+        {"half_space",
+         "A half space whose face is cooled: temperature at a depth.",
+         {{"diffusivity_m2_s", 1e-7, 1e-9, 1e-3, ""}, {"depth_mm", 1, 1e-3, 1e4, ""}, {"time_s", 5, 1e-3, 1e6, ""}},
+         half_space},
+        {"sorption_heating",
+         "A dry sheet in moist air: how warm it gets, when, and its regain after 600 s, against an integration of its own.",
+         {{"material", 0, 0, 0, "wool"},
+          {"areal_density_g_m2", 250, 10, 2000, ""},
+          {"humidity_from", 0, 0, 1, ""},
+          {"humidity_to", 0.65, 0, 1, ""},
+          {"mass_transfer_m_s", 0.005, 1e-4, 0.1, ""},
+          {"heat_transfer_w_m2k", 5.48, 0, 100, ""},
+          {"fibre_diffusivity_m2_s", 0, 0, 1e-10, ""},
           {"isotherm", 0, 0, 0, "master"}},
          sorption_heating},
-        {"adiabatic_wetting", "Dry fibre drinks liquid and keeps the heat: its rise against the heat of wetting.",
-         {{"material", 0, 0, 0, "cotton"}, {"regain", 0.24, 0, 1, ""}}, adiabatic_wetting},
+        {"adiabatic_wetting",
+         "Dry fibre drinks liquid and keeps the heat: its rise against the heat of wetting.",
+         {{"material", 0, 0, 0, "cotton"}, {"regain", 0.24, 0, 1, ""}},
+         adiabatic_wetting},
     };
 }
 

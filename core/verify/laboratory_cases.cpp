@@ -27,7 +27,8 @@ std::vector<VerifyResult> management_indices_case(const VerifyValues& v, Backend
 {
     const auto value = [&](const char* name) { return v.at(name).value; };
     ManagementIndices m;
-    m.top = {value("wetting_time_top_s"), value("absorption_rate_top_pct_s"), value("maximum_wetted_radius_top_mm"), value("spreading_speed_top_mm_s")};
+    m.top = {value("wetting_time_top_s"), value("absorption_rate_top_pct_s"), value("maximum_wetted_radius_top_mm"),
+             value("spreading_speed_top_mm_s")};
     m.bottom = {value("wetting_time_bottom_s"), value("absorption_rate_bottom_pct_s"), value("maximum_wetted_radius_bottom_mm"),
                 value("spreading_speed_bottom_mm_s")};
     m.one_way_transport = value("one_way_transport_pct");
@@ -57,10 +58,17 @@ std::vector<VerifyResult> management_indices_case(const VerifyValues& v, Backend
 std::vector<VerifyCase> laboratory_cases()
 {
     return {
-        {"management_indices", "Overall capability and grades of a moisture management test from its indices.",
-         {{"absorption_rate_bottom_pct_s", 55, 0, 1e4, ""}, {"one_way_transport_pct", 250, -1e5, 1e5, ""}, {"spreading_speed_bottom_mm_s", 3.1, 0, 1e3, ""},
-          {"absorption_rate_top_pct_s", 40, 0, 1e4, ""}, {"spreading_speed_top_mm_s", 2.5, 0, 1e3, ""}, {"wetting_time_top_s", 4, 0, 120, ""},
-          {"wetting_time_bottom_s", 6, 0, 120, ""}, {"maximum_wetted_radius_top_mm", 15, 0, 30, ""}, {"maximum_wetted_radius_bottom_mm", 20, 0, 30, ""}},
+        {"management_indices",
+         "Overall capability and grades of a moisture management test from its indices.",
+         {{"absorption_rate_bottom_pct_s", 55, 0, 1e4, ""},
+          {"one_way_transport_pct", 250, -1e5, 1e5, ""},
+          {"spreading_speed_bottom_mm_s", 3.1, 0, 1e3, ""},
+          {"absorption_rate_top_pct_s", 40, 0, 1e4, ""},
+          {"spreading_speed_top_mm_s", 2.5, 0, 1e3, ""},
+          {"wetting_time_top_s", 4, 0, 120, ""},
+          {"wetting_time_bottom_s", 6, 0, 120, ""},
+          {"maximum_wetted_radius_top_mm", 15, 0, 30, ""},
+          {"maximum_wetted_radius_bottom_mm", 20, 0, 30, ""}},
          management_indices_case},
     };
 }

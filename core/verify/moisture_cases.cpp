@@ -71,7 +71,8 @@ std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend
     const double time = fourier * scene.yarns[0].fibre_radius * scene.yarns[0].fibre_radius / scene.yarns[0].diffusivity.constant;
     scene.network_step = time / 8000;
     const Frame frame = frames_at(backend, scene, {time}).front();
-    const double expected = crank_uptake(fourier), position = value(v, "position"), skin = regain_at_reference(scene.yarns[0].isotherm, 1.0);
+    const double expected = crank_uptake(fourier), position = value(v, "position"),
+                 skin = regain_at_reference(scene.yarns[0].isotherm, 1.0);
     return {{"uptake", static_cast<double>(frame.regain[0]) / skin, expected, 0.005 * expected},
             {"concentration", regain_at(frame, scene.fibre_shells, skin, position) / skin, crank_concentration(fourier, position), 0.01}};
 }
@@ -117,7 +118,8 @@ Scene drying_scene(const AirExchange& air, double humidity)
 double settling_time(const Scene& scene, const AirExchange& air)
 {
     const YarnParameters& yarn = scene.yarns[0];
-    const double capacity = yarn.fibre_area * scene.length[0] * yarn.fibre_density * yarn.fibre_specific_heat + scene.initial_liquid[0] * water_specific_heat;
+    const double capacity =
+        yarn.fibre_area * scene.length[0] * yarn.fibre_density * yarn.fibre_specific_heat + scene.initial_liquid[0] * water_specific_heat;
     return capacity / (air.heat_transfer * scene.cell_area);
 }
 
@@ -162,11 +164,12 @@ double reference_saturation_pressure(double temperature)
     if (temperature < 273.15) {
         const double log = std::log(temperature);
         return std::exp(54.842763 - 6763.22 / temperature - 4.210 * log + 0.000367 * temperature +
-                        std::tanh(0.0415 * (temperature - 218.8)) * (53.878 - 1331.22 / temperature - 9.44523 * log + 0.014025 * temperature));
+                        std::tanh(0.0415 * (temperature - 218.8)) *
+                            (53.878 - 1331.22 / temperature - 9.44523 * log + 0.014025 * temperature));
     }
     const double tau = 1.0 - temperature / 647.096;
-    const double sum = -7.85951783 * tau + 1.84408259 * std::pow(tau, 1.5) - 11.7866497 * std::pow(tau, 3) + 22.6807411 * std::pow(tau, 3.5) -
-                       15.9618719 * std::pow(tau, 4) + 1.80122502 * std::pow(tau, 7.5);
+    const double sum = -7.85951783 * tau + 1.84408259 * std::pow(tau, 1.5) - 11.7866497 * std::pow(tau, 3) +
+                       22.6807411 * std::pow(tau, 3.5) - 15.9618719 * std::pow(tau, 4) + 1.80122502 * std::pow(tau, 7.5);
     return 22.064e6 * std::exp(647.096 / temperature * sum);
 }
 
@@ -187,7 +190,8 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        const double here = middle * std::exp(-heat_of_sorption(middle) * water_molar_mass / gas_constant * (1.0 / temperature - 1.0 / 293.15));
+        const double here =
+            middle * std::exp(-heat_of_sorption(middle) * water_molar_mass / gas_constant * (1.0 / temperature - 1.0 / 293.15));
         (here < humidity ? low : high) = middle;
     }
     const double expected = regain_at_reference(scene.yarns[0].isotherm, 0.5 * (low + high));
@@ -199,17 +203,30 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
 std::vector<VerifyCase> moisture_cases()
 {
     return {
-        {"crank_cylinder", "A fibre in liquid: share of the final uptake, and the water at a place in it, against Crank's series for a cylinder.",
-         {{"fourier", 0.1, 1e-4, 2, ""}, {"position", 0.5, 0, 1, ""}, {"shells", largest_shell_count, 1, largest_shell_count, ""}}, crank_cylinder},
-        {"wet_bulb", "A wet crossing in an air stream: its temperature against the balance of heat and evaporation.",
-         {{"temperature_c", 20, 1, 60, ""}, {"relative_humidity", 0.65, 0, 1, ""}, {"radiation", 0, 0, 1, ""}}, wet_bulb},
-        {"drying_rate", "A wet crossing in air flowing along a sample: temperature and rate of drying of each face.",
-         {{"temperature_c", 20, 1, 60, ""}, {"relative_humidity", 0.65, 0, 0.99, ""}, {"air_speed_m_s", 1, 0, 20, ""}, {"length_mm", 80, 1, 2000, ""},
+        {"crank_cylinder",
+         "A fibre in liquid: share of the final uptake, and the water at a place in it, against Crank's series for a cylinder.",
+         {{"fourier", 0.1, 1e-4, 2, ""}, {"position", 0.5, 0, 1, ""}, {"shells", largest_shell_count, 1, largest_shell_count, ""}},
+         crank_cylinder},
+        {"wet_bulb",
+         "A wet crossing in an air stream: its temperature against the balance of heat and evaporation.",
+         {{"temperature_c", 20, 1, 60, ""}, {"relative_humidity", 0.65, 0, 1, ""}, {"radiation", 0, 0, 1, ""}},
+         wet_bulb},
+        {"drying_rate",
+         "A wet crossing in air flowing along a sample: temperature and rate of drying of each face.",
+         {{"temperature_c", 20, 1, 60, ""},
+          {"relative_humidity", 0.65, 0, 0.99, ""},
+          {"air_speed_m_s", 1, 0, 20, ""},
+          {"length_mm", 80, 1, 2000, ""},
           {"radiation", 0, 0, 1, ""}},
          drying_rate},
-        {"saturation_concentration", "Vapour over water against the IAPWS reference equation.", {{"temperature_c", 20, -20, 90, ""}}, saturation},
-        {"regain", "A fibre left long in a climate: regain against its isotherm.",
-         {{"material", 0, 0, 0, "cotton"}, {"temperature_c", 20, -10, 60, ""}, {"relative_humidity", 0.65, 0, 1, ""}}, regain},
+        {"saturation_concentration",
+         "Vapour over water against the IAPWS reference equation.",
+         {{"temperature_c", 20, -20, 90, ""}},
+         saturation},
+        {"regain",
+         "A fibre left long in a climate: regain against its isotherm.",
+         {{"material", 0, 0, 0, "cotton"}, {"temperature_c", 20, -10, 60, ""}, {"relative_humidity", 0.65, 0, 1, ""}},
+         regain},
     };
 }
 

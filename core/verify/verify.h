@@ -31,7 +31,7 @@ struct VerifyResult {
     double tolerance = 0; ///< of the difference, in the result's unit
     Rule rule = Rule::near;
     std::string known_miss = {}; ///< of a comparison with measurements: why it is known not to hold; empty: it is held to hold
-    bool pass() const       ///< a NaN never passes
+    bool pass() const            ///< a NaN never passes
     {
         if (rule == Rule::at_most) return computed <= expected + tolerance;
         if (rule == Rule::at_least) return computed >= expected - tolerance;
@@ -57,8 +57,8 @@ struct VerifyReport {
     double wall = 0; ///< s
     std::string source = {};
     std::string not_applicable = {};
-    bool pass() const;         ///< every result holds
-    bool as_expected() const;  ///< every result holds or is a known miss
+    bool pass() const;        ///< every result holds
+    bool as_expected() const; ///< every result holds or is a known miss
 };
 
 const std::vector<VerifyCase>& verify_cases();

@@ -168,9 +168,13 @@ std::vector<VerifyCase> whole_run_cases()
 {
     return {
         {"conservation",
-         "An experiment on a small sample with all physics: drift of mass over the water there is, of energy over the heat exchanged. A contact "
+         "An experiment on a small sample with all physics: drift of mass over the water there is, of energy over the heat exchanged. A "
+         "contact "
          "angle below 0 is the fabric's own.",
-         {{"experiment", 0, 0, 0, "droplet"}, {"fabric", 0, 0, 0, "Textile F"}, {"duration_s", 1, 1e-3, 1e4, ""}, {"volume_ul", 3, 1e-3, 100, ""},
+         {{"experiment", 0, 0, 0, "droplet"},
+          {"fabric", 0, 0, 0, "Textile F"},
+          {"duration_s", 1, 1e-3, 1e4, ""},
+          {"volume_ul", 3, 1e-3, 100, ""},
           {"contact_angle_deg", -1, -1, 180, ""}},
          conservation},
         {"mixed_yarns",

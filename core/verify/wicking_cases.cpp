@@ -89,7 +89,8 @@ struct StandingTube {
 /// Time to rise to a height (Washburn 1921 with gravity).
 double rising_time(double radius, double equilibrium, double viscosity, double density, double height)
 {
-    return 8.0 * viscosity / (density * gravity_acceleration * radius * radius) * (-height - equilibrium * std::log1p(-height / equilibrium));
+    return 8.0 * viscosity / (density * gravity_acceleration * radius * radius) *
+           (-height - equilibrium * std::log1p(-height / equilibrium));
 }
 
 double equilibrium_for(const VerifyValues& v, double temperature)
@@ -103,7 +104,8 @@ std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backe
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
     const double height = metre_from_mm(value(v, "height_mm")), highest = equilibrium_for(v, temperature);
     if (height >= 0.98 * highest)
-        throw Error(fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
+        throw Error(
+            fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
     const double expected = rising_time(radius, highest, water_viscosity(temperature), water_density(temperature), height);
     constexpr int moments = 150;
     std::vector<double> times;
@@ -127,7 +129,8 @@ std::vector<VerifyResult> jurin(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
     const double expected = equilibrium_for(v, temperature);
-    const double slowness = 8.0 * water_viscosity(temperature) * expected / (water_density(temperature) * gravity_acceleration * radius * radius);
+    const double slowness =
+        8.0 * water_viscosity(temperature) * expected / (water_density(temperature) * gravity_acceleration * radius * radius);
     const StandingTube tube(temperature, radius, radian_from_degree(value(v, "contact_angle_deg")), 1.2 * expected, 0.02 * slowness);
     const Frame frame = frames_at(backend, tube.scene, {12.0 * slowness}).back();
     return {{"height_mm", 1e3 * tube.height(frame), 1e3 * expected, 0.01 * 1e3 * expected}};
@@ -184,8 +187,7 @@ std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
 std::vector<VerifyResult> darcy_strip(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
-    const double mobility =
-        value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * value(v, "porosity"));
+    const double mobility = value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * value(v, "porosity"));
     const double time = value(v, "time_s"), expected = 1e3 * std::sqrt(2.0 * mobility * time);
     return {{"distance_mm", 1e3 * front_distances(backend, temperature, mobility, time).back(), expected, 0.02 * expected}};
 }
@@ -251,22 +253,44 @@ std::vector<VerifyCase> wicking_cases()
 {
     const VerifyParameter temperature{"temperature_c", 20, 0, 90, ""};
     return {
-        {"washburn", "A horizontal tube draws water in: distance against Lucas and Washburn, and the exponent of time.",
-         {{"radius_um", 10, 1e-2, 1e3, ""}, {"contact_angle_deg", 60, 0, 89, ""}, {"time_s", 5, 1e-3, 1e5, ""}, temperature}, washburn},
-        {"darcy_strip", "A strip draws water in under a given suction: distance against Darcy with a sharp front.",
-         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""}, {"pressure_pa", 5e3, 1e-2, 1e7, ""}, {"porosity", 0.6, 0.01, 1, ""}, {"time_s", 30, 1e-3, 1e5, ""}, temperature},
+        {"washburn",
+         "A horizontal tube draws water in: distance against Lucas and Washburn, and the exponent of time.",
+         {{"radius_um", 10, 1e-2, 1e3, ""}, {"contact_angle_deg", 60, 0, 89, ""}, {"time_s", 5, 1e-3, 1e5, ""}, temperature},
+         washburn},
+        {"darcy_strip",
+         "A strip draws water in under a given suction: distance against Darcy with a sharp front.",
+         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""},
+          {"pressure_pa", 5e3, 1e-2, 1e7, ""},
+          {"porosity", 0.6, 0.01, 1, ""},
+          {"time_s", 30, 1e-3, 1e5, ""},
+          temperature},
          darcy_strip},
-        {"washburn_gravity", "An upright tube draws water up: time to a height against Washburn with gravity.",
-         {{"radius_um", 50, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, {"height_mm", 50, 1e-2, 1e4, ""}, temperature}, washburn_gravity},
-        {"jurin", "An upright tube left long in water: the height of the column.",
-         {{"radius_um", 100, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, temperature}, jurin},
-        {"radial_wicking", "A plane draws water from a round source under a given suction: time for the front to reach a radius.",
-         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""}, {"pressure_pa", 5e3, 1e-2, 1e7, ""}, {"porosity", 0.6, 0.01, 1, ""},
-          {"source_radius_mm", 2, 0.1, 100, ""}, {"radius_mm", 10, 0.2, 1000, ""}, temperature},
+        {"washburn_gravity",
+         "An upright tube draws water up: time to a height against Washburn with gravity.",
+         {{"radius_um", 50, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, {"height_mm", 50, 1e-2, 1e4, ""}, temperature},
+         washburn_gravity},
+        {"jurin",
+         "An upright tube left long in water: the height of the column.",
+         {{"radius_um", 100, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, temperature},
+         jurin},
+        {"radial_wicking",
+         "A plane draws water from a round source under a given suction: time for the front to reach a radius.",
+         {{"permeability_m2", 1e-12, 1e-18, 1e-6, ""},
+          {"pressure_pa", 5e3, 1e-2, 1e7, ""},
+          {"porosity", 0.6, 0.01, 1, ""},
+          {"source_radius_mm", 2, 0.1, 100, ""},
+          {"radius_mm", 10, 0.2, 1000, ""},
+          temperature},
          radial_wicking},
-        {"barenblatt", "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
-         {{"exponent", 2, 0.3, 5, ""}, {"volume_ul", 50, 1e-3, 5e3, ""}, {"thickness_mm", 0.4, 1e-3, 10, ""}, {"porosity", 0.6, 0.01, 1, ""},
-          {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""}, {"time_s", 20, 1e-3, 1e5, ""}, temperature},
+        {"barenblatt",
+         "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
+         {{"exponent", 2, 0.3, 5, ""},
+          {"volume_ul", 50, 1e-3, 5e3, ""},
+          {"thickness_mm", 0.4, 1e-3, 10, ""},
+          {"porosity", 0.6, 0.01, 1, ""},
+          {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""},
+          {"time_s", 20, 1e-3, 1e5, ""},
+          temperature},
          barenblatt},
     };
 }

@@ -188,8 +188,10 @@ private Q_SLOTS:
             for (int row = 0; row < map.rows; ++row)
                 for (int column = 0; column < map.columns; ++column)
                     water += map.at(column, row) * std::min(n, 21 - column * n) * std::min(n, 16 - row * n) * t.warp.pitch * t.weft.pitch;
-            if (side == MapSide::total) QVERIFY(std::abs(water - sides) < 1e-15);
-            else sides += water;
+            if (side == MapSide::total)
+                QVERIFY(std::abs(water - sides) < 1e-15);
+            else
+                sides += water;
         }
         const auto wet = std::count_if(frame.liquid.begin(), frame.liquid.end(), [](float m) { return m > 0; });
         QVERIFY(std::abs(sides - 1e-9 * static_cast<double>(wet)) < 1e-14);

@@ -23,7 +23,10 @@ class TestVerify : public QObject {
         const VerifyReport report = run_verify_case(name, changes, *backend);
         QVERIFY(report.results.empty() == !report.not_applicable.empty());
         for (const VerifyResult& r : report.results)
-            QVERIFY2(r.pass() || !r.known_miss.empty(), qPrintable(QString("%1: computed %2, expected %3 +- %4").arg(r.name.c_str()).arg(r.computed).arg(r.expected).arg(r.tolerance)));
+            QVERIFY2(
+                r.pass() || !r.known_miss.empty(),
+                qPrintable(
+                    QString("%1: computed %2, expected %3 +- %4").arg(r.name.c_str()).arg(r.computed).arg(r.expected).arg(r.tolerance)));
     }
 
 private Q_SLOTS:
@@ -33,7 +36,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("machine");
         for (const char* machine : {"cpu", "cuda"})
             for (const VerifyCase& c : verify_cases())
-                if (c.source.empty() || machine == std::string("cpu")) QTest::addRow("%s on %s", c.name.c_str(), machine) << QString::fromStdString(c.name) << machine;
+                if (c.source.empty() || machine == std::string("cpu"))
+                    QTest::addRow("%s on %s", c.name.c_str(), machine) << QString::fromStdString(c.name) << machine;
     }
     void casesPass()
     {
@@ -45,82 +49,153 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("changes");
-        QTest::newRow("wide tube, wetting") << "washburn" << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
-        QTest::newRow("fine tube") << "washburn" << "radius_um=0.5 contact_angle_deg=85 time_s=1000";
-        QTest::newRow("tight strip") << "darcy_strip" << "permeability_m2=3e-14 pressure_pa=20000 porosity=0.3 time_s=200";
-        QTest::newRow("p = 1") << "barenblatt" << "exponent=1 volume_ul=20 time_s=5";
-        QTest::newRow("late p = 2") << "barenblatt" << "time_s=60";
-        QTest::newRow("early uptake") << "crank_cylinder" << "fourier=0.05";
-        QTest::newRow("late uptake") << "crank_cylinder" << "fourier=0.3";
-        QTest::newRow("desert") << "wet_bulb" << "temperature_c=40 relative_humidity=0.1";
-        QTest::newRow("with radiation") << "wet_bulb" << "temperature_c=25 relative_humidity=0.4 radiation=1";
-        QTest::newRow("slow air") << "drying_rate" << "air_speed_m_s=0.2 length_mm=150 relative_humidity=0.3";
-        QTest::newRow("warm air") << "saturation_concentration" << "temperature_c=36";
-        QTest::newRow("damp wool") << "regain" << "material=wool relative_humidity=0.9";
-        QTest::newRow("cold silk") << "regain" << "material=silk temperature_c=-5 relative_humidity=0.5";
-        QTest::newRow("hot polyester") << "regain" << "material=polyester temperature_c=55";
-        QTest::newRow("upright, fine") << "washburn_gravity" << "radius_um=100 contact_angle_deg=40 height_mm=70";
-        QTest::newRow("column in a fine tube") << "jurin" << "radius_um=20 contact_angle_deg=60 temperature_c=40";
-        QTest::newRow("small source") << "radial_wicking" << "source_radius_mm=1 radius_mm=6 permeability_m2=3e-12 porosity=0.4";
-        QTest::newRow("early slab") << "slab_conduction" << "fourier=0.2";
-        QTest::newRow("late slab off the middle") << "slab_conduction" << "fourier=1 position=0.5";
-        QTest::newRow("late half space") << "half_space" << "time_s=20";
-        QTest::newRow("damp wool sheet with diffusion") << "sorption_heating" << "humidity_to=0.95 fibre_diffusivity_m2_s=1e-13";
-        QTest::newRow("cotton sheet, fitted isotherm") << "sorption_heating" << "material=cotton humidity_from=0.3 isotherm=gab";
-        QTest::newRow("wool half wetted") << "adiabatic_wetting" << "material=wool regain=0.2";
-        QTest::newRow("poor management") << "management_indices" << "absorption_rate_bottom_pct_s=5 one_way_transport_pct=-200 spreading_speed_bottom_mm_s=0.4 wetting_time_top_s=60";
-        QTest::newRow("repellent") << "conservation" << "contact_angle_deg=120 duration_s=0.1";
-        QTest::newRow("fine tube for a minute") << "washburn" << "radius_um=1 contact_angle_deg=0 time_s=60";
-        QTest::newRow("wide tube, hardly wetting, hot") << "washburn" << "radius_um=100 contact_angle_deg=80 time_s=0.1 temperature_c=60";
-        QTest::newRow("open strip") << "darcy_strip" << "permeability_m2=1e-11 pressure_pa=1000 porosity=0.99 time_s=0.01";
-        QTest::newRow("loose mat") << "darcy_strip" << "permeability_m2=1e-10 pressure_pa=100 porosity=0.1 time_s=1";
-        QTest::newRow("upright, high") << "washburn_gravity" << "height_mm=150";
-        QTest::newRow("upright, near the top") << "washburn_gravity" << "radius_um=100 height_mm=144";
-        QTest::newRow("upright, wide") << "washburn_gravity" << "radius_um=200 height_mm=70";
-        QTest::newRow("column in a wide tube") << "jurin" << "radius_um=500 contact_angle_deg=60 temperature_c=60";
-        QTest::newRow("column of metres") << "jurin" << "radius_um=1";
-        QTest::newRow("far front") << "radial_wicking" << "source_radius_mm=0.5 radius_mm=50 porosity=0.8";
-        QTest::newRow("near front") << "radial_wicking" << "source_radius_mm=5 radius_mm=5.5";
-        QTest::newRow("p = 1/3") << "barenblatt" << "exponent=0.3333 time_s=5";
-        QTest::newRow("p = 1/2") << "barenblatt" << "exponent=0.5 time_s=5";
-        QTest::newRow("p = 3") << "barenblatt" << "exponent=3 volume_ul=200 thickness_mm=1 time_s=100";
-        QTest::newRow("p = 5") << "barenblatt" << "exponent=5 time_s=100";
-        QTest::newRow("half uptake, at the axis") << "crank_cylinder" << "fourier=0.06306 position=0";
-        QTest::newRow("late uptake, at the axis") << "crank_cylinder" << "fourier=0.2 position=0";
-        QTest::newRow("near the skin") << "crank_cylinder" << "fourier=0.1 position=0.95";
-        QTest::newRow("very early slab, near the face") << "slab_conduction" << "fourier=0.001 position=0.95";
-        QTest::newRow("nearly cold slab") << "slab_conduction" << "fourier=3 position=0.3";
-        QTest::newRow("deep and slow") << "half_space" << "diffusivity_m2_s=1.4e-7 depth_mm=3 time_s=100";
-        QTest::newRow("fast and shallow") << "half_space" << "diffusivity_m2_s=1e-5 depth_mm=0.1 time_s=0.001";
-        QTest::newRow("hottest and driest") << "wet_bulb" << "temperature_c=60 relative_humidity=0";
-        QTest::newRow("chilly") << "wet_bulb" << "temperature_c=10 relative_humidity=0.5";
-        QTest::newRow("no evaporation") << "wet_bulb" << "relative_humidity=1";
-        QTest::newRow("drying in a storm") << "drying_rate" << "temperature_c=60 relative_humidity=0 air_speed_m_s=10 length_mm=20";
-        QTest::newRow("drying in damp air") << "drying_rate" << "temperature_c=10 relative_humidity=0.9 air_speed_m_s=0.1 radiation=1";
-        QTest::newRow("drying in still air") << "drying_rate" << "air_speed_m_s=0";
-        QTest::newRow("supercooled") << "saturation_concentration" << "temperature_c=-10";
-        QTest::newRow("hot") << "saturation_concentration" << "temperature_c=60";
-        QTest::newRow("viscose, warm and damp") << "regain" << "material=viscose relative_humidity=0.95 temperature_c=36";
-        QTest::newRow("hemp in the frost") << "regain" << "material=hemp relative_humidity=0.3 temperature_c=-10";
-        QTest::newRow("cotton, bone-dry") << "regain" << "relative_humidity=0";
-        QTest::newRow("cotton, saturated") << "regain" << "relative_humidity=1";
-        QTest::newRow("viscose sheet") << "sorption_heating" << "material=viscose humidity_to=0.9";
-        QTest::newRow("light sheet in fast air") << "sorption_heating" << "areal_density_g_m2=20 mass_transfer_m_s=0.05 heat_transfer_w_m2k=50";
-        QTest::newRow("heavy cotton sheet") << "sorption_heating" << "material=cotton areal_density_g_m2=1000 heat_transfer_w_m2k=10";
-        QTest::newRow("sheet that dries") << "sorption_heating" << "humidity_from=0.8 humidity_to=0.2";
-        QTest::newRow("silk sheet with diffusion") << "sorption_heating" << "material=silk humidity_from=0.2 humidity_to=0.8 fibre_diffusivity_m2_s=5e-14";
-        QTest::newRow("polyester wetted") << "adiabatic_wetting" << "material=polyester regain=0.007";
-        QTest::newRow("viscose wetted") << "adiabatic_wetting" << "material=viscose regain=0.3";
-        QTest::newRow("cotton, a little wetted") << "adiabatic_wetting" << "regain=0.01";
-        QTest::newRow("excellent management") << "management_indices" << "absorption_rate_bottom_pct_s=100 one_way_transport_pct=400 spreading_speed_bottom_mm_s=4";
-        QTest::newRow("at the grades' bounds") << "management_indices" << "wetting_time_top_s=3 wetting_time_bottom_s=120 maximum_wetted_radius_top_mm=22";
+        QTest::newRow("wide tube, wetting") << "washburn"
+                                            << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
+        QTest::newRow("fine tube") << "washburn"
+                                   << "radius_um=0.5 contact_angle_deg=85 time_s=1000";
+        QTest::newRow("tight strip") << "darcy_strip"
+                                     << "permeability_m2=3e-14 pressure_pa=20000 porosity=0.3 time_s=200";
+        QTest::newRow("p = 1") << "barenblatt"
+                               << "exponent=1 volume_ul=20 time_s=5";
+        QTest::newRow("late p = 2") << "barenblatt"
+                                    << "time_s=60";
+        QTest::newRow("early uptake") << "crank_cylinder"
+                                      << "fourier=0.05";
+        QTest::newRow("late uptake") << "crank_cylinder"
+                                     << "fourier=0.3";
+        QTest::newRow("desert") << "wet_bulb"
+                                << "temperature_c=40 relative_humidity=0.1";
+        QTest::newRow("with radiation") << "wet_bulb"
+                                        << "temperature_c=25 relative_humidity=0.4 radiation=1";
+        QTest::newRow("slow air") << "drying_rate"
+                                  << "air_speed_m_s=0.2 length_mm=150 relative_humidity=0.3";
+        QTest::newRow("warm air") << "saturation_concentration"
+                                  << "temperature_c=36";
+        QTest::newRow("damp wool") << "regain"
+                                   << "material=wool relative_humidity=0.9";
+        QTest::newRow("cold silk") << "regain"
+                                   << "material=silk temperature_c=-5 relative_humidity=0.5";
+        QTest::newRow("hot polyester") << "regain"
+                                       << "material=polyester temperature_c=55";
+        QTest::newRow("upright, fine") << "washburn_gravity"
+                                       << "radius_um=100 contact_angle_deg=40 height_mm=70";
+        QTest::newRow("column in a fine tube") << "jurin"
+                                               << "radius_um=20 contact_angle_deg=60 temperature_c=40";
+        QTest::newRow("small source") << "radial_wicking"
+                                      << "source_radius_mm=1 radius_mm=6 permeability_m2=3e-12 porosity=0.4";
+        QTest::newRow("early slab") << "slab_conduction"
+                                    << "fourier=0.2";
+        QTest::newRow("late slab off the middle") << "slab_conduction"
+                                                  << "fourier=1 position=0.5";
+        QTest::newRow("late half space") << "half_space"
+                                         << "time_s=20";
+        QTest::newRow("damp wool sheet with diffusion") << "sorption_heating"
+                                                        << "humidity_to=0.95 fibre_diffusivity_m2_s=1e-13";
+        QTest::newRow("cotton sheet, fitted isotherm") << "sorption_heating"
+                                                       << "material=cotton humidity_from=0.3 isotherm=gab";
+        QTest::newRow("wool half wetted") << "adiabatic_wetting"
+                                          << "material=wool regain=0.2";
+        QTest::newRow("poor management")
+            << "management_indices"
+            << "absorption_rate_bottom_pct_s=5 one_way_transport_pct=-200 spreading_speed_bottom_mm_s=0.4 wetting_time_top_s=60";
+        QTest::newRow("repellent") << "conservation"
+                                   << "contact_angle_deg=120 duration_s=0.1";
+        QTest::newRow("fine tube for a minute") << "washburn"
+                                                << "radius_um=1 contact_angle_deg=0 time_s=60";
+        QTest::newRow("wide tube, hardly wetting, hot") << "washburn"
+                                                        << "radius_um=100 contact_angle_deg=80 time_s=0.1 temperature_c=60";
+        QTest::newRow("open strip") << "darcy_strip"
+                                    << "permeability_m2=1e-11 pressure_pa=1000 porosity=0.99 time_s=0.01";
+        QTest::newRow("loose mat") << "darcy_strip"
+                                   << "permeability_m2=1e-10 pressure_pa=100 porosity=0.1 time_s=1";
+        QTest::newRow("upright, high") << "washburn_gravity"
+                                       << "height_mm=150";
+        QTest::newRow("upright, near the top") << "washburn_gravity"
+                                               << "radius_um=100 height_mm=144";
+        QTest::newRow("upright, wide") << "washburn_gravity"
+                                       << "radius_um=200 height_mm=70";
+        QTest::newRow("column in a wide tube") << "jurin"
+                                               << "radius_um=500 contact_angle_deg=60 temperature_c=60";
+        QTest::newRow("column of metres") << "jurin"
+                                          << "radius_um=1";
+        QTest::newRow("far front") << "radial_wicking"
+                                   << "source_radius_mm=0.5 radius_mm=50 porosity=0.8";
+        QTest::newRow("near front") << "radial_wicking"
+                                    << "source_radius_mm=5 radius_mm=5.5";
+        QTest::newRow("p = 1/3") << "barenblatt"
+                                 << "exponent=0.3333 time_s=5";
+        QTest::newRow("p = 1/2") << "barenblatt"
+                                 << "exponent=0.5 time_s=5";
+        QTest::newRow("p = 3") << "barenblatt"
+                               << "exponent=3 volume_ul=200 thickness_mm=1 time_s=100";
+        QTest::newRow("p = 5") << "barenblatt"
+                               << "exponent=5 time_s=100";
+        QTest::newRow("half uptake, at the axis") << "crank_cylinder"
+                                                  << "fourier=0.06306 position=0";
+        QTest::newRow("late uptake, at the axis") << "crank_cylinder"
+                                                  << "fourier=0.2 position=0";
+        QTest::newRow("near the skin") << "crank_cylinder"
+                                       << "fourier=0.1 position=0.95";
+        QTest::newRow("very early slab, near the face") << "slab_conduction"
+                                                        << "fourier=0.001 position=0.95";
+        QTest::newRow("nearly cold slab") << "slab_conduction"
+                                          << "fourier=3 position=0.3";
+        QTest::newRow("deep and slow") << "half_space"
+                                       << "diffusivity_m2_s=1.4e-7 depth_mm=3 time_s=100";
+        QTest::newRow("fast and shallow") << "half_space"
+                                          << "diffusivity_m2_s=1e-5 depth_mm=0.1 time_s=0.001";
+        QTest::newRow("hottest and driest") << "wet_bulb"
+                                            << "temperature_c=60 relative_humidity=0";
+        QTest::newRow("chilly") << "wet_bulb"
+                                << "temperature_c=10 relative_humidity=0.5";
+        QTest::newRow("no evaporation") << "wet_bulb"
+                                        << "relative_humidity=1";
+        QTest::newRow("drying in a storm") << "drying_rate"
+                                           << "temperature_c=60 relative_humidity=0 air_speed_m_s=10 length_mm=20";
+        QTest::newRow("drying in damp air") << "drying_rate"
+                                            << "temperature_c=10 relative_humidity=0.9 air_speed_m_s=0.1 radiation=1";
+        QTest::newRow("drying in still air") << "drying_rate"
+                                             << "air_speed_m_s=0";
+        QTest::newRow("supercooled") << "saturation_concentration"
+                                     << "temperature_c=-10";
+        QTest::newRow("hot") << "saturation_concentration"
+                             << "temperature_c=60";
+        QTest::newRow("viscose, warm and damp") << "regain"
+                                                << "material=viscose relative_humidity=0.95 temperature_c=36";
+        QTest::newRow("hemp in the frost") << "regain"
+                                           << "material=hemp relative_humidity=0.3 temperature_c=-10";
+        QTest::newRow("cotton, bone-dry") << "regain"
+                                          << "relative_humidity=0";
+        QTest::newRow("cotton, saturated") << "regain"
+                                           << "relative_humidity=1";
+        QTest::newRow("viscose sheet") << "sorption_heating"
+                                       << "material=viscose humidity_to=0.9";
+        QTest::newRow("light sheet in fast air") << "sorption_heating"
+                                                 << "areal_density_g_m2=20 mass_transfer_m_s=0.05 heat_transfer_w_m2k=50";
+        QTest::newRow("heavy cotton sheet") << "sorption_heating"
+                                            << "material=cotton areal_density_g_m2=1000 heat_transfer_w_m2k=10";
+        QTest::newRow("sheet that dries") << "sorption_heating"
+                                          << "humidity_from=0.8 humidity_to=0.2";
+        QTest::newRow("silk sheet with diffusion") << "sorption_heating"
+                                                   << "material=silk humidity_from=0.2 humidity_to=0.8 fibre_diffusivity_m2_s=5e-14";
+        QTest::newRow("polyester wetted") << "adiabatic_wetting"
+                                          << "material=polyester regain=0.007";
+        QTest::newRow("viscose wetted") << "adiabatic_wetting"
+                                        << "material=viscose regain=0.3";
+        QTest::newRow("cotton, a little wetted") << "adiabatic_wetting"
+                                                 << "regain=0.01";
+        QTest::newRow("excellent management") << "management_indices"
+                                              << "absorption_rate_bottom_pct_s=100 one_way_transport_pct=400 spreading_speed_bottom_mm_s=4";
+        QTest::newRow("at the grades' bounds") << "management_indices"
+                                               << "wetting_time_top_s=3 wetting_time_bottom_s=120 maximum_wetted_radius_top_mm=22";
     }
     void otherValuesPassToo()
     {
         QFETCH(QString, name);
         QFETCH(QString, changes);
         std::map<std::string, std::string> values;
-        for (const QString& change : changes.split(' ')) values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
+        for (const QString& change : changes.split(' '))
+            values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
         check(name.toStdString(), values, "cpu");
     }
     void everyExperimentConservesWaterAndEnergy_data()
@@ -131,14 +206,16 @@ private Q_SLOTS:
             for (const char* fabric : {"A", "C", "E", "F", "G", "Denim", "Silk habotai"}) {
                 const std::string experiment = name_of(static_cast<ExperimentType>(i));
                 const double duration = durations.count(experiment) ? durations.at(experiment) : 10;
-                QTest::addRow("%s on %s", experiment.c_str(), fabric) << QString("experiment=%1|fabric=%2|duration_s=%3").arg(experiment.c_str(), fabric).arg(duration);
+                QTest::addRow("%s on %s", experiment.c_str(), fabric)
+                    << QString("experiment=%1|fabric=%2|duration_s=%3").arg(experiment.c_str(), fabric).arg(duration);
             }
     }
     void everyExperimentConservesWaterAndEnergy()
     {
         QFETCH(QString, changes);
         std::map<std::string, std::string> values;
-        for (const QString& change : changes.split('|')) values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
+        for (const QString& change : changes.split('|'))
+            values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
         check("conservation", values, "cpu");
     }
     void aWordStandsForMoreThanOneCase()
@@ -152,7 +229,8 @@ private Q_SLOTS:
     void aMissIsNeverAPass()
     {
         VerifyReport report;
-        report.results = {{"high", 2, 1, 0.5}, {"low enough", 2, 1, 0.5, Rule::at_least}, {"high again", 2, 1, 0.5, Rule::at_most, "known"}};
+        report.results = {
+            {"high", 2, 1, 0.5}, {"low enough", 2, 1, 0.5, Rule::at_least}, {"high again", 2, 1, 0.5, Rule::at_most, "known"}};
         QVERIFY(!report.results[0].pass() && report.results[1].pass() && !report.results[2].pass());
         QVERIFY(!report.pass() && !report.as_expected());
         report.results.erase(report.results.begin());
@@ -165,14 +243,30 @@ private Q_SLOTS:
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("value");
-        QTest::newRow("no such case") << "washboard" << "x" << "1";
-        QTest::newRow("no such parameter") << "washburn" << "radius_mm" << "1";
-        QTest::newRow("out of range") << "washburn" << "contact_angle_deg" << "120";
-        QTest::newRow("no number") << "washburn" << "radius_um" << "ten";
-        QTest::newRow("nan") << "washburn" << "radius_um" << "nan";
-        QTest::newRow("no such material") << "regain" << "material" << "steel";
-        QTest::newRow("no such fabric") << "conservation" << "fabric" << "Textile Z";
-        QTest::newRow("no such experiment") << "conservation" << "experiment" << "boiling";
+        QTest::newRow("no such case") << "washboard"
+                                      << "x"
+                                      << "1";
+        QTest::newRow("no such parameter") << "washburn"
+                                           << "radius_mm"
+                                           << "1";
+        QTest::newRow("out of range") << "washburn"
+                                      << "contact_angle_deg"
+                                      << "120";
+        QTest::newRow("no number") << "washburn"
+                                   << "radius_um"
+                                   << "ten";
+        QTest::newRow("nan") << "washburn"
+                             << "radius_um"
+                             << "nan";
+        QTest::newRow("no such material") << "regain"
+                                          << "material"
+                                          << "steel";
+        QTest::newRow("no such fabric") << "conservation"
+                                        << "fabric"
+                                        << "Textile Z";
+        QTest::newRow("no such experiment") << "conservation"
+                                            << "experiment"
+                                            << "boiling";
     }
     void wrongQuestionsAreAnsweredWithASentence()
     {

@@ -14,7 +14,10 @@ using namespace hygroloom;
 
 namespace {
 
-std::filesystem::path place(const char* ending) { return std::filesystem::temp_directory_path() / (std::string("hygroloom-bench") + ending); }
+std::filesystem::path place(const char* ending)
+{
+    return std::filesystem::temp_directory_path() / (std::string("hygroloom-bench") + ending);
+}
 
 void count(benchmark::State& state, double bytes)
 {

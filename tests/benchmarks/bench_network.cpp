@@ -33,16 +33,14 @@ Scene scene_of(const Design& design, const ForcedParts& forced)
 
 /// Doubles of a segment that a step with every part reads or writes at least once: length, pores, flux and uptake; liquid, vapour, warmth,
 /// evaporated, released, lost and every shell there and back. Without wicking's partners: length, pores, liquid and flux.
-double least_bytes(const Scene& scene)
-{
-    return 8.0 * (scene.vapour ? 4 + 2 * (6 + scene.fibre_shells) : 6);
-}
+double least_bytes(const Scene& scene) { return 8.0 * (scene.vapour ? 4 + 2 * (6 + scene.fibre_shells) : 6); }
 
 /// Every segment wet, steps of one length, each with its exchange with fibres and air. Argument: side of the sample in mm.
 void step(benchmark::State& state, bool everything, int threads)
 {
     const auto side = static_cast<double>(state.range(0));
-    Scene scene = scene_of(pool_on_textile_f(side, 1), {{"growth", false}, {"sorption", everything}, {"vapour", everything}, {"heat", everything}});
+    Scene scene =
+        scene_of(pool_on_textile_f(side, 1), {{"growth", false}, {"sorption", everything}, {"vapour", everything}, {"heat", everything}});
     scene.pools.clear();
     scene.step_error = 0;
     scene.network_step = scene.calm_network_step = 0.01;

@@ -258,7 +258,8 @@ private Q_SLOTS:
     {
         const Design design = textile_f();
         const Textile textile = part(design, {3, 5, 12, 14});
-        for (const auto& [detail, capped] : {std::pair(MeshDetail::yarn, true), {MeshDetail::yarn, false}, {MeshDetail::fibre, true}, {MeshDetail::fibre, false}}) {
+        for (const auto& [detail, capped] :
+             {std::pair(MeshDetail::yarn, true), {MeshDetail::yarn, false}, {MeshDetail::fibre, true}, {MeshDetail::fibre, false}}) {
             const MeshRequest request{detail, 8, 6, true, capped, 1};
             const MeshSize size = stream_size(textile, request);
             std::size_t vertices = 0, triangles = 0;

@@ -111,7 +111,8 @@ private Q_SLOTS:
                 const double regain = regain_at_reference(isotherm, humidity);
                 if (regain >= isotherm.saturation_regain) continue;
                 QVERIFY(std::abs(humidity_at_reference(isotherm, regain) - humidity) < 1e-9);
-                const double slope = (regain_at_reference(isotherm, humidity + 1e-6) - regain_at_reference(isotherm, humidity - 1e-6)) / 2e-6;
+                const double slope =
+                    (regain_at_reference(isotherm, humidity + 1e-6) - regain_at_reference(isotherm, humidity - 1e-6)) / 2e-6;
                 QVERIFY(std::abs(regain_slope_at_reference(isotherm, humidity) - slope) < 1e-5 * slope);
             }
             QCOMPARE(humidity_at_reference(isotherm, 0), 0.0);

@@ -29,7 +29,8 @@ private Q_SLOTS:
         const double support = 1.0;
         for (double r : {0.1, 0.3, 0.45, 0.6, 0.9}) {
             const double h = 1e-3;
-            const double slope = (double(spline_kernel(Real(r + h), Real(support))) - double(spline_kernel(Real(r - h), Real(support)))) / (2 * h);
+            const double slope =
+                (double(spline_kernel(Real(r + h), Real(support))) - double(spline_kernel(Real(r - h), Real(support)))) / (2 * h);
             QVERIFY(std::abs(double(spline_gradient_factor(Real(r), Real(support))) * r - slope) < 2e-2 * std::abs(slope) + 1e-2);
         }
         QCOMPARE(spline_gradient_factor(Real(0), Real(1)), Real(0));

@@ -85,8 +85,8 @@ private Q_SLOTS:
         experiment.swelling = swelling;
         experiment.duration_s = 5;
         experiment.climates = {{2, {35, 0.2, 1}}, {4, {10, 0.95, 0}}};
-        const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft,
-                                          {{"sorption", true}, {"vapour", true}, {"heat", true}});
+        const ModelPlan plan =
+            plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         Solver<CpuExecutor> solver;
         solver.executor().set_threads(2);
@@ -96,7 +96,8 @@ private Q_SLOTS:
             time = solver.advance(experiment.duration_s, 0.0); // one step
             const Frame frame = solver.frame();
             const Ledger& l = frame.ledger;
-            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l), qPrintable(QString("%1 at %2").arg(l.water_imbalance()).arg(time)));
+            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l),
+                     qPrintable(QString("%1 at %2").arg(l.water_imbalance()).arg(time)));
             QVERIFY2(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l),
                      qPrintable(QString("%1 of %2 at %3").arg(l.energy_imbalance()).arg(moved_heat(l)).arg(time)));
             for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
@@ -112,7 +113,8 @@ private Q_SLOTS:
     {
         const Result strip = run(small(ExperimentType::vertical_wicking));
         QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
-        QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3, qPrintable(QString::number(strip.metrics.wicking->height)));
+        QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3,
+                 qPrintable(QString::number(strip.metrics.wicking->height)));
         // Height against time doubles when time is four times as long.
         const Series& s = strip.metrics.series;
         const double late = s.wick_height.back(), early = s.wick_height[s.wick_height.size() / 4];
@@ -141,7 +143,8 @@ private Q_SLOTS:
         const TextileRegion region = region_of_sample(design.fabrics[0], 6, 5);
         const double area = region.ends / design.fabrics[0].ends_per_cm * region.picks / design.fabrics[0].picks_per_cm * 1e-4;
         const double expected = 0.3 / 3600 * 10 * area; // 300 g/m2 h for 10 s
-        QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected, qPrintable(QString("%1 %2").arg(m.ledger.water_delivered).arg(expected)));
+        QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected,
+                 qPrintable(QString("%1 %2").arg(m.ledger.water_delivered).arg(expected)));
     }
     void aWetSampleDriesToItsRegain()
     {
@@ -183,7 +186,8 @@ private Q_SLOTS:
         QFETCH(int, fidelity);
         Design design = small(static_cast<ExperimentType>(type));
         Experiment& experiment = design.experiments[0];
-        experiment.sample_mm = experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
+        experiment.sample_mm =
+            experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
         experiment.volume_ul = 0.5;
         experiment.droplets[0] = {0.2, 0, {5, -3}, 0.1, 0};
         experiment.duration_s = experiment.type == ExperimentType::droplet ? 1.5 : 4;
@@ -215,7 +219,8 @@ private Q_SLOTS:
         const double tolerance = fidelity == static_cast<int>(Fidelity::draft) ? 1e-2 : 1e-3;
         QVERIFY2(difference < tolerance * water, qPrintable(QString::number(difference / water)));
         QVERIFY2(warmth < 10 * tolerance, qPrintable(QString::number(warmth)));
-        QVERIFY(std::abs(part.ledger.water_evaporated - whole.ledger.water_evaporated) < tolerance * std::abs(whole.ledger.water_evaporated));
+        QVERIFY(std::abs(part.ledger.water_evaporated - whole.ledger.water_evaporated) <
+                tolerance * std::abs(whole.ledger.water_evaporated));
     }
     void theClothFollowsTheAir()
     {

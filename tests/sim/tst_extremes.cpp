@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// More than five hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its bounds.
+// More than five hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its
+// bounds.
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/design/design.h"
@@ -21,7 +22,7 @@ using namespace hygroloom;
 namespace {
 
 constexpr int designs = 650, chunks = 65; // about one in five is refused
-constexpr double longest = 5; // s of simulated time; whole runs of a few go on to their end
+constexpr double longest = 5;             // s of simulated time; whole runs of a few go on to their end
 
 /// Numbers of one design, from its index alone.
 class Dice {
@@ -31,7 +32,10 @@ public:
     double between(double low, double high) { return low + (high - low) * share(); }
     double by_decades(double low, double high) { return low * std::pow(high / low, share()); }
     bool chance(double probability) { return share() < probability; }
-    template <typename T> T one_of(const std::vector<T>& values) { return values[static_cast<std::size_t>(share() * static_cast<double>(values.size()))]; }
+    template <typename T> T one_of(const std::vector<T>& values)
+    {
+        return values[static_cast<std::size_t>(share() * static_cast<double>(values.size()))];
+    }
 
 private:
     std::uint64_t design_, count_ = 0;
@@ -74,7 +78,8 @@ void add_droplets(Dice& dice, Experiment& experiment)
         drop.time_s = i * 0.2 * std::min(longest, experiment.duration_s);
         drop.height_mm = drop.volume_ul < 1e-3 ? 0.0 : dice.one_of<double>({0, 2, 20}); // the smallest would fall a million steps long
         drop.speed_m_s = dice.one_of<double>({0, 0, 0, 1, 5});
-        for (std::size_t axis = 0; axis < 2; ++axis) drop.at_mm[axis] = dice.chance(0.8) ? 0.0 : 0.5 * experiment.sample_mm[axis] * dice.between(-1, 1);
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            drop.at_mm[axis] = dice.chance(0.8) ? 0.0 : 0.5 * experiment.sample_mm[axis] * dice.between(-1, 1);
         experiment.droplets.push_back(drop);
     }
 }
@@ -107,7 +112,8 @@ Design random_design(int index, double& simulated)
     simulated = whole ? experiment.duration_s : std::min(longest, experiment.duration_s);
     // Some threads each way, or a single yarn.
     const double threads = dice.by_decades(1, 25);
-    experiment.sample_mm = {std::clamp(10 * threads / fabric.ends_per_cm, 0.1, 2000.0), std::clamp(10 * dice.by_decades(1, 25) / fabric.picks_per_cm, 0.1, 2000.0)};
+    experiment.sample_mm = {std::clamp(10 * threads / fabric.ends_per_cm, 0.1, 2000.0),
+                            std::clamp(10 * dice.by_decades(1, 25) / fabric.picks_per_cm, 0.1, 2000.0)};
     if (dice.chance(0.4)) { // 0 to 100 % and back, and other changes
         const double when = simulated * dice.by_decades(1e-3, 0.3);
         Climate moist = random_climate(dice), dry = random_climate(dice);
@@ -117,8 +123,10 @@ Design random_design(int index, double& simulated)
         }
         experiment.climates = {{when, moist}, {2 * when, moist}, {2 * when + 1e-6 * dice.by_decades(1, 1e5), dry}};
     }
-    if (!design.liquids.empty()) experiment.liquid = "own";
-    else experiment.liquid = dice.one_of<std::string>({"water", "saline", "sweat"});
+    if (!design.liquids.empty())
+        experiment.liquid = "own";
+    else
+        experiment.liquid = dice.one_of<std::string>({"water", "saline", "sweat"});
     experiment.closure = static_cast<Closure>(dice.one_of<int>({0, 0, 1, 2}));
     experiment.swelling = dice.chance(0.3);
     if (experiment.type == ExperimentType::droplet) add_droplets(dice, experiment);
@@ -156,7 +164,8 @@ double most_regain(const Scene& scene)
 {
     double most = 0;
     for (const YarnParameters& yarn : scene.yarns)
-        for (double temperature = 233; temperature < 400; temperature += 1) most = std::max(most, equilibrium_regain(yarn.isotherm, 1.0, temperature));
+        for (double temperature = 233; temperature < 400; temperature += 1)
+            most = std::max(most, equilibrium_regain(yarn.isotherm, 1.0, temperature));
     return most;
 }
 
@@ -164,16 +173,21 @@ double most_regain(const Scene& scene)
 std::string complaint(const Scene& scene, const Frame& frame, double most)
 {
     const Ledger& l = frame.ledger;
-    if (!(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l) + water_quantum)) return fmt::format("water off by {} of {} kg", l.water_imbalance(), moved_water(l));
-    if (!(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l) + 1e-18)) return fmt::format("energy off by {} of {} J", l.energy_imbalance(), moved_heat(l));
+    if (!(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l) + water_quantum))
+        return fmt::format("water off by {} of {} kg", l.water_imbalance(), moved_water(l));
+    if (!(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l) + 1e-18))
+        return fmt::format("energy off by {} of {} J", l.energy_imbalance(), moved_heat(l));
     for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
-        if (!(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f)) return fmt::format("saturation {} of segment {}", frame.saturation[i], i);
+        if (!(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f))
+            return fmt::format("saturation {} of segment {}", frame.saturation[i], i);
         if (!(frame.liquid[i] >= 0)) return fmt::format("liquid {} of segment {}", frame.liquid[i], i);
         if (!(frame.regain[i] >= 0 && frame.regain[i] <= most + 1e-6)) return fmt::format("regain {} of segment {}", frame.regain[i], i);
-        if (!(frame.temperature[i] > 233 && frame.temperature[i] < 393)) return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
+        if (!(frame.temperature[i] > 233 && frame.temperature[i] < 393))
+            return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
         if (!(frame.vapour[i] >= 0 && std::isfinite(frame.vapour[i]))) return fmt::format("vapour {} of segment {}", frame.vapour[i], i);
         const double saturated = saturation_concentration(static_cast<double>(frame.temperature[i]));
-        if (scene.vapour && !(frame.vapour[i] <= 1.01 * saturated)) return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
+        if (scene.vapour && !(frame.vapour[i] <= 1.01 * saturated))
+            return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
     }
     for (const auto& x : frame.positions)
         for (float value : x)
@@ -271,7 +285,10 @@ private:
         covered_["a course of the climate"] += !e.climates.empty();
         covered_["swelling"] += e.swelling;
         for (const char* part : {"wicking", "sorption", "vapour", "heat"})
-            covered_[std::string("with ") + part] += part[0] == 'w' ? scene.wicking : part[0] == 's' ? scene.sorption : part[0] == 'v' ? scene.vapour : scene.heat;
+            covered_[std::string("with ") + part] += part[0] == 'w'   ? scene.wicking
+                                                     : part[0] == 's' ? scene.sorption
+                                                     : part[0] == 'v' ? scene.vapour
+                                                                      : scene.heat;
     }
 
     std::map<std::string, int> covered_;

@@ -60,7 +60,14 @@ struct HostShape {
 
     explicit HostShape(const Scene& scene) : shapes(yarn_shapes(scene, profiles))
     {
-        view = {{scene.ends, scene.picks, scene.warp_types, scene.weft_types(), scene.type.data(), scene.yarns.data(), scene.crossing.data(), {}},
+        view = {{scene.ends,
+                 scene.picks,
+                 scene.warp_types,
+                 scene.weft_types(),
+                 scene.type.data(),
+                 scene.yarns.data(),
+                 scene.crossing.data(),
+                 {}},
                 static_cast<Real>(scene.half_thickness),
                 static_cast<Real>(scene.warp_pitch),
                 static_cast<Real>(scene.weft_pitch),
@@ -95,7 +102,8 @@ private Q_SLOTS:
         constexpr int n = 500;
         std::vector<Vec3> x;
         for (int i = 0; i < n; ++i)
-            x.push_back({Real(random_uniform(1, 0, std::uint64_t(i))), Real(random_uniform(1, 1, std::uint64_t(i))), Real(random_uniform(1, 2, std::uint64_t(i)))});
+            x.push_back({Real(random_uniform(1, 0, std::uint64_t(i))), Real(random_uniform(1, 1, std::uint64_t(i))),
+                         Real(random_uniform(1, 2, std::uint64_t(i)))});
         CellGrid grid;
         grid.size = Real(0.2);
         grid.nx = grid.ny = grid.nz = 5;
@@ -203,7 +211,8 @@ private Q_SLOTS:
         const Design design = thick_and_thin();
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
         QCOMPARE(int(textile.warp.types.size()), 2);
-        const Scene scene = build_scene(design, textile, design.experiments[0], plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+        const Scene scene = build_scene(design, textile, design.experiments[0],
+                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
         const HostShape host(scene);
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)

@@ -115,8 +115,8 @@ private Q_SLOTS:
     void ledgersCloseAndContentsStayInBounds()
     {
         QFETCH(bool, waxed);
-        const std::vector<Frame> frames =
-            run(waxed ? cotton_stripe_in_wax(0.2) : cotton_and_polyester_checks(0.2), 0, {{"vapour", true}, {"heat", true}, {"sorption", true}});
+        const std::vector<Frame> frames = run(waxed ? cotton_stripe_in_wax(0.2) : cotton_and_polyester_checks(0.2), 0,
+                                              {{"vapour", true}, {"heat", true}, {"sorption", true}});
         for (const Frame& f : frames) {
             QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-9 * 2e-6);
             for (std::size_t i = 0; i < f.saturation.size(); ++i) {
@@ -162,7 +162,8 @@ private Q_SLOTS:
         const auto backend = make_cpu_backend();
         const Frame end = frames_at(*backend, scene, {0.5}).back();
         const auto apart = [&](const std::vector<float>& field, YarnKind kind, int e, int p, int e2, int p2) {
-            return std::abs(field[static_cast<std::size_t>(textile.segment(kind, e, p))] - field[static_cast<std::size_t>(textile.segment(kind, e2, p2))]);
+            return std::abs(field[static_cast<std::size_t>(textile.segment(kind, e, p))] -
+                            field[static_cast<std::size_t>(textile.segment(kind, e2, p2))]);
         };
         for (const auto* field : {&end.saturation, &end.regain, &end.vapour, &end.temperature}) {
             // Only the direction of the eliminations tells left from right: rounding of doubles, seen through floats.

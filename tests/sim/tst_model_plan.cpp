@@ -105,7 +105,9 @@ private Q_SLOTS:
     }
     void boundsOfStripesAreThoseOfTheWorstYarn() // a drop may fall on a narrow stripe
     {
-        const auto bound = [](const Design& design, std::size_t part) { return number_after(plan_of(design).parts[part].reason, part == 2 ? "at most" : "takes at most"); };
+        const auto bound = [](const Design& design, std::size_t part) {
+            return number_after(plan_of(design).parts[part].reason, part == 2 ? "at most" : "takes at most");
+        };
         const Design cotton = striped(1, 0), polyester = striped(0, 1);
         for (const Design& mixed : {striped(3, 1), striped(1, 3), striped(1, 40)}) {
             QCOMPARE(bound(mixed, 2), bound(cotton, 2)); // thirstier than polyester, however few

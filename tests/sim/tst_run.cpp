@@ -64,7 +64,8 @@ private Q_SLOTS:
     }
     void threadsDoNotChangeAByte()
     {
-        const std::vector<Frame> one = run(drop_design(35, 0.3), 1), all = run(drop_design(35, 0.3), 0), four = run(drop_design(35, 0.3), 4);
+        const std::vector<Frame> one = run(drop_design(35, 0.3), 1), all = run(drop_design(35, 0.3), 0),
+                                 four = run(drop_design(35, 0.3), 4);
         QCOMPARE(one.size(), all.size());
         for (std::size_t k = 0; k < one.size(); ++k)
             for (const std::vector<Frame>* other : {&all, &four}) {

@@ -13,7 +13,8 @@ namespace {
 /// Arrays behind the views, one line of segments in each system unless said.
 struct Network {
     int ends, picks, shells;
-    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake, supplied;
+    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake,
+        supplied;
     std::vector<std::uint8_t> warp_up, type, fed;
     std::vector<YarnParameters> yarns;
     CrossingParameters crossing;
@@ -231,7 +232,8 @@ private Q_SLOTS:
         for (std::size_t i = 1; i < 100; ++i) {
             const double share = std::max(0.0, 1 - static_cast<double>(i) * n.length[0] / height);
             const double expected = std::pow(share, 1 / exponent), found = n.liquid[i] / capacity;
-            const double slack = std::abs(std::pow(std::min(1.0, share + 0.03), 1 / exponent) - std::pow(std::max(0.0, share - 0.03), 1 / exponent));
+            const double slack =
+                std::abs(std::pow(std::min(1.0, share + 0.03), 1 / exponent) - std::pow(std::max(0.0, share - 0.03), 1 / exponent));
             QVERIFY2(std::abs(found - expected) < 0.01 + slack, qPrintable(QString("%1: %2, not %3").arg(i).arg(found).arg(expected)));
         }
         double warp = 0;
@@ -318,7 +320,8 @@ private Q_SLOTS:
             for (double humidity : {0.0, 0.65, 1.0})
                 for (double saturation : {0.0, 1e-6, 0.3, 1.0})
                     for (double dt : {1e-6, 1e-2, 10.0})
-                        QTest::addRow("%g C, %g, s %g, dt %g", celsius, humidity, saturation, dt) << celsius << humidity << saturation << dt;
+                        QTest::addRow("%g C, %g, s %g, dt %g", celsius, humidity, saturation, dt)
+                            << celsius << humidity << saturation << dt;
     }
     void exchangeBalancesAtTheExtremes()
     {
@@ -394,7 +397,8 @@ private Q_SLOTS:
                     n.vapour[0] = 0.5 * climate.vapour * pore_air(n.pores[0], n.liquid[0], climate.density);
                     const ExchangeInSegment stage{n.views(), climate, 8e-8, dt, true, true, true};
                     double base[largest_shell_count], response[largest_shell_count];
-                    const double air = pore_air(n.pores[0], n.liquid[0], climate.density), capacity = heat_capacity(yarn, n.length[0], n.liquid[0]);
+                    const double air = pore_air(n.pores[0], n.liquid[0], climate.density),
+                                 capacity = heat_capacity(yarn, n.length[0], n.liquid[0]);
                     const auto fibre = stage.prepare_fibre(0, yarn, base, response);
                     double warmth = 0;
                     ExchangeInSegment::Outcome fast{};

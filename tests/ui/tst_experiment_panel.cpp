@@ -228,17 +228,28 @@ private Q_SLOTS:
         QTest::addColumn<int>("experiment");
         QTest::addColumn<QString>("where");
         QTest::addColumn<QString>("field");
-        QTest::newRow("a number") << 0 << "experiments[0].duration_s" << "Duration";
-        QTest::newRow("a whole of two") << 0 << "experiments[0].sample_mm" << "Along the weft";
-        QTest::newRow("a strip") << 2 << "experiments[2].strip_mm[1]" << "Strip's length";
-        QTest::newRow("a climate") << 1 << "experiments[1].climate.air_speed_m_s" << "Air speed";
-        QTest::newRow("one that a type has") << 5 << "experiments[5].initial.relative_humidity" << "From humidity";
-        QTest::newRow("a liquid's name") << 0 << "experiments[0].liquid" << "Liquid";
-        QTest::newRow("a droplet") << 0 << "experiments[0].droplets[1].volume_ul" << "Volume";
-        QTest::newRow("a folded section") << 0 << "liquids[1].viscosity_mpa_s" << "Viscosity";
-        QTest::newRow("a moment") << 6 << "experiments[6].climate[2].temperature_c" << "Course of the climate";
-        QTest::newRow("the start of a course") << 6 << "experiments[6].climate[0].temperature_c" << "Temperature";
-        QTest::newRow("what has no field") << 0 << "experiments[0].name" << "Experiment";
+        QTest::newRow("a number") << 0 << "experiments[0].duration_s"
+                                  << "Duration";
+        QTest::newRow("a whole of two") << 0 << "experiments[0].sample_mm"
+                                        << "Along the weft";
+        QTest::newRow("a strip") << 2 << "experiments[2].strip_mm[1]"
+                                 << "Strip's length";
+        QTest::newRow("a climate") << 1 << "experiments[1].climate.air_speed_m_s"
+                                   << "Air speed";
+        QTest::newRow("one that a type has") << 5 << "experiments[5].initial.relative_humidity"
+                                             << "From humidity";
+        QTest::newRow("a liquid's name") << 0 << "experiments[0].liquid"
+                                         << "Liquid";
+        QTest::newRow("a droplet") << 0 << "experiments[0].droplets[1].volume_ul"
+                                   << "Volume";
+        QTest::newRow("a folded section") << 0 << "liquids[1].viscosity_mpa_s"
+                                          << "Viscosity";
+        QTest::newRow("a moment") << 6 << "experiments[6].climate[2].temperature_c"
+                                  << "Course of the climate";
+        QTest::newRow("the start of a course") << 6 << "experiments[6].climate[0].temperature_c"
+                                               << "Temperature";
+        QTest::newRow("what has no field") << 0 << "experiments[0].name"
+                                           << "Experiment";
     }
     void anIssueLeadsToItsField()
     {
@@ -267,9 +278,10 @@ private Q_SLOTS:
     void resultsAndCurvesAreThoseOfTheType()
     {
         QFETCH(int, type);
-        const char* results[] = {"Absorbency time", "Overall (OMMC)", "Height", "Wicking rate", "Drying rate", "Regain at the end", "Wetted radius"};
+        const char* results[] = {"Absorbency time", "Overall (OMMC)",    "Height",       "Wicking rate",
+                                 "Drying rate",     "Regain at the end", "Wetted radius"};
         const char* titles[] = {"Wetted radius, mm", "Water content, % of dry mass", "Height, mm", "Wetted radius, mm", "Temperature, °C",
-                                "Temperature, °C", "Water in the faces, mg"};
+                                "Temperature, °C",   "Water in the faces, mg"};
         Playback playback;
         const ResultsPanel panel(playback);
         const Chart chart(playback);

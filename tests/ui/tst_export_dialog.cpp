@@ -111,9 +111,7 @@ private Q_SLOTS:
         run->textile = build_textile(run->design, *document_.fabric(), {0, 0, 6, 4});
         auto frame = std::make_shared<Frame>();
         frame->time = 1.5;
-        for (int i = 0; i < run->textile.segments(); ++i) {
-            frame->saturation.push_back(static_cast<float>(i % 10) / 10);
-        }
+        for (int i = 0; i < run->textile.segments(); ++i) { frame->saturation.push_back(static_cast<float>(i % 10) / 10); }
         playback_.begin(run, {});
         playback_.append(frame, std::make_shared<Metrics>());
         QTRY_VERIFY(piece->itemText(3).contains("1.5 s"));
@@ -146,9 +144,7 @@ private Q_SLOTS:
         dialog_->setFile(old.fileName());
         QSignalSpy ended(dialog_.get(), &ExportDialog::ended);
         QTimer::singleShot(0, this, [] {
-            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                box->button(QMessageBox::Yes)->click();
-            }
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) { box->button(QMessageBox::Yes)->click(); }
         });
         button("Export")->click();
         QVERIFY(dialog_->writing());
@@ -193,9 +189,7 @@ private Q_SLOTS:
         for (const auto& [name, beside] : {std::pair("cloth.obj", "cloth.mtl"), std::pair("cloth.gltf", "cloth.bin")}) {
             dialog_->setFile(folder_->filePath(name));
             for (const bool estimated : {false, true}) {
-                if (estimated) {
-                    waitForText("Size of the export", "about");
-                }
+                if (estimated) { waitForText("Size of the export", "about"); }
                 const QString asked = startAnswering(QMessageBox::No);
                 QVERIFY2(asked.startsWith(QString(beside) + " is there already."), qPrintable(asked));
                 QVERIFY(!dialog_->writing());
@@ -337,9 +331,7 @@ private:
     template <typename Widget> Widget* named(const QString& name)
     {
         for (Widget* widget : dialog_->findChildren<Widget*>()) {
-            if (widget->accessibleName() == name) {
-                return widget;
-            }
+            if (widget->accessibleName() == name) { return widget; }
         }
         return nullptr;
     }
@@ -347,9 +339,7 @@ private:
     QPushButton* button(const QString& words)
     {
         for (QPushButton* button : dialog_->findChildren<QPushButton*>()) {
-            if (button->text().remove('&') == words) {
-                return button;
-            }
+            if (button->text().remove('&') == words) { return button; }
         }
         return nullptr;
     }
@@ -360,27 +350,27 @@ private:
     {
         auto* edit = named<QuantityEdit>(field);
         edit->selectAll();
-        if (words.isEmpty()) {
-            QTest::keyClick(edit, Qt::Key_Delete);
-        }
+        if (words.isEmpty()) { QTest::keyClick(edit, Qt::Key_Delete); }
         QTest::keyClicks(edit, words);
     }
 
     QString text(const QString& name)
     {
-        if (const auto* label = named<QLabel>(name)) {
-            return label->text();
-        }
+        if (const auto* label = named<QLabel>(name)) { return label->text(); }
         return named<QLineEdit>(name)->text();
     }
 
-    void waitForText(const QString& name, const QString& words) { QTRY_VERIFY2_WITH_TIMEOUT(text(name).contains(words), qPrintable(words + " in " + text(name)), 5000); }
+    void waitForText(const QString& name, const QString& words)
+    {
+        QTRY_VERIFY2_WITH_TIMEOUT(text(name).contains(words), qPrintable(words + " in " + text(name)), 5000);
+    }
 
     void waitForNote(const QString& words)
     {
         const auto shown = [&] {
             const auto labels = dialog_->findChildren<QLabel*>();
-            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
         };
         QTRY_VERIFY2_WITH_TIMEOUT(shown(), qPrintable(words), 5000);
     }
@@ -401,9 +391,7 @@ private:
         QTimer::singleShot(0, &meanwhile, [&] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
                 question = box->text();
-                if (format) {
-                    *format = box->textFormat();
-                }
+                if (format) { *format = box->textFormat(); }
                 box->button(answer)->click();
             }
         });

@@ -105,9 +105,7 @@ private Q_SLOTS:
     void undoReachesTheDesignFromAField()
     {
         QuantityEdit* ends = nullptr;
-        for (QuantityEdit* edit : window_->findChildren<QuantityEdit*>()) {
-            ends = edit->accessibleName() == "Ends" ? edit : ends;
-        }
+        for (QuantityEdit* edit : window_->findChildren<QuantityEdit*>()) { ends = edit->accessibleName() == "Ends" ? edit : ends; }
         QVERIFY(ends);
         QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
         ends->setFocus();
@@ -133,14 +131,13 @@ private Q_SLOTS:
     void everyFieldHasAName()
     {
         for (QWidget* widget : window_->findChildren<QWidget*>()) {
-            const bool field = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QuantityEdit*>(widget)
-                || qobject_cast<QAbstractSlider*>(widget);
-            if (!field || widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) {
-                continue;
-            }
+            const bool field = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                               qobject_cast<QuantityEdit*>(widget) || qobject_cast<QAbstractSlider*>(widget);
+            if (!field || widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) { continue; }
             const auto* button = qobject_cast<QAbstractButton*>(widget);
-            QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
-                     qPrintable(QString("%1 in %2").arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
+            QVERIFY2(
+                !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+                qPrintable(QString("%1 in %2").arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
         }
     }
 
@@ -218,9 +215,7 @@ private Q_SLOTS:
         window_->timeline().togglePlaying();
         QVERIFY(window_->timeline().playing());
         QTRY_VERIFY_WITH_TIMEOUT(window_->playback().current() > 0, 5000);
-        if (window_->timeline().playing()) {
-            window_->timeline().togglePlaying();
-        }
+        if (window_->timeline().playing()) { window_->timeline().togglePlaying(); }
     }
 
     void aRunCanBePausedAndStopped()
@@ -363,9 +358,7 @@ private Q_SLOTS:
         QTimer::singleShot(100, this, [&] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
                 for (QAbstractButton* button : box->buttons()) {
-                    if (button->text().remove('&') == "Stop the Export") {
-                        QTest::mouseClick(button, Qt::LeftButton);
-                    }
+                    if (button->text().remove('&') == "Stop the Export") { QTest::mouseClick(button, Qt::LeftButton); }
                 }
             }
         });
@@ -480,17 +473,15 @@ private Q_SLOTS:
         const auto brightest = [&](QRect where) {
             int most = 0;
             for (int y = where.top(); y <= where.bottom(); ++y) {
-                for (int x = where.left(); x <= where.right(); ++x) {
-                    most = std::max(most, qGray(picture.pixel(x, y)));
-                }
+                for (int x = where.left(); x <= where.right(); ++x) { most = std::max(most, qGray(picture.pixel(x, y))); }
             }
             return most;
         };
         const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
-        const int least = background + 160; // 21 : 1 is 255
-        QVERIFY(brightest(radio->geometry().adjusted(0, 0, -76, 0)) > least); // without its words
+        const int least = background + 160;                                                              // 21 : 1 is 255
+        QVERIFY(brightest(radio->geometry().adjusted(0, 0, -76, 0)) > least);                            // without its words
         QVERIFY(brightest(QRect(slider->geometry().center(), QSize(90, 12)).translated(0, -6)) > least); // the groove
-        QVERIFY(brightest(QRect(slider->geometry().topLeft(), QSize(12, 24))) > least);                 // the handle
+        QVERIFY(brightest(QRect(slider->geometry().topLeft(), QSize(12, 24))) > least);                  // the handle
         for (const QWidget* framed : {static_cast<QWidget*>(text), static_cast<QWidget*>(list)}) {
             const QRect place = framed->geometry();
             QVERIFY(brightest(QRect(place.topLeft(), QSize(1, place.height()))) > least);
@@ -604,7 +595,9 @@ private:
             for (int y = 0; y < picture.height(); ++y) {
                 for (int x = 0; x < picture.width(); ++x) {
                     const QColor c = picture.pixelColor(x, y);
-                    if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) + std::abs(c.blue() - ink.blue()) < 24) { return true; }
+                    if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) + std::abs(c.blue() - ink.blue()) < 24) {
+                        return true;
+                    }
                 }
             }
         }

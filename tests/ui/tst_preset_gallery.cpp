@@ -30,9 +30,7 @@ private Q_SLOTS:
         const auto colors = [&](int row) {
             const QImage picture = list->item(row)->icon().pixmap(64, 64).toImage();
             QSet<QRgb> found;
-            for (int x = 0; x < picture.width(); ++x) {
-                found << picture.pixel(x, picture.height() / 2);
-            }
+            for (int x = 0; x < picture.width(); ++x) { found << picture.pixel(x, picture.height() / 2); }
             return found.size();
         };
         const int last = list->count() - 1;

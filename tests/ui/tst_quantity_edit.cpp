@@ -17,24 +17,40 @@ private Q_SLOTS:
         QTest::addColumn<QString>("field");
         QTest::addColumn<QString>("typed");
         QTest::addColumn<double>("stored");
-        QTest::newRow("plain number") << "length" << "0.2" << 0.2;
-        QTest::newRow("unit without space") << "length" << "0.2mm" << 0.2;
-        QTest::newRow("decimal comma") << "length" << "0,2 mm" << 0.2;
-        QTest::newRow("micrometres") << "length" << "200 um" << 0.2;
+        QTest::newRow("plain number") << "length"
+                                      << "0.2" << 0.2;
+        QTest::newRow("unit without space") << "length"
+                                            << "0.2mm" << 0.2;
+        QTest::newRow("decimal comma") << "length"
+                                       << "0,2 mm" << 0.2;
+        QTest::newRow("micrometres") << "length"
+                                     << "200 um" << 0.2;
         QTest::newRow("micro sign") << "length" << QString::fromUtf8("200 µm") << 0.2;
         QTest::newRow("Greek mu") << "length" << QString::fromUtf8("200 μm") << 0.2;
-        QTest::newRow("cotton count") << "tex" << "30 Ne" << 590.5 / 30;
-        QTest::newRow("metric count") << "tex" << "50 Nm" << 20.0;
-        QTest::newRow("denier") << "tex" << "90 den" << 10.0;
-        QTest::newRow("tex") << "tex" << "26 tex" << 26.0;
-        QTest::newRow("ends per inch") << "sett" << "100 epi" << 100 / 2.54;
-        QTest::newRow("picks per inch") << "sett" << "100 ppi" << 100 / 2.54;
-        QTest::newRow("per cent is a fraction") << "humidity" << "65 %" << 0.65;
-        QTest::newRow("per cent without unit") << "humidity" << "65" << 0.65;
-        QTest::newRow("kelvin") << "temperature" << "298.15 K" << 25.0;
-        QTest::newRow("fahrenheit") << "temperature" << "77 F" << 25.0;
-        QTest::newRow("minutes") << "time" << "2 min" << 120.0;
-        QTest::newRow("millilitres") << "volume" << "0.015 ml" << 15.0;
+        QTest::newRow("cotton count") << "tex"
+                                      << "30 Ne" << 590.5 / 30;
+        QTest::newRow("metric count") << "tex"
+                                      << "50 Nm" << 20.0;
+        QTest::newRow("denier") << "tex"
+                                << "90 den" << 10.0;
+        QTest::newRow("tex") << "tex"
+                             << "26 tex" << 26.0;
+        QTest::newRow("ends per inch") << "sett"
+                                       << "100 epi" << 100 / 2.54;
+        QTest::newRow("picks per inch") << "sett"
+                                        << "100 ppi" << 100 / 2.54;
+        QTest::newRow("per cent is a fraction") << "humidity"
+                                                << "65 %" << 0.65;
+        QTest::newRow("per cent without unit") << "humidity"
+                                               << "65" << 0.65;
+        QTest::newRow("kelvin") << "temperature"
+                                << "298.15 K" << 25.0;
+        QTest::newRow("fahrenheit") << "temperature"
+                                    << "77 F" << 25.0;
+        QTest::newRow("minutes") << "time"
+                                 << "2 min" << 120.0;
+        QTest::newRow("millilitres") << "volume"
+                                     << "0.015 ml" << 15.0;
     }
 
     void readsTypedUnits()
@@ -166,11 +182,11 @@ private:
     static Quantity quantity(const QString& field)
     {
         return field == "length"        ? Quantity::length(0.001, 100)
-            : field == "tex"            ? Quantity::linearDensity(0.5, 5000)
-            : field == "sett"           ? Quantity::sett(0.5, 500)
-            : field == "humidity"       ? Quantity::percent(0, 1)
-            : field == "temperature"    ? Quantity::temperature(-10, 60)
-            : field == "time"           ? Quantity::time(0, 86400)
+               : field == "tex"         ? Quantity::linearDensity(0.5, 5000)
+               : field == "sett"        ? Quantity::sett(0.5, 500)
+               : field == "humidity"    ? Quantity::percent(0, 1)
+               : field == "temperature" ? Quantity::temperature(-10, 60)
+               : field == "time"        ? Quantity::time(0, 86400)
                                         : Quantity::volume(0.001, 5000);
     }
 

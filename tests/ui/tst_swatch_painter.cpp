@@ -50,9 +50,7 @@ private Q_SLOTS:
     void init()
     {
         folder_ = std::make_unique<QTemporaryDir>();
-        if (!surface_) {
-            surface_ = swatchSurface();
-        }
+        if (!surface_) { surface_ = swatchSurface(); }
         QVERIFY(surface_);
     }
 
@@ -128,9 +126,7 @@ private Q_SLOTS:
         SwatchPainter painter = painterFor(surface_.get());
         painter.picture(design());
         qint64 bytes = 0;
-        for (const QFileInfo& file : QDir(folder_->path()).entryInfoList(QDir::Files)) {
-            bytes += file.size();
-        }
+        for (const QFileInfo& file : QDir(folder_->path()).entryInfoList(QDir::Files)) { bytes += file.size(); }
         QVERIFY(bytes <= most_swatch_bytes && bytes > most_swatch_bytes / 2);
         QVERIFY(QFile::exists(folder_->filePath("old0.png")));
         QVERIFY(!QFile::exists(folder_->filePath("old19.png")));

@@ -34,9 +34,7 @@ std::array<double, 3> meanColor(const QImage& picture)
             sum[2] += color.blue();
         }
     }
-    for (double& value : sum) {
-        value /= static_cast<double>(middle.width()) * middle.height();
-    }
+    for (double& value : sum) { value /= static_cast<double>(middle.width()) * middle.height(); }
     return sum;
 }
 
@@ -127,7 +125,8 @@ private Q_SLOTS:
 
     void onlyWhatIsSeenIsDrawn()
     {
-        const std::size_t cells = static_cast<std::size_t>(canvas_->fabric()->columns()) * static_cast<std::size_t>(canvas_->fabric()->rows());
+        const std::size_t cells =
+            static_cast<std::size_t>(canvas_->fabric()->columns()) * static_cast<std::size_t>(canvas_->fabric()->rows());
         canvas_->fit(Framing::whole);
         window_->viewport().picture();
         QCOMPARE(canvas_->scene().visibleCells(), cells);
@@ -162,8 +161,8 @@ private Q_SLOTS:
             zoom(pixels / pitch);
             means.push_back(meanColor(window_->viewport().picture()));
             levels.push_back(canvas_->scene().batches().front().key.level);
-            qInfo("pitch %.0f pixels: level %d, %zu cells, %zu triangles, mean %.0f %.0f %.0f", pixels, levels.back(), canvas_->scene().visibleCells(),
-                  canvas_->triangles(), means.back()[0], means.back()[1], means.back()[2]);
+            qInfo("pitch %.0f pixels: level %d, %zu cells, %zu triangles, mean %.0f %.0f %.0f", pixels, levels.back(),
+                  canvas_->scene().visibleCells(), canvas_->triangles(), means.back()[0], means.back()[1], means.back()[2]);
         }
         for (std::size_t i = 1; i < means.size(); ++i) {
             QVERIFY2(difference(means[i - 1], means[i]) < 14, qPrintable(QString::number(i)));
@@ -188,9 +187,7 @@ private Q_SLOTS:
         zoom(1.6);
         const auto near = meanColor(window_->viewport().picture());
         int finest = 0;
-        for (const CellBatch& batch : canvas_->scene().batches()) {
-            finest = std::max(finest, batch.key.level);
-        }
+        for (const CellBatch& batch : canvas_->scene().batches()) { finest = std::max(finest, batch.key.level); }
         QCOMPARE(finest, fibre_level);
         QVERIFY2(difference(far, near) < 30, qPrintable(QString("%1 to %2").arg(far[0]).arg(near[0])));
         qInfo("fibres: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->triangles());
@@ -264,9 +261,7 @@ private Q_SLOTS:
         SceneView view = canvas_->sceneView();
         scene.update(view, 0, [](const MeshKey& key) { return key.level <= 1; });
         QVERIFY(!scene.wanted().empty());
-        for (const CellBatch& batch : scene.batches()) {
-            QVERIFY(batch.key.level <= 1);
-        }
+        for (const CellBatch& batch : scene.batches()) { QVERIFY(batch.key.level <= 1); }
         QVERIFY(!scene.batches().empty());
     }
 
@@ -354,9 +349,7 @@ private Q_SLOTS:
         window_->viewport().bar().setSection(section);
         const QImage picture = window_->viewport().picture();
         QVERIFY(difference(meanColor(picture), {233, 236, 238}) > 20);
-        for (const CellBatch& batch : canvas_->scene().batches()) {
-            QVERIFY(batch.key.level > 0);
-        }
+        for (const CellBatch& batch : canvas_->scene().batches()) { QVERIFY(batch.key.level > 0); }
         window_->viewport().bar().setSection({});
     }
 
@@ -399,7 +392,8 @@ private Q_SLOTS:
             const QPointF at(0.3 * size.width(), 0.7 * size.height());
             const QVector3D target = camera.target();
             const Ray ray = camera.ray(at, size);
-            const QVector3D point = ray.from + QVector3D::dotProduct(target - ray.from, camera.direction()) / QVector3D::dotProduct(ray.direction, camera.direction()) * ray.direction;
+            const QVector3D point = ray.from + QVector3D::dotProduct(target - ray.from, camera.direction()) /
+                                                   QVector3D::dotProduct(ray.direction, camera.direction()) * ray.direction;
             camera.zoom(3, at, size);
             const QPointF after = camera.project(point, size);
             QVERIFY(std::hypot(after.x() - at.x(), after.y() - at.y()) < 0.5);
@@ -413,9 +407,7 @@ private Q_SLOTS:
         const QSizeF size(canvas_->size());
         const QVector3D point = camera.target() + QVector3D(1.5F, -2, 0.1F);
         const QPointF before = camera.project(point, size);
-        for (int i = 0; i < 30; ++i) {
-            camera.zoomTo(1.2, point);
-        }
+        for (int i = 0; i < 30; ++i) { camera.zoomTo(1.2, point); }
         const QPointF after = camera.project(point, size);
         QVERIFY(std::hypot(after.x() - before.x(), after.y() - before.y()) < 0.5);
         QVERIFY(camera.depth(point) > 0);
@@ -433,9 +425,7 @@ private Q_SLOTS:
                 QElapsedTimer timer;
                 timer.start();
                 window_->document().edit("ends", {}, [i](Design& d) { d.fabrics[0].ends_per_cm = 33 + 0.2 * i; });
-                while (preview.isEmpty() && timer.elapsed() < 5000) {
-                    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
-                }
+                while (preview.isEmpty() && timer.elapsed() < 5000) { QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5); }
                 sum += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
                 QVERIFY(!preview.isEmpty());
             }
@@ -443,12 +433,10 @@ private Q_SLOTS:
             timer.start();
             prepare_view(canvas_->fabric()->request, canvas_->sceneView(), framing, [] { return false; });
             qInfo("meshes alone: %.1f ms", static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-            qInfo("edit to meshes, %s: %.1f ms; %zu cells, %zu triangles", framing == Framing::whole ? "whole 2 cm" : "few repeats", sum / 6,
-                  canvas_->scene().visibleCells(), canvas_->triangles());
+            qInfo("edit to meshes, %s: %.1f ms; %zu cells, %zu triangles", framing == Framing::whole ? "whole 2 cm" : "few repeats",
+                  sum / 6, canvas_->scene().visibleCells(), canvas_->triangles());
         }
-        while (window_->document().history()->canUndo()) {
-            window_->document().history()->undo();
-        }
+        while (window_->document().history()->canUndo()) { window_->document().history()->undo(); }
         QTest::qWait(100);
     }
 

@@ -192,9 +192,7 @@ private Q_SLOTS:
     void paintingALargeRepeatStaysImmediate()
     {
         std::vector<std::uint8_t> up(std::size_t(largest_repeat) * largest_repeat);
-        for (std::size_t i = 0; i < up.size(); ++i) {
-            up[i] = (i % largest_repeat + i / largest_repeat) % 4 == 0 ? 1 : 0;
-        }
+        for (std::size_t i = 0; i < up.size(); ++i) { up[i] = (i % largest_repeat + i / largest_repeat) % 4 == 0 ? 1 : 0; }
         document_->edit("weave", {}, [&](Design& d) { d.fabrics[0].weave = Weave(largest_repeat, largest_repeat, up); });
         document_->history()->clear();
         QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
@@ -220,9 +218,7 @@ private Q_SLOTS:
         QCOMPARE(document_->history()->count(), 1);
         const Weave& drawn = document_->fabric()->weave;
         const bool first = drawn.warp_up(0, 1);
-        for (int end = 0; end <= 20; ++end) {
-            QCOMPARE(drawn.warp_up(end, 1), first);
-        }
+        for (int end = 0; end <= 20; ++end) { QCOMPARE(drawn.warp_up(end, 1), first); }
         document_->history()->undo();
         QVERIFY(document_->fabric()->weave.crossings() == up);
         QVERIFY2(moves < 40, qPrintable(QString::number(moves)));

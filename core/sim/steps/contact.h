@@ -10,18 +10,18 @@ namespace hygroloom {
 struct YarnShape {
     Real half_height = 0; ///< at a crossing
     Real half_width = 0;
-    int profiles = 0;     ///< where its own begin among TextileShape::profiles
+    int profiles = 0; ///< where its own begin among TextileShape::profiles
 };
 
 struct TextileShape : Yarns {
     Real half_thickness = 0;
-    Real warp_pitch = 0;               ///< from end to end
+    Real warp_pitch = 0; ///< from end to end
     Real weft_pitch = 0;
     int samples = 0;                   ///< of a profile, from crossing to crossing
     const YarnShape* shapes = nullptr; ///< per type, as parameters
     const float* profiles = nullptr;   ///< height, slope, half height, half width per sample; see ContactShape
     const std::uint8_t* warp_up = nullptr;
-    const float* shift = nullptr;      ///< per segment, beside the yarn's place
+    const float* shift = nullptr; ///< per segment, beside the yarn's place
 
     HL_FN int segment(bool is_warp, int end, int pick) const { return is_warp ? end * picks + pick : ends * picks + pick * ends + end; }
     HL_FN bool is_warp_up(int end, int pick) const { return warp_up[end * picks + pick] != 0; }
@@ -44,13 +44,14 @@ struct TextileShape : Yarns {
 
 /// The skin nearest to a point.
 struct NearestSkin {
-    Real distance = 0;  ///< less than 0 inside
-    Vec3 normal;        ///< out of the yarn
-    int segment = -1;   ///< -1: none within reach
+    Real distance = 0; ///< less than 0 inside
+    Vec3 normal;       ///< out of the yarn
+    int segment = -1;  ///< -1: none within reach
 };
 
 /// Tests one yarn at one of its crossings; keeps the nearer. along and across are measured from the crossing's middle.
-HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach, NearestSkin& nearest)
+HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach,
+                    NearestSkin& nearest)
 {
     const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
     const Real pitch = is_warp ? t.weft_pitch : t.warp_pitch; // from crossing to crossing
@@ -129,8 +130,8 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
 struct MeetYarns {
     Particles p;
     TextileShape textile;
-    Real reach;            ///< how far the wall is felt
-    Real touching;         ///< distance at which a particle rests on a skin
+    Real reach;    ///< how far the wall is felt
+    Real touching; ///< distance at which a particle rests on a skin
     Real friction;
     Real film_drag;        ///< 1 / (1 + dt x rate), what is left of the speed along a skin
     Real lowest;           ///< below it a particle has dripped off

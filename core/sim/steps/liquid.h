@@ -9,10 +9,10 @@
 namespace hygroloom {
 
 struct LiquidParameters {
-    Real density = 0;            ///< kg/m3, at rest
-    Real kinematic_viscosity = 0;///< m2/s
-    Real surface_tension = 0;    ///< N/m
-    Real gravity = 0;            ///< m/s2, downwards
+    Real density = 0;             ///< kg/m3, at rest
+    Real kinematic_viscosity = 0; ///< m2/s
+    Real surface_tension = 0;     ///< N/m
+    Real gravity = 0;             ///< m/s2, downwards
 };
 
 struct FindCell {
@@ -139,8 +139,8 @@ struct PredictPosition {
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
-    Real stiffness;           ///< Pa per kg/m3, delta of the method
-    std::int64_t* error_sum;  ///< millionths of the rest density
+    Real stiffness;          ///< Pa per kg/m3, delta of the method
+    std::int64_t* error_sum; ///< millionths of the rest density
     HL_FN void operator()(int i) const
     {
         Real sum = spline_kernel(0, p.support);

@@ -27,7 +27,7 @@ struct KeepFed {
 /// Where a face is fed: within a circle round the sample's middle.
 struct FedFace {
     bool top = true;
-    double radius = 0;   ///< m; less than 0: the whole face
+    double radius = 0; ///< m; less than 0: the whole face
     double warp_pitch = 0, weft_pitch = 0;
 
     /// Whether it is the segment of a crossing that lies on the fed face.
@@ -36,7 +36,8 @@ struct FedFace {
         const int crossing = s.crossing_of(i);
         if (((s.warp_up[crossing] != 0) == s.is_warp(i)) != top) return false;
         if (radius < 0) return true;
-        const double x = (crossing / s.picks - 0.5 * (s.ends - 1)) * warp_pitch, y = (crossing % s.picks - 0.5 * (s.picks - 1)) * weft_pitch;
+        const double x = (crossing / s.picks - 0.5 * (s.ends - 1)) * warp_pitch,
+                     y = (crossing % s.picks - 0.5 * (s.picks - 1)) * weft_pitch;
         return x * x + y * y <= radius * radius;
     }
 };
@@ -47,7 +48,7 @@ struct AskPool {
     FedFace face;
     double density;
     double dt;
-    double evenly;       ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
+    double evenly; ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
     std::int64_t* asked;
 
     HL_FN std::int64_t wanted(int i) const
@@ -114,7 +115,8 @@ struct FindReach {
         const Unvisited& out = s.unvisited;
         const int end = crossing / s.picks, pick = crossing % s.picks;
         return (out.ends_before > 0 && end < out.ends_before + near) || (out.ends_after > 0 && s.ends - 1 - end < out.ends_after + near) ||
-               (out.picks_before > 0 && pick < out.picks_before + near) || (out.picks_after > 0 && s.picks - 1 - pick < out.picks_after + near);
+               (out.picks_before > 0 && pick < out.picks_before + near) ||
+               (out.picks_after > 0 && s.picks - 1 - pick < out.picks_after + near);
     }
     HL_FN void operator()(int index) const
     {
@@ -131,9 +133,9 @@ struct FindReach {
 
 /// How much rates of change differ from those of the step before: the leading error of an implicit Euler step.
 struct RateHistory {
-    double* rate;        ///< of the step before, per segment
+    double* rate; ///< of the step before, per segment
     double dt, dt_before;
-    bool known;          ///< whether there was a step before
+    bool known; ///< whether there was a step before
 
     HL_FN double error(int i, double change) const
     {
@@ -155,7 +157,8 @@ struct EstimateWicking {
     {
         const YarnLine line = s.visited_line(index);
         std::int64_t quanta = 0;
-        for (int i = line.first; i < line.last; ++i) quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
+        for (int i = line.first; i < line.last; ++i)
+            quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
         if (quanta > 0) atomic_add(sum, quanta);
     }
 };

@@ -55,7 +55,10 @@ struct ExchangeAtCrossing {
         for (int round = 0; round < 60; ++round) {
             const double sa = (s.liquid[a] - x) * scale_a, sb = (s.liquid[b] + x) * scale_b;
             const double residual = x - conductance * (spreading_potential(sa, exponent) - spreading_potential(sb, exponent));
-            if (residual > 0) high = x; else low = x;
+            if (residual > 0)
+                high = x;
+            else
+                low = x;
             const double slope = 1.0 + conductance * (saturation_power(sa, exponent) * scale_a + saturation_power(sb, exponent) * scale_b);
             double next = x - residual / slope;
             if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -75,8 +78,7 @@ struct ExchangeAtCrossing {
         const double new_a = capacity_a - water_specific_heat * moved, new_b = capacity_b + water_specific_heat * moved;
         double heat_a = capacity_a * s.warmth[a] - carried, heat_b = capacity_b * s.warmth[b] + carried;
         const double conductance = dt * heat_conductance;
-        const double passed =
-            conductance * (heat_a / new_a - heat_b / new_b) / (1.0 + conductance * (1.0 / new_a + 1.0 / new_b));
+        const double passed = conductance * (heat_a / new_a - heat_b / new_b) / (1.0 + conductance * (1.0 / new_a + 1.0 / new_b));
         s.warmth[a] = (heat_a - passed) / new_a;
         s.warmth[b] = (heat_b + passed) / new_b;
     }
@@ -86,8 +88,8 @@ struct ExchangeAtCrossing {
     {
         const ForeseeVapour foresee{s, climate, dt, face_area, cools};
         const double conductance = dt * vapour_conductance;
-        const double passed = conductance * (s.work2[a] - s.work2[b]) /
-                              (1.0 + conductance * (1.0 / foresee(warp, a).pivot + 1.0 / foresee(weft, b).pivot));
+        const double passed =
+            conductance * (s.work2[a] - s.work2[b]) / (1.0 + conductance * (1.0 / foresee(warp, a).pivot + 1.0 / foresee(weft, b).pivot));
         s.vapour[a] -= passed; // less than nothing is what liquid, fibres and air will give
         s.vapour[b] += passed;
     }
@@ -139,7 +141,8 @@ struct ExchangeInSegment {
     }
 
     /// With the warmth it brings, which makes fibres take less.
-    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature, double capacity) const
+    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature,
+                        double capacity) const
     {
         const double more = 1e-3 * saturation_concentration(temperature);
         const double rise = skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature);
@@ -283,12 +286,12 @@ struct ExchangeInSegment {
     {
         const double taken = o.bound - fibre.bound;
         double released = 0;
-        if (taken != 0)
-            released += taken * yarn.sorption_heat_scale * heat_of_sorption(half_way(yarn, fibre, o));
+        if (taken != 0) released += taken * yarn.sorption_heat_scale * heat_of_sorption(half_way(yarn, fibre, o));
         released += heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
         return released;
     }
-    HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double warmth) const
+    HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity,
+                         double warmth) const
     {
         const Outcome o = pore_balance(i, yarn, fibre, air, wet, warmth);
         const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
@@ -315,8 +318,7 @@ struct ExchangeInSegment {
                                              phase_heat(yarn, fibre, o, temperature)
                                        : 0.0;
             const double little = saturated * (1e-10 * air + 1e-13 * rate);
-            if (mass > -little && mass < little && joules > -1e-8 * capacity && joules < 1e-8 * capacity)
-                return true;
+            if (mass > -little && mass < little && joules > -1e-8 * capacity && joules < 1e-8 * capacity) return true;
 
             // How bound water answers to pore vapour (p) and temperature (t).
             double bound_p = 0, bound_t = 0;
@@ -326,14 +328,16 @@ struct ExchangeInSegment {
                 const bool shifts = yarn.isotherm.shifts;
                 const double reference = shifts ? reference_humidity(seen, temperature) : seen;
                 if (reference > 0) {
-                    const double shift = shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
+                    const double shift =
+                        shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
                     const double stiffness = 1.0 / reference - heat_of_sorption_slope(reference) * shift;
                     const double answer = fibre.slope * regain_slope_at_reference(yarn.isotherm, reference);
                     const double per_humidity = answer / (stiffness * seen) * (pore < saturated ? 1.0 - wet : 0.0);
                     bound_p = per_humidity / saturated;
                     bound_t = -per_humidity * pore / (saturated * saturated) * saturated_slope;
                     if (shifts)
-                        bound_t -= answer * heat_of_sorption(reference) * water_molar_mass / (gas_constant * temperature * temperature * stiffness);
+                        bound_t -= answer * heat_of_sorption(reference) * water_molar_mass /
+                                   (gas_constant * temperature * temperature * stiffness);
                 } else {
                     bound_p = fibre.slope * regain_slope_at_reference(yarn.isotherm, 0.0) / saturated;
                 }
@@ -436,7 +440,7 @@ struct ExchangeInSegment {
         double from_liquid = fmin_(o.from_liquid, s.liquid[i]);
         double evaporated = vapour ? fmin_(o.evaporated, s.liquid[i] - from_liquid) : 0.0;
         double pore = s.vapour[i] + evaporated - o.to_air - (taken - from_liquid);
-        if (pore < 0) { // rounding, or a fibre that drank the pore dry: the liquid makes up for it
+        if (pore < 0) {                          // rounding, or a fibre that drank the pore dry: the liquid makes up for it
             constexpr double most_cooling = 3.0; // K
             const double bearable = heat ? capacity * most_cooling / heat_of_evaporation(temperature) : -pore;
             const double made_up = fmin_(fmin_(-pore, bearable), s.liquid[i] - from_liquid - evaporated);

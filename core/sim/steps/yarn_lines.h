@@ -173,7 +173,8 @@ struct ConductAlongYarn {
         for (int i = a; i < b && !any; ++i) any = s.warmth[i] != 0;
         if (!any) return;
 
-        const double end = face_only ? 0.0 : dt * climate.heat_transfer * (yarn.fibre_area + yarn.pore_area); // W/K x s, of a cut end in the air
+        const double end =
+            face_only ? 0.0 : dt * climate.heat_transfer * (yarn.fibre_area + yarn.pore_area); // W/K x s, of a cut end in the air
         double before_joint = 0;
         for (int i = a; i < b; ++i) {
             if (s.fed != nullptr && s.fed[i] != 0) { // has the liquid's temperature that it hangs in
@@ -190,7 +191,8 @@ struct ConductAlongYarn {
             const double lower = -before_joint - water_specific_heat * (in > 0 ? in : 0.0);
             const double higher = -next_joint + water_specific_heat * (out < 0 ? out : 0.0);
             const double ends = (i == a && line.starts ? end : 0.0) + (i == b - 1 && line.stops ? end : 0.0);
-            const double pivot = then + water_specific_heat * came + before_joint + next_joint + ends - (i > a ? lower * s.work1[i - 1] : 0.0);
+            const double pivot =
+                then + water_specific_heat * came + before_joint + next_joint + ends - (i > a ? lower * s.work1[i - 1] : 0.0);
             s.work1[i] = higher / pivot;
             s.work2[i] = (then * s.warmth[i] + ends * climate.air_warmth - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
             before_joint = next_joint;
@@ -203,7 +205,8 @@ struct ConductAlongYarn {
         if (line.stops) lose(b - 1);
         if (s.fed == nullptr) return;
         for (int i = a; i < b - 1; ++i) {
-            const double passed = joint(yarn, i) * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
+            const double passed =
+                joint(yarn, i) * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
             if (s.fed[i] != 0) s.lost[i] -= passed;
             if (s.fed[i + 1] != 0) s.lost[i + 1] += passed;
         }
@@ -217,8 +220,8 @@ HL_FN double pore_air(double pores, double liquid, double density)
     return air > 1e-3 * pores ? air : 1e-3 * pores;
 }
 
-/// What a step of a segment's own will do to its pore vapour, foreseen by whatever moves vapour from one segment to another: its liquid feeds
-/// it, fibres and air take from it. A concentration c at the end of the step leaves known - pivot c for the neighbours.
+/// What a step of a segment's own will do to its pore vapour, foreseen by whatever moves vapour from one segment to another: its liquid
+/// feeds it, fibres and air take from it. A concentration c at the end of the step leaves known - pivot c for the neighbours.
 struct VapourAtHome {
     double air;       ///< m3
     double saturated; ///< kg/m3
@@ -242,7 +245,8 @@ struct ForeseeVapour {
         const double fed = supply(yarn, i, saturated), to_air = dt * climate.mass_transfer * face_area;
         // Liquid that came since has squeezed the vapour; fibres are at peace with no more than saturation.
         const double squeezed = s.vapour[i] / air, met = squeezed < saturated ? squeezed : saturated;
-        return {air, saturated, fed, air + s.uptake[i] + to_air + fed, s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
+        return {air, saturated, fed, air + s.uptake[i] + to_air + fed,
+                s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
     }
     /// Never more than the liquid lasts for, nor than cools it by a few kelvin.
     HL_FN double supply(const YarnParameters& yarn, int i, double saturated) const
@@ -259,8 +263,9 @@ struct ForeseeVapour {
     }
 };
 
-/// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for it.
-/// What the exchange that follows will take is foreseen, so that it goes as far as it does. Leaves the concentrations foreseen in work2.
+/// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for
+/// it. What the exchange that follows will take is foreseen, so that it goes as far as it does. Leaves the concentrations foreseen in
+/// work2.
 struct DiffuseVapourAlongYarn {
     Segments s;
     ClimateParameters climate;
