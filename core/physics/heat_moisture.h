@@ -31,10 +31,10 @@ HL_FN double wet_share(double saturation)
     return share < 0 ? 0.0 : share > 1 ? 1.0 : share;
 }
 
-/// Rate at which pore air comes to saturation, 1/s: h_lg S_v per volume of air, S_v = 2 x fibre fraction / radius.
-HL_FN double phase_change_rate(double fibre_fraction, double fibre_radius, double air_fraction)
+/// Rate at which pores come to saturation, 1/s: h_lg S_v per volume of pores, S_v = 2 x fibre fraction / radius.
+HL_FN double phase_change_rate(double fibre_fraction, double fibre_radius, double pore_fraction)
 {
-    return pore_mass_transfer * 2.0 * fibre_fraction / fibre_radius / air_fraction;
+    return pore_mass_transfer * 2.0 * fibre_fraction / fibre_radius / pore_fraction;
 }
 
 } // namespace hygroloom

@@ -78,10 +78,11 @@ HL_FN double reference_humidity(double humidity, double temperature)
         else
             low = r;
         double next = r - excess / (1.0 / r - heat_of_sorption_slope(r) * shift);
-        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const bool inside = next >= low && next <= high;
+        if (!inside) next = 0.5 * (low + high);
         const double moved = next > r ? next - r : r - next;
         r = next;
-        if (moved < 1e-14) break;
+        if (moved < (inside ? 1e-8 * r : 1e-14)) break; // what a Newton step leaves goes with its square
     }
     return r;
 }

@@ -110,6 +110,8 @@ struct ExchangeInSegment {
     /// What one trial of temperature and pore vapour leads to.
     struct Outcome {
         double pore_vapour, evaporated, bound, from_liquid, to_air;
+        double reference = 0; ///< humidity at 20 C that the fibre's skin is in equilibrium with
+        double skin = 0;      ///< its regain
     };
     /// The fibre's answer to this step: bound water at the end = base + slope x equilibrium regain at its skin.
     struct Fibre {
@@ -136,19 +138,17 @@ struct ExchangeInSegment {
             if (heat) warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
             outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
         }
-        accept(i, yarn, fibre, base, response, wet, warmth, outcome, capacity);
-        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome.pore_vapour, climate.temperature + warmth, capacity);
+        accept(i, yarn, fibre, base, response, warmth, outcome, capacity);
+        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome, climate.temperature + warmth, capacity);
     }
 
     /// With the warmth it brings, which makes fibres take less.
-    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, double pore_vapour, double temperature,
+    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, const Outcome& o, double temperature,
                         double capacity) const
     {
-        const double more = 1e-3 * saturation_concentration(temperature);
-        const double rise = skin_regain(yarn, wet, pore_vapour + more, temperature) - skin_regain(yarn, wet, pore_vapour, temperature);
-        const double taken = fmax_(0.0, fibre.slope * rise / more); // m3
+        const double taken = fmax_(0.0, bound_response(yarn, fibre, wet, temperature, o).to_vapour);
         if (!heat) return taken;
-        const double humidity = fmin_(1.0, pore_vapour / saturation_concentration(temperature));
+        const double humidity = fmin_(1.0, o.pore_vapour / saturation_concentration(temperature));
         const double less_per_kelvin = taken * humidity * saturation_concentration_slope(temperature); // kg/K
         return taken / (1.0 + less_per_kelvin * heat_of_evaporation(temperature) / (capacity + dt * climate.heat_transfer * face_area));
     }
@@ -205,11 +205,10 @@ struct ExchangeInSegment {
         return fibre;
     }
 
-    /// Equilibrium regain at the fibre's skin: the wet share sees liquid, the rest the pore's vapour.
-    HL_FN double skin_regain(const YarnParameters& yarn, double wet, double pore_vapour, double temperature) const
+    /// Humidity that the fibre's skin sees: its wet share sees liquid, the rest the pore's vapour.
+    HL_FN static double skin_humidity(double wet, double pore_vapour, double saturated)
     {
-        const double humidity = wet + (1.0 - wet) * fmin_(1.0, pore_vapour / saturation_concentration(temperature));
-        return equilibrium_regain(yarn.isotherm, humidity, temperature);
+        return wet + (1.0 - wet) * fmin_(1.0, pore_vapour / saturated);
     }
     HL_FN static double fmin_(double a, double b) { return a < b ? a : b; }
     HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
@@ -219,20 +218,51 @@ struct ExchangeInSegment {
                              double pore_vapour) const
     {
         Outcome o{pore_vapour, 0, fibre.base, 0, 0};
-        if (sorption) o.bound = fibre.base + fibre.slope * skin_regain(yarn, wet, pore_vapour, temperature);
+        const double saturated = saturation_concentration(temperature);
+        if (sorption) {
+            const double humidity = skin_humidity(wet, pore_vapour, saturated);
+            o.reference = yarn.isotherm.shifts ? reference_humidity(humidity, temperature) : humidity;
+            o.skin = regain_at_reference(yarn.isotherm, o.reference);
+            o.bound = fibre.base + fibre.slope * o.skin;
+        }
         const double taken = o.bound - fibre.bound;
         const double room = climate.density * s.pores[i] - s.liquid[i];
         o.from_liquid = fmax_(fmin_(vapour ? wet * taken : taken, s.liquid[i]), -room);
         if (vapour) {
             const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
             const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
-            const double excess = saturation_concentration(temperature) - pore_vapour;
+            const double excess = saturated - pore_vapour;
             const double share = excess > 0 ? wet_share(wet) : 1.0;
             o.evaporated = fmax_(fmin_(s.pores[i] * rate * dt * share * excess, s.liquid[i] - o.from_liquid), -room - o.from_liquid);
             o.to_air = dt * climate.mass_transfer * face_area * (pore_vapour - climate.vapour);
         }
         return o;
     }
+
+    /// How the water that fibres hold at the step's end answers to more pore vapour (m3) and to warmth (kg/K).
+    struct BoundResponse {
+        double to_vapour = 0, to_warmth = 0;
+    };
+    HL_FN BoundResponse bound_response(const YarnParameters& yarn, const Fibre& fibre, double wet, double temperature,
+                                       const Outcome& o) const
+    {
+        const double saturated = saturation_concentration(temperature);
+        const double answer = fibre.slope * regain_slope_at_reference(yarn.isotherm, o.reference);
+        if (o.reference <= 0) return {answer / saturated, 0};
+        const bool shifts = yarn.isotherm.shifts;
+        const double shift = shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
+        const double stiffness = 1.0 / o.reference - heat_of_sorption_slope(o.reference) * shift;
+        const double seen = skin_humidity(wet, o.pore_vapour, saturated);
+        const double per_humidity = answer / (stiffness * seen) * (o.pore_vapour < saturated ? 1.0 - wet : 0.0);
+        BoundResponse response;
+        response.to_vapour = per_humidity / saturated;
+        response.to_warmth = -per_humidity * o.pore_vapour / (saturated * saturated) * saturation_concentration_slope(temperature);
+        if (shifts)
+            response.to_warmth -=
+                answer * heat_of_sorption(o.reference) * water_molar_mass / (gas_constant * temperature * temperature * stiffness);
+        return response;
+    }
+
     HL_FN double missing(int i, const Fibre& fibre, double air, const Outcome& o) const
     {
         return air * o.pore_vapour - s.vapour[i] - o.evaporated + o.to_air + (o.bound - fibre.bound - o.from_liquid);
@@ -320,28 +350,8 @@ struct ExchangeInSegment {
             const double little = saturated * (1e-10 * air + 1e-13 * rate);
             if (mass > -little && mass < little && joules > -1e-8 * capacity && joules < 1e-8 * capacity) return true;
 
-            // How bound water answers to pore vapour (p) and temperature (t).
-            double bound_p = 0, bound_t = 0;
-            if (sorption) {
-                const double humid = pore < saturated ? pore / saturated : 1.0;
-                const double seen = wet + (1.0 - wet) * humid;
-                const bool shifts = yarn.isotherm.shifts;
-                const double reference = shifts ? reference_humidity(seen, temperature) : seen;
-                if (reference > 0) {
-                    const double shift =
-                        shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
-                    const double stiffness = 1.0 / reference - heat_of_sorption_slope(reference) * shift;
-                    const double answer = fibre.slope * regain_slope_at_reference(yarn.isotherm, reference);
-                    const double per_humidity = answer / (stiffness * seen) * (pore < saturated ? 1.0 - wet : 0.0);
-                    bound_p = per_humidity / saturated;
-                    bound_t = -per_humidity * pore / (saturated * saturated) * saturated_slope;
-                    if (shifts)
-                        bound_t -= answer * heat_of_sorption(reference) * water_molar_mass /
-                                   (gas_constant * temperature * temperature * stiffness);
-                } else {
-                    bound_p = fibre.slope * regain_slope_at_reference(yarn.isotherm, 0.0) / saturated;
-                }
-            }
+            const BoundResponse bound = sorption ? bound_response(yarn, fibre, wet, temperature, o) : BoundResponse{};
+            const double bound_p = bound.to_vapour, bound_t = bound.to_warmth;
             const bool drinks = o.from_liquid < s.liquid[i] && o.from_liquid > -room;
             const double liquid_p = drinks ? wet * bound_p : 0.0, liquid_t = drinks ? wet * bound_t : 0.0;
             const bool dries = o.evaporated < s.liquid[i] - o.from_liquid && o.evaporated > -room - o.from_liquid;
@@ -420,8 +430,8 @@ struct ExchangeInSegment {
     }
 
     /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
-    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double wet,
-                      double warmth, const Outcome& o, double capacity) const
+    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double warmth,
+                      const Outcome& o, double capacity) const
     {
         const double temperature = climate.temperature + warmth;
         double taken = 0;
@@ -430,10 +440,9 @@ struct ExchangeInSegment {
             const double offered = fmax_(0.0, s.liquid[i] + (vapour ? s.vapour[i] + fmax_(0.0, -o.to_air) : 0.0));
             const double wanted = o.bound - fibre.bound;
             const double share = wanted > offered ? offered / wanted : 1.0;
-            const double skin = skin_regain(yarn, wet, o.pore_vapour, temperature);
             for (int k = 0; k < s.shells; ++k) {
                 double& regain = s.regain[i * s.shells + k];
-                regain += share * (base[k] + response[k] * skin - regain);
+                regain += share * (base[k] + response[k] * o.skin - regain);
             }
             taken = bound_water(s, yarn, i) - fibre.bound;
         }

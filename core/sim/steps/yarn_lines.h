@@ -223,11 +223,8 @@ HL_FN double pore_air(double pores, double liquid, double density)
 /// What a step of a segment's own will do to its pore vapour, foreseen by whatever moves vapour from one segment to another: its liquid
 /// feeds it, fibres and air take from it. A concentration c at the end of the step leaves known - pivot c for the neighbours.
 struct VapourAtHome {
-    double air;       ///< m3
-    double saturated; ///< kg/m3
-    double fed;       ///< m3 of air that its liquid can bring to saturation
-    double pivot;     ///< m3
-    double known;     ///< kg
+    double pivot; ///< m3
+    double known; ///< kg
 };
 
 /// Foresees it.
@@ -245,10 +242,9 @@ struct ForeseeVapour {
         const double fed = supply(yarn, i, saturated), to_air = dt * climate.mass_transfer * face_area;
         // Liquid that came since has squeezed the vapour; fibres are at peace with no more than saturation.
         const double squeezed = s.vapour[i] / air, met = squeezed < saturated ? squeezed : saturated;
-        return {air, saturated, fed, air + s.uptake[i] + to_air + fed,
-                s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
+        return {air + s.uptake[i] + to_air + fed, s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
     }
-    /// Never more than the liquid lasts for, nor than cools it by a few kelvin.
+    /// m3 of air that its liquid can bring to saturation: never more than it lasts for, nor than cools it by a few kelvin.
     HL_FN double supply(const YarnParameters& yarn, int i, double saturated) const
     {
         if (s.liquid[i] <= 0) return 0;
