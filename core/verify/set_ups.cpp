@@ -9,28 +9,6 @@
 #include <algorithm>
 
 namespace hygroloom {
-namespace {
-
-/// Textile F of the paper with one drop.
-Design drop_on_cotton(double volume, double duration, double contact_angle)
-{
-    Design design;
-    Fabric fabric;
-    fabric.name = "cotton";
-    fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
-    fabric.ends_per_cm = fabric.picks_per_cm = 35;
-    fabric.contact_angle_deg = contact_angle;
-    design.fabrics.push_back(fabric);
-    Experiment experiment;
-    experiment.name = "drop";
-    experiment.duration_s = duration;
-    experiment.sample_mm = {12, 12};
-    experiment.droplets[0].volume_ul = volume;
-    design.experiments.push_back(experiment);
-    return design;
-}
-
-} // namespace
 
 Scene bare_scene(int ends, int picks, double pitch, double temperature)
 {
@@ -212,6 +190,24 @@ Design design_of(Fabric fabric, Experiment experiment)
     experiment.name = name_of(experiment.type);
     design.fabrics.push_back(std::move(fabric));
     design.experiments.push_back(std::move(experiment));
+    return design;
+}
+
+Design drop_on_cotton(double volume, double duration, double contact_angle)
+{
+    Design design;
+    Fabric fabric;
+    fabric.name = "cotton";
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
+    fabric.ends_per_cm = fabric.picks_per_cm = 35;
+    fabric.contact_angle_deg = contact_angle;
+    design.fabrics.push_back(fabric);
+    Experiment experiment;
+    experiment.name = "drop";
+    experiment.duration_s = duration;
+    experiment.sample_mm = {12, 12};
+    experiment.droplets[0].volume_ul = volume;
+    design.experiments.push_back(experiment);
     return design;
 }
 

@@ -49,6 +49,9 @@ Scene wet_spot();
 /// A fabric and one experiment on it, which is named by its type.
 Design design_of(Fabric fabric, Experiment experiment);
 
+/// Textile F of the paper, 12 x 12 mm, with one drop of a volume in µl; s, degrees.
+Design drop_on_cotton(double volume, double duration, double contact_angle);
+
 /// A whole run as the program makes it, of a design's first fabric and first experiment.
 struct WholeRun {
     RunRecord record;
