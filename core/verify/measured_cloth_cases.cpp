@@ -95,14 +95,16 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
         rates += cloths.back().rate / static_cast<double>(names.size());
         times += cloths.back().time_per_water / static_cast<double>(names.size());
     }
-    const char* unknown = "not explained yet; it is not the still air among the hairs, without which the numbers are nearly the same";
+    const char* bound =
+        "fibres bind part of the water and give it up more slowly than liquid; with sorption off, rates of 60 g/m2 on these "
+        "cloths agree within 2 %";
     std::vector<VerifyResult> results;
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::string word = names[i];
         std::replace(word.begin(), word.end(), ' ', '_');
         const bool wool = i == 2 || i == 3;
-        results.push_back({"rate_to_mean_" + word, cloths[i].rate / rates, 1, 0.1, Rule::near, i == 1 || i == 4 ? unknown : ""});
-        results.push_back({"time_per_water_to_mean_" + word, cloths[i].time_per_water / times, 1, 0.15, Rule::near, wool ? "" : unknown});
+        results.push_back({"rate_to_mean_" + word, cloths[i].rate / rates, 1, 0.1, Rule::near, i == 1 || i == 4 ? bound : ""});
+        results.push_back({"time_per_water_to_mean_" + word, cloths[i].time_per_water / times, 1, 0.15, Rule::near, wool ? "" : bound});
     }
     double pairs = 0, alike = 0;
     for (const Drying& a : cloths)
