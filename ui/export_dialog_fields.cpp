@@ -62,6 +62,12 @@ QString fileNameOf(const std::string& fabric)
     return name.isEmpty() ? QStringLiteral("fabric") : name;
 }
 
+/// Of several lines, whose height fitNotes() gives: a form that asks for it itself takes it from other rows where some are hidden.
+class Note : public QLabel {
+public:
+    bool hasHeightForWidth() const override { return false; }
+};
+
 } // namespace
 
 void ExportDialog::say(QLabel* note, const QString& sentence, Severity severity)
@@ -138,7 +144,6 @@ void ExportDialog::buildForm(QFormLayout* form)
 
 void ExportDialog::fitNotes()
 {
-    // A form gives a label that wraps the height of one line.
     fields_->layout()->activate();
     for (QLabel* note : {fabric_note_, format_note_, piece_note_, samples_note_, sides_note_, seed_note_, file_note_}) {
         const int width = file_note_->parentWidget()->width() - file_->parentWidget()->x();
@@ -148,7 +153,7 @@ void ExportDialog::fitNotes()
 
 QLabel* ExportDialog::addNote(QFormLayout* form)
 {
-    auto* note = new QLabel;
+    auto* note = new Note;
     note->setWordWrap(true);
     note->setTextFormat(Qt::PlainText);
     note->hide();

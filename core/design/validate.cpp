@@ -43,12 +43,12 @@ void validate_material(const Material& material, const std::string& where, Issue
                    fmt::format("The regain at 100 % relative humidity, {}, cannot be less than the one at 65 %, {}.",
                                material.saturation_regain, material.standard_regain));
     if (const GabIsotherm& gab = material.gab; gab.given()) {
-        const bool sound = list.range(where + ".isotherm.monolayer_regain", "monolayer regain", gab.monolayer_regain, 1e-5, 0.5) &
-                           list.range(where + ".isotherm.c", "isotherm's c", gab.c, 0.01, 1000) &
-                           list.range(where + ".isotherm.k", "isotherm's k", gab.k, 0.01, 0.99);
+        const bool sound_m = list.range(where + ".isotherm.monolayer_regain", "monolayer regain", gab.monolayer_regain, 1e-5, 0.5);
+        const bool sound_c = list.range(where + ".isotherm.c", "isotherm's c", gab.c, 0.01, 1000);
+        const bool sound_k = list.range(where + ".isotherm.k", "isotherm's k", gab.k, 0.01, 0.99);
         const double ka = 0.65 * gab.k;
         const double at_65 = gab.monolayer_regain * gab.c * ka / ((1 - ka) * (1 - ka + gab.c * ka));
-        if (sound && std::abs(at_65 - material.standard_regain) > 0.2 * material.standard_regain)
+        if (sound_m && sound_c && sound_k && std::abs(at_65 - material.standard_regain) > 0.2 * material.standard_regain)
             list.add(Severity::warning, "isotherm_disagrees", where + ".isotherm",
                      fmt::format(
                          "The isotherm gives a regain of {:.3g} at 65 % relative humidity, standard_regain says {}; the isotherm is used.",

@@ -13,8 +13,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::uint64_t largest_buffer = (std::uint64_t(1) << 31) - 1; // what readers with signed sizes take
-
 std::size_t stride_of(const ExportJob& job) { return (job.lines() ? 12u : 32u) + (job.wet() ? 8u : 0u); }
 
 std::uint64_t vertex_bytes(const ExportJob& job, const GltfLayout::Yarn& yarn) { return stride_of(job) * yarn.size.vertices; }
@@ -137,9 +135,11 @@ GltfLayout gltf_layout(const ExportJob& job)
     for_each_yarn(job.textile, [&](YarnKind kind, int number) {
         GltfLayout::Yarn yarn{kind, number, 0, 0, 0, job.size_of(kind, number), {}, {}};
         const std::uint64_t vertices = vertex_bytes(job, yarn), all = vertices + 12 * yarn.size.triangles;
-        if (job.format == MeshFormat::gltf && layout.buffers.back() > 0 && layout.buffers.back() + all > largest_buffer)
-            layout.buffers.push_back(0);
-        if (job.format == MeshFormat::gltf && all > largest_buffer) layout.yarn_too_large = true;
+        if (job.format == MeshFormat::gltf) {
+            const std::uint64_t largest = job.options.largest_buffer;
+            if (layout.buffers.back() > 0 && layout.buffers.back() + all > largest) layout.buffers.push_back(0);
+            if (all > largest) layout.yarn_too_large = true;
+        }
         yarn.buffer = layout.buffers.size() - 1;
         yarn.vertices_at = layout.buffers.back();
         yarn.indices_at = yarn.vertices_at + vertices;

@@ -74,7 +74,7 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
             bytes_text(size.memory), bytes_text(largest_stream_memory));
     if (!format.streamed && size.memory > largest_scene_memory)
         return fmt::format("The {} file would take about {} of memory while it is made, and at most {} are used. Write .obj, .ply, .stl, "
-                           ".glb or .gltf, which need little, or take a smaller piece.",
+                           ".glb or .gltf, which need little, or take fewer samples or sides, or a smaller piece.",
                            format.name, bytes_text(size.memory), bytes_text(largest_scene_memory));
     return {};
 }

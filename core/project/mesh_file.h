@@ -31,6 +31,7 @@ MeshFormat mesh_format_of(const std::filesystem::path& path);
 struct ExportOptions {
     MeshRequest mesh;
     std::vector<float> saturation; ///< 0 .. 1 per segment, a water map in place of the yarns' colours; empty: none
+    std::uint64_t largest_buffer = (std::uint64_t(1) << 31) - 1; ///< bytes of a .gltf's .bin: what readers with signed sizes take
 };
 
 struct ExportEstimate {

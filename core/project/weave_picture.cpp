@@ -185,6 +185,9 @@ DraftImport import_draft(const std::filesystem::path& path, const Design& known)
 {
     const std::string bytes = read_file(path, largest_import_bytes), name = path.string();
     if (bytes.starts_with("\x89PNG") || bytes.starts_with("BM")) return import_picture(bytes, name);
+    if (bytes.starts_with("\xFF\xD8\xFF") || bytes.starts_with("GIF8") || bytes.starts_with("RIFF") || // JPEG, GIF, WebP and TIFF
+        bytes.starts_with(std::string_view("II*\0", 4)) || bytes.starts_with(std::string_view("MM\0*", 4)))
+        throw FileError(name + ": Of pictures only PNG and BMP are read; save it as one of them and import it again.");
     std::string ending = capitals(path.extension().string());
     const bool wif = ending == ".WIF" || bytes.find('[') != std::string::npos;
     return wif ? import_wif(bytes, name, known) : import_grid(bytes, name);

@@ -347,7 +347,7 @@ private Q_SLOTS:
         QVERIFY(refused(large, with(MeshDetail::yarn), MeshFormat::glb).find("4 GiB") != std::string::npos);
         QCOMPARE(refused(large, with(MeshDetail::yarn), MeshFormat::gltf), std::string());
         for (MeshFormat format : {MeshFormat::fbx, MeshFormat::collada})
-            QVERIFY(refused(large, with(MeshDetail::yarn), format).find("of memory") != std::string::npos);
+            QVERIFY(refused(large, with(MeshDetail::yarn), format).find("or take fewer samples or sides") != std::string::npos);
         for (MeshFormat format : {MeshFormat::ply, MeshFormat::obj})
             QVERIFY(refused(large, with(MeshDetail::fibre), format).find("thousand million vertices") != std::string::npos);
         QVERIFY(refused(large, with(MeshDetail::fibre), MeshFormat::stl).find("thousand million triangles") != std::string::npos);
@@ -437,6 +437,55 @@ private Q_SLOTS:
         QVERIFY(files.size() > 2);
         QCOMPARE(files[1], fs::path("x/large.bin"));
         QCOMPARE(files[2], fs::path("x/large-2.bin"));
+    }
+    void glTFInManyBuffersReadsBackAsInOne_data()
+    {
+        QTest::addColumn<MeshDetail>("detail");
+        QTest::newRow("centreline") << MeshDetail::centreline;
+        QTest::newRow("yarn") << MeshDetail::yarn;
+        QTest::newRow("fibre") << MeshDetail::fibre;
+    }
+    void glTFInManyBuffersReadsBackAsInOne()
+    {
+        QFETCH(MeshDetail, detail);
+        const Textile textile = cloth();
+        ExportOptions options = with(detail);
+        options.saturation.assign(static_cast<std::size_t>(textile.segments()), 0.0f);
+        options.saturation[0] = 1.0f;
+        const Exported one = export_textile(textile, fabric(), options, path("one.gltf"));
+        QCOMPARE(one.files.size(), std::size_t(2));
+        const std::uintmax_t all = fs::file_size(one.files[1]);
+
+        options.largest_buffer = all * 2 / 5; // of the 7 yarns two or three fit
+        const ExportEstimate size = export_estimate(textile, fabric(), options, MeshFormat::gltf);
+        QVERIFY(size.files > 3);
+        const Exported many = export_textile(textile, fabric(), options, path("many parts.gltf"));
+        QCOMPARE(many.files, files_of_export(path("many parts.gltf"), size));
+        std::uintmax_t parts = 0;
+        for (std::size_t i = 1; i < many.files.size(); ++i) {
+            QVERIFY(fs::file_size(many.files[i]) > 0 && fs::file_size(many.files[i]) <= options.largest_buffer);
+            parts += fs::file_size(many.files[i]);
+        }
+        QCOMPARE(parts, all);
+        Assimp::Importer first, second;
+        const aiScene* a = first.ReadFile(one.files[0].string(), 0);
+        const aiScene* b = second.ReadFile(many.files[0].string(), 0);
+        QVERIFY(a && b);
+        QCOMPARE(b->mNumMeshes, 7u);
+        for (unsigned m = 0; m < b->mNumMeshes; ++m) {
+            const aiMesh &x = *a->mMeshes[m], &y = *b->mMeshes[m];
+            QCOMPARE(y.mNumVertices, x.mNumVertices);
+            QCOMPARE(y.mNumFaces, x.mNumFaces);
+            for (unsigned v = 0; v < y.mNumVertices; ++v) {
+                QVERIFY(y.mVertices[v] == x.mVertices[v]);
+                QVERIFY(y.mColors[0][v] == x.mColors[0][v]);
+            }
+            for (unsigned f = 0; f < y.mNumFaces; ++f)
+                QVERIFY(std::equal(y.mFaces[f].mIndices, y.mFaces[f].mIndices + y.mFaces[f].mNumIndices, x.mFaces[f].mIndices));
+        }
+
+        options.largest_buffer = all / 7 - 1; // the longest yarn does not fit
+        QVERIFY(export_estimate(textile, fabric(), options, MeshFormat::gltf).refusal.find("One yarn alone") == 0);
     }
 };
 

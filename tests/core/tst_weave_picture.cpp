@@ -2,9 +2,12 @@
 #include "core/base/error.h"
 #include "core/project/draft_import.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <png.h>
+
+#include <fstream>
 
 using namespace hygroloom;
 
@@ -133,6 +136,21 @@ private Q_SLOTS:
         for (std::size_t size = 2; size < bmp.size(); ++size) QVERIFY(refusal(bmp.substr(0, size), true) != "accepted");
         QVERIFY(refusal(png.substr(0, png.size() / 2), true) != "accepted");
         QVERIFY(refusal(png_of(2001, 1, std::vector<std::uint8_t>(2001)), true).find("2001 ends") != std::string::npos);
+    }
+    void otherPicturesAreRefusedAsPictures()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("weave").toStdString();
+        for (const std::string& begin : {std::string("\xFF\xD8\xFF\xE0"), std::string("GIF89a"), std::string("RIFF\1\2\3\4WEBP"),
+                                         std::string("II*\0[", 5), std::string("MM\0*[", 5)}) {
+            std::ofstream(path, std::ios::binary) << begin;
+            try {
+                import_draft(path);
+                QFAIL("accepted");
+            } catch (const FileError& error) {
+                QCOMPARE(error.what(), path + ": Of pictures only PNG and BMP are read; save it as one of them and import it again.");
+            }
+        }
     }
 };
 

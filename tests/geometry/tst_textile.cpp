@@ -304,7 +304,7 @@ private Q_SLOTS:
     }
     void aSampleOfNoSizeOrAnImpossibleOneStillHasCountableThreads()
     {
-        const Fabric& fabric = example("textile-F").fabrics[0];
+        const Fabric fabric = example("textile-F").fabrics[0];
         QCOMPARE(region_of_sample(fabric, 1e12, -5).ends, largest_yarn_order);
         QCOMPARE(region_of_sample(fabric, 1e12, -5).picks, 1);
         QCOMPARE(region_of_sample(fabric, std::nan(""), 10).ends, 1);

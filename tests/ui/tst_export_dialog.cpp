@@ -131,6 +131,22 @@ private Q_SLOTS:
         QVERIFY(!button("Export")->isEnabled());
     }
 
+    void aComplaintLeavesTheFieldsTheirPlaces()
+    {
+        choose("Piece", 2);
+        choose("Detail", 1);
+        dialog_->setFile(folder_->filePath("cloth.usda"));
+        waitForNote("hold curves");
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        int bottom = 0;
+        for (const QComboBox* box : dialog_->findChildren<QComboBox*>()) {
+            QVERIFY2(box->isVisible() && box->height() >= box->minimumSizeHint().height(), qPrintable(box->accessibleName()));
+            QVERIFY2(box->y() >= bottom, qPrintable(box->accessibleName()));
+            bottom = box->geometry().bottom();
+        }
+        QVERIFY(named<QuantityEdit>("Samples per crossing")->y() > bottom);
+    }
+
     void cancellingLeavesWhatWasThere()
     {
         QFile old(folder_->filePath("cloth.ply"));
