@@ -128,24 +128,42 @@ constexpr int no_particle = 0x7fffffff;
 struct Particles {
     int count = 0;
     Real mass = 0;    ///< kg, of each
-    Real support = 0; ///< m, of the kernel
+    Real support = 0; ///< m, of the kernel of pressure and viscosity
+    Real reach = 0;   ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
     Real spacing = 0; ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
     Vec3* predicted = nullptr;
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
+    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn or the vessel
     Real* wall_distance = nullptr;   ///< to its skin
-    int* wall_segment = nullptr;     ///< or -1
-    Real* pressure = nullptr;        ///< Pa
+    int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
+    Real* pressure = nullptr;        ///< Pa, what keeps the liquid from being pressed together
+    Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
+    Real* pull = nullptr;            ///< Pa, of the surface's energy: see SurfaceEnergy
+    Vec3* tilt = nullptr;            ///< Pa m, likewise
+    Real* stress = nullptr;          ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    int* neighbours = nullptr; ///< largest_neighbour_count slots each
-    int* neighbour_count = nullptr;
+    int* neighbours = nullptr;    ///< largest_neighbour_count slots each: those within the support from the front, the others from the back
+    int* near_count = nullptr;    ///< within the support
+    int* distant_count = nullptr; ///< between the support and the reach
+
+    /// Whether a wall is near, as far as distance tells.
+    HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
 };
 
-constexpr int largest_neighbour_count = 96;
+constexpr int largest_neighbour_count = 192;
+constexpr int no_wall = -1;
+constexpr int vessel_wall = -2;
+
+/// A box that holds liquid, wide open at its top; a plate if its sides are far away.
+struct Vessel {
+    bool present = false;
+    Vec3 low, high;
+    Real adhesion = 0; ///< J/m2, work of adhesion
+};
 
 /// Cells of one kernel support, for finding neighbours.
 struct CellGrid {

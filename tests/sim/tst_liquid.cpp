@@ -117,7 +117,8 @@ private Q_SLOTS:
         grid.start = start.data();
         Particles p;
         p.count = n;
-        p.support = Real(0.2);
+        p.support = Real(0.15);
+        p.reach = Real(0.2);
         p.position = x.data();
         p.alive = alive.data();
         exec.for_each("cell", n, FindCell{p, grid});
@@ -126,17 +127,24 @@ private Q_SLOTS:
         for (int i = 0; i < n; ++i) sorted.push_back(x[static_cast<std::size_t>(order.read(static_cast<std::size_t>(i)))]);
         p.position = sorted.data();
         exec.for_each("starts", n + 1, FindCellStarts{grid, n});
-        std::vector<int> neighbours(n * largest_neighbour_count), counts(n);
+        std::vector<int> neighbours(n * largest_neighbour_count), near(n), distant(n);
         p.neighbours = neighbours.data();
-        p.neighbour_count = counts.data();
+        p.near_count = near.data();
+        p.distant_count = distant.data();
         exec.for_each("neighbours", n, FindNeighbours{p, grid});
         for (int i = 0; i < n; ++i) {
-            int expected = 0;
+            int expected_near = 0, expected = 0;
             for (int j = 0; j < n; ++j) {
                 const Vec3 d = sorted[static_cast<std::size_t>(i)] - sorted[static_cast<std::size_t>(j)];
-                expected += j != i && dot(d, d) < p.support * p.support;
+                expected_near += j != i && dot(d, d) < p.support * p.support;
+                expected += j != i && dot(d, d) < p.reach * p.reach;
             }
-            QCOMPARE(counts[static_cast<std::size_t>(i)], expected);
+            QCOMPARE(near[static_cast<std::size_t>(i)], expected_near);
+            QCOMPARE(near[static_cast<std::size_t>(i)] + distant[static_cast<std::size_t>(i)], expected);
+            int listed = 0;
+            for_neighbours(p, i, [&](int j) { listed += j != i; });
+            for_distant_neighbours(p, i, [&](int j) { listed += j != i; });
+            QCOMPARE(listed, expected);
         }
     }
     void aDropInTheAirFallsWithoutDrifting()

@@ -8,11 +8,17 @@
 
 namespace hygroloom {
 
+/// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
+constexpr Real kept_pressure = Real(0.5);
+
 struct LiquidParameters {
     Real density = 0;             ///< kg/m3, at rest
     Real kinematic_viscosity = 0; ///< m2/s
     Real surface_tension = 0;     ///< N/m
     Real gravity = 0;             ///< m/s2, downwards
+    SurfaceEnergy surface;
+    Vessel vessel;
+    Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
 };
 
 struct FindCell {
@@ -45,6 +51,8 @@ struct Reorder {
     const Vec3* wall_normal;
     const Real* wall_distance;
     const int* wall_segment;
+    const Real* pressure;
+    const Real* stress;
     const std::int64_t* content;
     const int* key;
     int dead_key;
@@ -58,6 +66,8 @@ struct Reorder {
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
+        to.pressure[i] = pressure[from];
+        if (stress) to.stress[i] = stress[from];
         to.alive[i] = key[i] != dead_key;
     }
 };
@@ -68,34 +78,78 @@ struct FindNeighbours {
     HL_FN void operator()(int i) const
     {
         const Vec3 x = p.position[i];
-        const Real reach = p.support * p.support;
-        const int cx = g.cell_x(x.x), cy = g.cell_y(x.y), cz = g.cell_z(x.z);
+        const Real reach = p.reach, within = p.support * p.support;
+        const int x0 = g.cell_x(x.x - reach), x1 = g.cell_x(x.x + reach);
+        const int y0 = g.cell_y(x.y - reach), y1 = g.cell_y(x.y + reach);
+        const int z0 = g.cell_z(x.z - reach), z1 = g.cell_z(x.z + reach);
         int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        int found = 0;
-        for (int z = cz > 0 ? cz - 1 : 0; z <= cz + 1 && z < g.nz; ++z)
-            for (int y = cy > 0 ? cy - 1 : 0; y <= cy + 1 && y < g.ny; ++y) {
+        int near = 0, distant = 0;
+        for (int z = z0; z <= z1; ++z)
+            for (int y = y0; y <= y1; ++y) {
                 const int row = (z * g.ny + y) * g.nx;
-                const int last = cx + 1 < g.nx ? cx + 1 : g.nx - 1;
                 // Cells along x lie side by side, and so do their particles.
-                for (int j = g.start[row + (cx > 0 ? cx - 1 : 0)]; j < g.start[row + last + 1]; ++j) {
+                for (int j = g.start[row + x0]; j < g.start[row + x1 + 1]; ++j) {
                     const Vec3 d = x - p.position[j];
-                    if (j != i && dot(d, d) < reach && found < largest_neighbour_count) slots[found++] = j;
+                    const Real r2 = dot(d, d);
+                    if (!(r2 < reach * reach) || j == i) continue;
+                    if (r2 < within) {
+                        if (near + distant == largest_neighbour_count && distant > 0) --distant; // in a crowd the near ones count
+                        if (near + distant < largest_neighbour_count) slots[near++] = j;
+                    } else if (near + distant < largest_neighbour_count) {
+                        slots[largest_neighbour_count - ++distant] = j;
+                    }
                 }
             }
-        p.neighbour_count[i] = found;
+        p.near_count[i] = near;
+        p.distant_count[i] = distant;
     }
 };
 
-/// Runs a sum over the neighbours of i.
+/// Runs a sum over the neighbours of i within the support.
 template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& add)
 {
     const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-    for (int k = 0; k < p.neighbour_count[i]; ++k) add(slots[k]);
+    for (int k = 0; k < p.near_count[i]; ++k) add(slots[k]);
 }
 
-/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: surface tension
-/// comes from a pair force (Tartakovsky and Panchenko 2016) in place of eq. 5, whose cohesion presses a drop a hundred times harder
-/// than its surface tension does; a wall attracts with the potential whose depth is the work of adhesion.
+/// Runs a sum over the other neighbours of i, up to the reach.
+template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int i, const F& add)
+{
+    const int* slots = p.neighbours + (static_cast<std::int64_t>(i) + 1) * largest_neighbour_count;
+    for (int k = 1; k <= p.distant_count[i]; ++k) add(slots[-k]);
+}
+
+/// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
+/// that follow.
+struct FindSurface {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Vec3 x = p.position[i];
+        Real share = volume * spline_kernel(0, p.reach);
+        Vec3 slope;
+        const auto add = [&](int j) {
+            const Vec3 d = x - p.position[j];
+            const Real r = length(d);
+            share += volume * spline_kernel(r, p.reach);
+            slope += (volume * spline_gradient_factor(r, p.reach)) * d;
+        };
+        for_neighbours(p, i, add);
+        for_distant_neighbours(p, i, add);
+        if (p.at_wall(i)) {
+            share += kernel_beyond_plane(p.wall_distance[i], p.reach);
+            slope -= kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
+        }
+        p.pull[i] = liquid.surface.pull(share);
+        p.tilt[i] = liquid.surface.tilt(slope);
+    }
+};
+
+/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: eq. 5's cohesion
+/// presses a drop a hundred times harder than its surface tension does. A wall counts as liquid, so that it attracts with what its work
+/// of adhesion is over the surface tension, or repels.
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
@@ -105,23 +159,37 @@ struct FindForces {
         const Real volume = p.mass / liquid.density;
         const Vec3 x = p.position[i], v = p.velocity[i];
         const Real smallest = Real(0.01) * p.support * p.support;
-        const Real cohesion = pair_cohesion(liquid.surface_tension, p.spacing, p.support) / p.mass;
+        const Real per_force = volume / liquid.density;
+        const Real own_pull = p.pull[i];
+        const Vec3 own_tilt = p.tilt[i];
         Vec3 a{0, 0, -liquid.gravity};
+        Real sum = spline_kernel(0, p.support);
+        const auto add_surface = [&](int j) {
+            a += per_force * surface_force(own_pull + p.pull[j], own_tilt - p.tilt[j], x - p.position[j], p.reach);
+        };
         for_neighbours(p, i, [&](int j) {
             const Vec3 d = x - p.position[j];
             const Real r2 = dot(d, d);
-            const Real r = std::sqrt(r2);
-            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest) *
-                              spline_gradient_factor(r, p.support);
-            const Real push = r > 0 ? cohesion * pair_force_shape(r, p.support) / r : Real(0);
-            a += (drag + push) * d;
+            sum += spline_kernel(std::sqrt(r2), p.support);
+            a += (Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest) *
+                  spline_gradient_factor(std::sqrt(r2), p.support)) *
+                 d;
+            add_surface(j);
         });
-        if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
-            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
-                 p.wall_normal[i];
+        for_distant_neighbours(p, i, add_surface);
+        Real excess = p.mass * sum - liquid.density;
+        if (p.at_wall(i)) {
+            const Real distance = p.wall_distance[i];
+            excess += liquid.density * kernel_beyond_plane(distance, p.support);
+            const Real adhesion =
+                p.wall_segment[i] >= 0 ? static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion) : liquid.vessel.adhesion;
+            const Real push = surface_force_of_wall(own_pull, dot(own_tilt, p.wall_normal[i]), distance, p.reach) -
+                              (distance > 0 ? wall_pull(adhesion - liquid.surface_tension, distance, p.support) : Real(0));
+            a += (push / liquid.density) * p.wall_normal[i];
+        }
         p.force[i] = a;
-        p.pressure[i] = 0;
-        p.pressure_force[i] = Vec3{};
+        p.allowed[i] = excess > 0 ? liquid.kept_excess * excess : Real(0);
+        p.pressure[i] *= kept_pressure;
     }
 };
 
@@ -135,7 +203,8 @@ struct PredictPosition {
     }
 };
 
-/// Density at the predicted places raises the pressure; errors are summed in millionths so that the sum has no order.
+/// Density at the predicted places raises the pressure. What is new in a step is corrected in it; what was there before, over the
+/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Errors are summed in millionths so that the sum has no order.
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
@@ -143,15 +212,21 @@ struct CorrectPressure {
     std::int64_t* error_sum; ///< millionths of the rest density
     HL_FN void operator()(int i) const
     {
+        const Vec3 x = p.predicted[i];
         Real sum = spline_kernel(0, p.support);
-        for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(p.predicted[i] - p.predicted[j]), p.support); });
-        const Real excess = p.mass * sum - liquid.density;
-        const Real pressure = p.pressure[i] + stiffness * excess;
+        for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(x - p.predicted[j]), p.support); });
+        Real density = p.mass * sum;
+        if (p.at_wall(i))
+            density += liquid.density *
+                       kernel_beyond_plane(p.wall_distance[i] + dot(x - p.position[i], p.wall_normal[i]), p.support);
+        const Real excess = density - liquid.density;
+        const Real pressure = p.pressure[i] + stiffness * (excess - p.allowed[i]);
         p.pressure[i] = pressure > 0 ? pressure : Real(0);
         if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
     }
 };
 
+/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
 struct FindPressureForce {
     Particles p;
     LiquidParameters liquid;
@@ -163,7 +238,32 @@ struct FindPressureForce {
             const Vec3 d = p.position[i] - p.position[j];
             a += (scale * (p.pressure[i] + p.pressure[j]) * spline_gradient_factor(length(d), p.support)) * d;
         });
+        if (p.at_wall(i))
+            a -= (Real(2) * p.pressure[i] / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
         p.pressure_force[i] = -a;
+    }
+};
+
+/// Pressure as a gauge would show it: the virial of surface and pressure forces between particles (Irving and Kirkwood 1950), half of
+/// each pair's to each.
+struct FindStress {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        Real sum = 0;
+        const auto add = [&](int j) {
+            const Vec3 d = p.position[i] - p.position[j];
+            sum += dot(surface_force(p.pull[i] + p.pull[j], p.tilt[i] - p.tilt[j], d, p.reach), d);
+        };
+        for_neighbours(p, i, [&](int j) {
+            const Vec3 d = p.position[i] - p.position[j];
+            sum -= (p.pressure[i] + p.pressure[j]) * spline_gradient_factor(length(d), p.support) * dot(d, d);
+            add(j);
+        });
+        for_distant_neighbours(p, i, add);
+        p.stress[i] = volume * sum / Real(6);
     }
 };
 
