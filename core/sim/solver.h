@@ -46,7 +46,7 @@ public:
         load_liquid();
         const Ledger start = ledger();
         initial_ = start.water_bound + start.water_vapour - scene.initial_bound;
-        delivered_ = start.water_liquid + scene.initial_bound;
+        delivered_ = start.water_liquid + start.water_free + scene.initial_bound;
         initial_energy_ = start.energy_stored;
         begin_anew();
     }
@@ -142,6 +142,7 @@ private:
     void choose_exchange_step(double dt);
     double water_at_stake() const;
     void load_liquid();
+    void load_particles();
     void release_droplets();
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
@@ -149,7 +150,7 @@ private:
     void give_to_segments(double dt);
     void fit_grid();
     void sort_particles();
-    void correct_pressure(Real dt);
+    void correct_pressure(double dt);
     void choose_liquid_step();
     double advective_step(double speed) const;
     Ledger ledger();
@@ -160,7 +161,8 @@ private:
     Particles particle_views();
     CellGrid grid();
     TextileShape shape();
-    LiquidParameters liquid() const;
+    Vessel vessel() const;
+    LiquidParameters liquid(double dt) const;
 
     Executor exec_;
     Scene scene_;
@@ -196,14 +198,14 @@ private:
 
     // Liquid.
     int count_ = 0;
-    Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
+    Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
     double stiffness_ = 0; ///< delta x dt2
     double capillary_dt_ = 0;
-    Buffer<Quad> place_, predicted_;
+    Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
-    Buffer<Real> wall_distance_, sorted_distance_;
-    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
+    Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_;
+    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> sums_; ///< density error, dripped quanta
     Buffer<std::int64_t> content_, sorted_content_;

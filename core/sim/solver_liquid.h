@@ -10,7 +10,7 @@ namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
 constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
-constexpr double grain_viscosity = 0.03;         // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
+constexpr double grain_viscosity = 0.015;        // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
@@ -36,40 +36,49 @@ template <typename Executor> void Solver<Executor>::load_liquid()
         smallest = std::min(smallest, d.volume);
         highest = std::max(highest, d.centre.z + std::cbrt(d.volume));
     }
-    const std::size_t drops = scene_.droplets.size();
-    if (drops == 0) return;
+    const std::size_t drops = scene_.droplets.size(), standing = scene_.liquid.places.size();
+    if (drops + standing == 0) return;
+    for (const Vec3d& place : scene_.liquid.places) highest = std::max(highest, place.z);
     std::vector<float> profiles;
     shapes_.upload(yarn_shapes(scene_, profiles));
     profiles_.upload(profiles);
     // All particles weigh the same; a drop's number of them goes with its volume.
-    const double particle_volume = volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
+    const double particle_volume = standing > 0 ? scene_.liquid.particle_volume
+                                                : volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
     particle_mass_ = static_cast<Real>(particle_volume * scene_.climate.density);
     const double spacing = std::cbrt(particle_volume);
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
+    reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
     stiffness_ = pressure_relaxation * pressure_stiffness(spacing, support_);
     capillary_dt_ =
         0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
     liquid_dt_ = capillary_dt_;
 
-    std::size_t capacity = 0;
+    std::size_t capacity = standing;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&place_, &predicted_}) {
+    for (auto* b : {&place_, &sorted_place_, &motion_, &predicted_, &surface_}) {
         b->resize(capacity + lanes); // whole packs are read
         b->fill(far_away());
     }
     for (auto* b :
          {&position_, &velocity_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
-    for (auto* b : {&wall_distance_, &sorted_distance_}) b->resize(capacity);
-    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
+    for (auto* b : {&allowed_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
+    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     neighbours_.resize(capacity * largest_neighbour_count);
     alive_.resize(capacity);
 
-    const double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
-    const double lowest = -scene_.half_thickness - drip_distance;
-    const double size = std::max(static_cast<double>(support_), std::max({width, height, highest - lowest}) * 1e-5);
+    double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
+    for (const Vec3d& place : scene_.liquid.places) {
+        width = std::max(width, 4 * std::abs(place.x)); // with room to spread
+        height = std::max(height, 4 * std::abs(place.y));
+    }
+    const double lowest = scene_.vessel && standing > 0 ? scene_.vessel->low.z : -scene_.half_thickness - drip_distance;
+    // Cells of half the reach.
+    const double size = std::max(0.5 * static_cast<double>(reach_of_surface_), std::max({width, height, highest - lowest}) * 1e-5);
     grid_.size = static_cast<Real>(size);
     grid_.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
     const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
@@ -77,6 +86,32 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     grid_.whole_y = cells(height);
     grid_.whole_z = cells(highest - lowest);
     box_.resize(6);
+    if (standing > 0) load_particles();
+}
+
+/// The liquid that is there from the start.
+template <typename Executor> void Solver<Executor>::load_particles()
+{
+    const auto single = [](const std::vector<Vec3d>& values) {
+        std::vector<Vec3> result;
+        for (const Vec3d& v : values) result.push_back({static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)});
+        return result;
+    };
+    const std::size_t n = scene_.liquid.places.size();
+    position_.write_range(0, single(scene_.liquid.places));
+    velocity_.write_range(0, single(scene_.liquid.velocities));
+    wall_normal_.write_range(0, std::vector<Vec3>(n));
+    wall_distance_.write_range(0, std::vector<Real>(n, reach_of_surface_));
+    wall_segment_.write_range(0, std::vector<int>(n, no_wall));
+    content_.write_range(
+        0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
+    alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
+    place_.write_range(0, std::vector<Quad>(n));
+    count_ = static_cast<int>(n);
+    calm_time_ = std::numeric_limits<double>::infinity();
+    double fastest = 0;
+    for (const Vec3d& v : scene_.liquid.velocities) fastest = std::max(fastest, length(v));
+    liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
 }
 
 template <typename Executor> void Solver<Executor>::release_droplets()
@@ -96,13 +131,14 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         position_.write_range(at, x);
         velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
         wall_normal_.write_range(at, std::vector<Vec3>(n));
-        wall_distance_.write_range(at, std::vector<Real>(n, support_));
-        wall_segment_.write_range(at, std::vector<int>(n, -1));
+        wall_distance_.write_range(at, std::vector<Real>(n, reach_of_surface_));
+        wall_segment_.write_range(at, std::vector<int>(n, no_wall));
         // The drop's own water, shared out to the last quantum.
         const std::int64_t water = std::llround(drop.volume * scene_.climate.density / water_quantum);
         std::vector<std::int64_t> content(n, water / added);
         content.back() += water % added;
         content_.write_range(at, content);
+        place_.write_range(at, std::vector<Quad>(n));
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
@@ -151,26 +187,32 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.wall_distance = sorted_distance_.data();
     to.wall_segment = sorted_segment_.data();
     to.content = sorted_content_.data();
+    to.place = sorted_place_.data();
+    to.stress = sorted_stress_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                                     wall_segment_.data(), content_.data(), key_.data(), grid_.cells(), to});
+                                     wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
+                                     key_.data(), grid_.cells(), to});
     position_.swap(sorted_position_);
     velocity_.swap(sorted_velocity_);
     wall_normal_.swap(sorted_normal_);
     wall_distance_.swap(sorted_distance_);
     wall_segment_.swap(sorted_segment_);
     content_.swap(sorted_content_);
+    place_.swap(sorted_place_);
+    stress_.swap(sorted_stress_);
     exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
     count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
 }
 
-template <typename Executor> void Solver<Executor>::correct_pressure(Real dt)
+template <typename Executor> void Solver<Executor>::correct_pressure(double dt)
 {
-    const Real stiffness = static_cast<Real>(stiffness_ / (static_cast<double>(dt) * static_cast<double>(dt)));
+    const Real stiffness = static_cast<Real>(stiffness_ / (dt * dt));
+    each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
     for (int round = 0; round < most_pressure_rounds; ++round) {
         sums_.write(0, 0);
-        each_particle("predict", PredictPosition{particle_views(), dt});
-        each_particle("pressure", CorrectPressure{particle_views(), liquid(), stiffness, sums_.data()});
-        each_particle("pressure force", FindPressureForce{particle_views(), liquid()});
+        each_particle("predict", PredictPosition{particle_views(), static_cast<Real>(dt)});
+        each_particle("pressure", CorrectPressure{particle_views(), liquid(dt), stiffness, sums_.data()});
+        each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
         if (round + 1 >= fewest_pressure_rounds && static_cast<double>(sums_.read(0)) * 1e-6 < scene_.density_tolerance * count_) break;
     }
 }
@@ -181,14 +223,17 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
     each_particle("neighbours", FindNeighbours{particle_views(), grid()});
-    each_particle("forces", FindForces{particle_views(), liquid(), yarns()});
-    correct_pressure(step);
+    each_particle("surface", FindSurface{particle_views(), liquid(dt)});
+    each_particle("forces", FindForces{particle_views(), liquid(dt), yarns()});
+    correct_pressure(dt);
+    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt)});
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real touching = Real(0.5) * spacing_;
-    const Real drag_rate = 2 * liquid().kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), support_, touching, friction_coefficient, 1 / (1 + step * drag_rate),
-                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
+    const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
+    each_particle("meet yarns",
+                  MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching, friction_coefficient,
+                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
     give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;
@@ -227,11 +272,14 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.count = count_;
     p.mass = particle_mass_;
     p.support = support_;
+    p.reach = reach_of_surface_;
     p.spacing = spacing_;
     p.position = position_.data();
     p.velocity = velocity_.data();
     p.place = place_.data();
+    p.motion = motion_.data();
     p.predicted = predicted_.data();
+    p.surface = surface_.data();
     p.force = force_.data();
     p.pressure_force = pressure_force_.data();
     p.wall_normal = wall_normal_.data();
@@ -240,7 +288,10 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.content = content_.data();
     p.alive = alive_.data();
     p.neighbours = neighbours_.data();
-    p.neighbour_count = neighbour_count_.data();
+    p.near_count = near_count_.data();
+    p.distant_count = distant_count_.data();
+    p.allowed = allowed_.data();
+    p.stress = scene_.shows_pressure ? stress_.data() : nullptr;
     return p;
 }
 
@@ -265,7 +316,14 @@ template <typename Executor> TextileShape Solver<Executor>::shape()
             shift_.data()};
 }
 
-template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
+template <typename Executor> Vessel Solver<Executor>::vessel() const
+{
+    if (!scene_.vessel) return {};
+    const auto single = [](const Vec3d& v) { return Vec3{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)}; };
+    return {true, single(scene_.vessel->low), single(scene_.vessel->high), static_cast<Real>(scene_.vessel->adhesion)};
+}
+
+template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt) const
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
@@ -273,7 +331,10 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
         scene_.climate.viscosity / scene_.climate.density +
         grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
-    l.gravity = static_cast<Real>(gravity_acceleration);
+    l.gravity = static_cast<Real>(scene_.gravity);
+    l.surface = surface_energy(l.surface_tension, spacing_);
+    l.vessel = vessel();
+    l.kept_excess = static_cast<Real>(std::max(0.0, 1.0 - dt / capillary_dt_));
     return l;
 }
 

@@ -461,6 +461,10 @@ template <typename Executor> Frame Solver<Executor>::frame()
         f.positions.push_back({static_cast<float>(x[i].x), static_cast<float>(x[i].y), static_cast<float>(x[i].z)});
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
     }
+    if (scene_.shows_pressure) {
+        const std::vector<Real> pressure = stress_.download();
+        f.pressures.assign(pressure.begin(), pressure.begin() + count_);
+    }
     return f;
 }
 

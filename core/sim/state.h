@@ -129,24 +129,45 @@ constexpr int no_particle = 0x7fffffff;
 struct Particles {
     int count = 0;
     Real mass = 0;    ///< kg, of each
-    Real support = 0; ///< m, of the kernel
+    Real support = 0; ///< m, of the kernel of pressure and viscosity
+    Real reach = 0;   ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
     Real spacing = 0; ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
-    Quad* place = nullptr;           ///< position and pressure (Pa), as neighbours read them; one more at the end that is far from all
-    Quad* predicted = nullptr;       ///< position at the step's end, so far; one more at the end
+    // What neighbours read; behind the last particle stands one that is far from all.
+    Quad* place = nullptr;           ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
+    Quad* motion = nullptr;          ///< velocity
+    Quad* predicted = nullptr;       ///< position at the step's end, so far
+    Quad* surface = nullptr;         ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
+    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn or the vessel
     Real* wall_distance = nullptr;   ///< to its skin
-    int* wall_segment = nullptr;     ///< or -1
+    int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
+    Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
+    Real* stress = nullptr;          ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    int* neighbours = nullptr; ///< largest_neighbour_count slots each, filled up to whole packs with the one that is far away
-    int* neighbour_count = nullptr;
+    /// largest_neighbour_count slots each: those within the support from the front, the others from the back; both filled up to whole
+    /// packs with the one that is far away.
+    int* neighbours = nullptr;
+    int* near_count = nullptr;    ///< within the support
+    int* distant_count = nullptr; ///< between the support and the reach
+
+    /// Whether a wall is near, as far as distance tells.
+    HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
 };
 
-constexpr int largest_neighbour_count = 96;
+constexpr int largest_neighbour_count = 192;
+constexpr int no_wall = -1;
+constexpr int vessel_wall = -2;
+
+/// A box that holds liquid, wide open at its top; a plate if its sides are far away.
+struct Vessel {
+    bool present = false;
+    Vec3 low, high;
+    Real adhesion = 0; ///< J/m2, work of adhesion
+};
 
 /// Cells of one kernel support, for finding neighbours: a box of them about the particles. What is outside the whole space that liquid may
 /// be in counts to its border.
@@ -166,6 +187,7 @@ struct CellGrid {
         const Real cell = distance / size;
         return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0;
     }
+    HL_FN int inside(int cell, int count) const { return cell < 0 ? 0 : cell < count ? cell : count - 1; }
     HL_FN int cell_x(Real x) const { return (whole(x - origin.x, whole_x) >> shift) - first_x; }
     HL_FN int cell_y(Real y) const { return (whole(y - origin.y, whole_y) >> shift) - first_y; }
     HL_FN int cell_z(Real z) const { return (whole(z - origin.z, whole_z) >> shift) - first_z; }

@@ -3,6 +3,7 @@ target_sources(hygroloom_core PRIVATE
   verify/convergence_cases.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
+  verify/liquid_cases.cpp
   verify/measured_cloth_cases.cpp
   verify/measured_fibre_cases.cpp
   verify/measured_wicking_cases.cpp

@@ -126,7 +126,8 @@ private Q_SLOTS:
         grid.start = start.data();
         Particles p;
         p.count = n;
-        p.support = Real(0.2);
+        p.support = Real(0.15);
+        p.reach = Real(0.2);
         p.position = x.data();
         p.alive = alive.data();
         exec.for_each("cell", n, FindCell{p, grid});
@@ -138,18 +139,28 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < n; ++i) places[i] = {sorted[i].x, sorted[i].y, sorted[i].z, 0};
         p.place = places.data();
         exec.for_each("starts", n + 1, FindCellStarts{grid, n});
-        std::vector<int> neighbours(n * largest_neighbour_count), counts(n);
+        std::vector<int> neighbours(n * largest_neighbour_count), near(n), distant(n);
         p.neighbours = neighbours.data();
-        p.neighbour_count = counts.data();
+        p.near_count = near.data();
+        p.distant_count = distant.data();
         exec.for_each("neighbours", n, FindNeighbours{p, grid});
         for (int i = 0; i < n; ++i) {
-            int expected = 0;
+            int expected_near = 0, expected = 0;
             for (int j = 0; j < n; ++j) {
                 const Vec3 d = sorted[static_cast<std::size_t>(i)] - sorted[static_cast<std::size_t>(j)];
-                expected += j != i && dot(d, d) < p.support * p.support;
+                expected_near += j != i && dot(d, d) < p.support * p.support;
+                expected += j != i && dot(d, d) < p.reach * p.reach;
             }
-            QCOMPARE(counts[static_cast<std::size_t>(i)], expected);
-            for (int k = expected; k % lanes != 0; ++k) QCOMPARE(neighbours[static_cast<std::size_t>(i * largest_neighbour_count + k)], n);
+            QCOMPARE(near[static_cast<std::size_t>(i)], expected_near);
+            QCOMPARE(near[static_cast<std::size_t>(i)] + distant[static_cast<std::size_t>(i)], expected);
+            int listed = 0, filled = 0;
+            const auto count = [&](const int* slots) {
+                for (int l = 0; l < lanes; ++l) (slots[l] == n ? filled : listed) += slots[l] != i;
+            };
+            for_neighbours(p, i, count);
+            for_distant_neighbours(p, i, count);
+            QCOMPARE(listed, expected);
+            QVERIFY(filled < 2 * lanes);
         }
     }
     void aDropInTheAirFallsWithoutDrifting()

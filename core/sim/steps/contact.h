@@ -125,11 +125,22 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     return nearest;
 }
 
+/// The nearest of a vessel's walls, if it is nearer than what was found.
+HL_FN void try_vessel(const Vessel& v, const Vec3& x, NearestSkin& nearest)
+{
+    if (!v.present) return;
+    const Real distance[5] = {x.z - v.low.z, x.x - v.low.x, v.high.x - x.x, x.y - v.low.y, v.high.y - x.y};
+    const Vec3 normal[5] = {{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+    for (int k = 0; k < 5; ++k)
+        if (distance[k] < nearest.distance) nearest = {distance[k], normal[k], vessel_wall};
+}
+
 /// Moves a particle that came too close back to the skin; it loses what it had towards the yarn and slides with friction, and the
 /// skin drags on it as on a film of its thickness.
 struct MeetYarns {
     Particles p;
     TextileShape textile;
+    Vessel vessel;
     Real reach;    ///< how far the wall is felt
     Real touching; ///< distance at which a particle rests on a skin
     Real friction;
@@ -142,7 +153,8 @@ struct MeetYarns {
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         NearestSkin skin = nearest_skin(textile, x, reach);
-        if (skin.segment >= 0 && skin.distance < touching) {
+        try_vessel(vessel, x, skin);
+        if (skin.segment != no_wall && skin.distance < touching) {
             const Real approach = dot(v, skin.normal);
             if (approach < 0) {
                 v -= approach * skin.normal;

@@ -8,11 +8,17 @@
 
 namespace hygroloom {
 
+/// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
+constexpr Real kept_pressure = Real(0.5);
+
 struct LiquidParameters {
     Real density = 0;             ///< kg/m3, at rest
     Real kinematic_viscosity = 0; ///< m2/s
     Real surface_tension = 0;     ///< N/m
     Real gravity = 0;             ///< m/s2, downwards
+    SurfaceEnergy surface;
+    Vessel vessel;
+    Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
 };
 
 /// Where no particle is. Lists are filled up with a place that stands there.
@@ -66,6 +72,8 @@ struct Reorder {
     const Vec3* wall_normal;
     const Real* wall_distance;
     const int* wall_segment;
+    const Quad* place;
+    const Real* stress;
     const std::int64_t* content;
     const int* key;
     int dead_key;
@@ -79,8 +87,11 @@ struct Reorder {
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
+        if (stress) to.stress[i] = stress[from];
         to.alive[i] = key[i] != dead_key;
-        to.place[i] = to.alive[i] ? Quad{position[from].x, position[from].y, position[from].z, 0} : far_away();
+        const Vec3 &x = position[from], &v = velocity[from];
+        to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
+        to.motion[i] = {v.x, v.y, v.z, 0};
         to.predicted[i] = to.place[i];
     }
 };
@@ -91,80 +102,149 @@ struct FindNeighbours {
     CellGrid g;
     static constexpr bool wide = true;
 
+    /// How many were found within the support and beyond it.
+    struct Found {
+        int near, distant;
+    };
     HL_FN void operator()(int i) const
     {
         const Vec3 x = p.position[i];
-        const int cx = g.cell_x(x.x), cy = g.cell_y(x.y), cz = g.cell_z(x.z);
+        const Real reach = p.reach;
+        const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
+        const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
+        const int z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
         int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        int found = 0;
-        for (int z = cz > 0 ? cz - 1 : 0; z <= cz + 1 && z < g.nz; ++z)
-            for (int y = cy > 0 ? cy - 1 : 0; y <= cy + 1 && y < g.ny; ++y) {
-                const int row = (z * g.ny + y) * g.nx;
-                const int last = cx + 1 < g.nx ? cx + 1 : g.nx - 1;
-                // Cells along x lie side by side, and so do their particles.
-                found = append(i, x, g.start[row + (cx > 0 ? cx - 1 : 0)], g.start[row + last + 1], slots, found);
+        Found found{0, 0};
+        for (int z = z0; z <= z1; ++z)
+            for (int y = y0; y <= y1; ++y) {
+                const int row = (z * g.ny + y) * g.nx; // cells along x lie side by side, and so do their particles
+                append(i, x, g.start[row + x0], g.start[row + x1 + 1], slots, found);
             }
-        p.neighbour_count[i] = found;
-        for (; found % lanes != 0; ++found) slots[found] = p.count;
+        p.near_count[i] = found.near;
+        p.distant_count[i] = found.distant;
+        for (; found.near % lanes != 0; ++found.near) slots[found.near] = p.count;
+        for (; found.distant % lanes != 0; ++found.distant) slots[largest_neighbour_count - 1 - found.distant] = p.count;
     }
-    HL_FN int append(int i, const Vec3& x, int first, int end, int* slots, int found) const
+    HL_FN void append(int i, const Vec3& x, int first, int end, int* slots, Found& found) const
     {
-        const Real reach = p.support * p.support;
-        for (int j = first; j < end && found <= largest_neighbour_count - lanes; j += lanes) {
+        constexpr int room = largest_neighbour_count - 3 * lanes; // for a pack more and for what both ends are filled up with
+        const Real within = p.support * p.support, reach = p.reach * p.reach;
+        for (int j = first; j < end; j += lanes) {
+            if (found.near + found.distant > room) found.distant = found.distant > lanes ? found.distant - lanes : 0; // the near ones count
+            if (found.near > room) return;
             const Quads other = load(p.place + j);
             const Pack dx = x.x - other.x, dy = x.y - other.y, dz = x.z - other.z;
             const Pack distance2 = dx * dx + dy * dy + dz * dz;
             for (int l = 0; l < lanes; ++l) {
-                slots[found] = j + l; // stays if it is one
-                found += lane_of(distance2, l) < reach && j + l != i && j + l < end;
+                const Real d2 = lane_of(distance2, l);
+                const bool other_one = j + l != i && j + l < end;
+                slots[found.near] = j + l; // stays if it is one
+                found.near += d2 < within && other_one;
+                slots[largest_neighbour_count - 1 - found.distant] = j + l;
+                found.distant += d2 >= within && d2 < reach && other_one;
             }
         }
-        return found;
     }
 };
 
-/// Calls add(x, y, z, w) with one pack of neighbours after the other: the vectors from them to i, and what else stands there.
-template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const Quad* at, const F& add)
+/// Calls visit(slots) with one pack after the other of the neighbours of i within the support.
+template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
     const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-    const Quad own = at[i];
-    const int count = p.neighbour_count[i];
-    for (int k = 0; k < count; k += lanes) {
-        const Quads other = gather(at, slots + k);
-        add(own.x - other.x, own.y - other.y, own.z - other.z, other.w);
-    }
+    const int count = p.near_count[i];
+    for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
-/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: surface tension
-/// comes from a pair force (Tartakovsky and Panchenko 2016) in place of eq. 5, whose cohesion presses a drop a hundred times harder
-/// than its surface tension does; a wall attracts with the potential whose depth is the work of adhesion.
+/// The same with the other neighbours of i, up to the reach.
+template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int i, const F& visit)
+{
+    const int* end = p.neighbours + (static_cast<std::int64_t>(i) + 1) * largest_neighbour_count;
+    const int count = p.distant_count[i];
+    for (int k = 0; k < count; k += lanes) visit(end - k - lanes);
+}
+
+using Packs = Vec3T<Pack>;
+HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
+HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
+
+/// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
+/// that follow.
+struct FindSurface {
+    Particles p;
+    LiquidParameters liquid;
+    static constexpr bool wide = true;
+
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Quad own = p.place[i];
+        Pack kernels{};
+        Packs slopes{};
+        const auto add = [&](const int* slots) {
+            const Packs d = between(own, gather(p.place, slots));
+            const Pack r = root(dot(d, d));
+            kernels += spline_kernel(r, p.reach);
+            slopes += spline_gradient_factor(r, p.reach) * d;
+        };
+        for_neighbours(p, i, add);
+        for_distant_neighbours(p, i, add);
+        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels));
+        Vec3 slope = volume * sum_of(slopes);
+        if (p.at_wall(i)) {
+            share += kernel_beyond_plane(p.wall_distance[i], p.reach);
+            slope -= kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
+        }
+        const Vec3 tilt = liquid.surface.tilt(slope);
+        p.surface[i] = {tilt.x, tilt.y, tilt.z, liquid.surface.pull(share)};
+    }
+};
+
+/// Surface force of a pack of neighbours on a particle, over the square of their volume.
+HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Quad& place, const int* slots)
+{
+    const Quads theirs = gather(p.surface, slots);
+    return surface_force<Pack>(own.w + theirs.w, between(own, theirs), between(place, gather(p.place, slots)), p.reach);
+}
+
+/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: eq. 5's cohesion
+/// presses a drop a hundred times harder than its surface tension does. A wall counts as liquid, so that it attracts with what its work
+/// of adhesion is over the surface tension, or repels.
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
     Yarns yarns;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
         const Real volume = p.mass / liquid.density;
-        const Vec3 x = p.position[i], v = p.velocity[i];
         const Real smallest = Real(0.01) * p.support * p.support;
-        const Real cohesion = pair_cohesion(liquid.surface_tension, p.spacing, p.support) / p.mass;
-        Vec3 a{0, 0, -liquid.gravity};
-        const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        for (int k = 0; k < p.neighbour_count[i]; ++k) {
-            const int j = slots[k];
-            const Vec3 d = x - p.position[j];
-            const Real r2 = dot(d, d);
-            const Real r = std::sqrt(r2);
-            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest) *
-                              spline_gradient_factor(r, p.support);
-            const Real push = r > 0 ? cohesion * pair_force_shape(r, p.support) / r : Real(0);
-            a += (drag + push) * d;
+        const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
+        Pack kernels{};
+        Packs drag{}, cohesion{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Packs d = between(place, gather(p.place, slots));
+            const Pack r2 = dot(d, d), r = root(r2);
+            kernels += spline_kernel(r, p.support);
+            drag += dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * spline_gradient_factor(r, p.support) * d;
+            cohesion += surface_forces(p, surface, place, slots);
+        });
+        for_distant_neighbours(p, i, [&](const int* slots) { cohesion += surface_forces(p, surface, place, slots); });
+        Vec3 a = Real(10) * liquid.kinematic_viscosity * volume * sum_of(drag) + (volume / liquid.density) * sum_of(cohesion);
+        a.z -= liquid.gravity;
+        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) - liquid.density;
+        if (p.at_wall(i)) {
+            const Real distance = p.wall_distance[i];
+            excess += liquid.density * kernel_beyond_plane(distance, p.support);
+            const Real adhesion =
+                p.wall_segment[i] >= 0 ? static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion) : liquid.vessel.adhesion;
+            const Real push =
+                surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
+                (distance > 0 ? wall_pull(adhesion - liquid.surface_tension, distance, p.support) : Real(0));
+            a += (push / liquid.density) * p.wall_normal[i];
         }
-        if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
-            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
-                 p.wall_normal[i];
         p.force[i] = a;
-        p.pressure_force[i] = Vec3{};
+        p.allowed[i] = excess > 0 ? liquid.kept_excess * excess : Real(0);
     }
 };
 
@@ -179,7 +259,9 @@ struct PredictPosition {
     }
 };
 
-/// Density at the predicted places raises the pressure; errors are summed in millionths so that the sum has no order.
+/// Density at the predicted places raises the pressure. What is new in a step is corrected in it; what was there before, over the
+/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Errors are summed in
+/// millionths so that the sum has no order.
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
@@ -189,15 +271,24 @@ struct CorrectPressure {
 
     HL_FN void operator()(int i) const
     {
-        Pack sum{};
-        for_neighbours(p, i, p.predicted,
-                       [&](Pack x, Pack y, Pack z, Pack) { sum += spline_kernel(root(x * x + y * y + z * z), p.support); });
-        const Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(sum)) - liquid.density;
-        p.place[i].w = positive(p.place[i].w + stiffness * excess);
+        const Quad own = p.predicted[i];
+        Pack kernels{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Packs d = between(own, gather(p.predicted, slots));
+            kernels += spline_kernel(root(dot(d, d)), p.support);
+        });
+        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels));
+        if (p.at_wall(i)) {
+            const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
+            density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support);
+        }
+        const Real excess = density - liquid.density;
+        p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
         if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
     }
 };
 
+/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
 struct FindPressureForce {
     Particles p;
     LiquidParameters liquid;
@@ -205,16 +296,41 @@ struct FindPressureForce {
 
     HL_FN void operator()(int i) const
     {
-        const Real own = p.place[i].w;
-        Pack ax{}, ay{}, az{};
-        for_neighbours(p, i, p.place, [&](Pack x, Pack y, Pack z, Pack pressure) {
-            const Pack push = (own + pressure) * spline_gradient_factor(root(x * x + y * y + z * z), p.support);
-            ax += push * x;
-            ay += push * y;
-            az += push * z;
+        const Quad own = p.place[i];
+        Packs push{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.place, slots);
+            const Packs d = between(own, others);
+            push += (own.w + others.w) * spline_gradient_factor(root(dot(d, d)), p.support) * d;
         });
-        const Real scale = -p.mass / (liquid.density * liquid.density);
-        p.pressure_force[i] = {scale * sum_of(ax), scale * sum_of(ay), scale * sum_of(az)};
+        Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push);
+        if (p.at_wall(i)) a += (Real(2) * own.w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+        p.pressure_force[i] = a;
+    }
+};
+
+/// Pressure as a gauge would show it: the virial of surface and pressure forces between particles (Irving and Kirkwood 1950), half of
+/// each pair's to each.
+struct FindStress {
+    Particles p;
+    LiquidParameters liquid;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Quad own = p.place[i], surface = p.surface[i];
+        Pack sum{};
+        const auto add_surface = [&](const int* slots) {
+            sum += dot(surface_forces(p, surface, own, slots), between(own, gather(p.place, slots)));
+        };
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.place, slots);
+            const Packs d = between(own, others);
+            const Pack r2 = dot(d, d);
+            sum -= (own.w + others.w) * spline_gradient_factor(root(r2), p.support) * r2;
+            add_surface(slots);
+        });
+        for_distant_neighbours(p, i, add_surface);
+        p.stress[i] = volume * sum_of(sum) / Real(6);
     }
 };
 
@@ -226,6 +342,7 @@ struct MoveParticles {
     {
         p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += dt * p.velocity[i];
+        p.place[i].w *= kept_pressure;
         union {
             float speed;
             int bits;
