@@ -72,9 +72,6 @@ HL_FN Real kernel_in_plane(Real distance, Real support)
 }
 
 /// Slope of kernel_in_plane() with distance, 1/m2.
-HL_FN Real kernel_in_plane_slope(Real distance, Real support)
-{
-    return -Real(2.0 * pi) * distance * spline_kernel(distance, support);
-}
+HL_FN Real kernel_in_plane_slope(Real distance, Real support) { return -Real(2.0 * pi) * distance * spline_kernel(distance, support); }
 
 } // namespace hygroloom

@@ -57,8 +57,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
 
     std::size_t capacity = standing;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &tilt_, &sorted_position_, &sorted_velocity_,
-                    &sorted_normal_})
+    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &tilt_, &sorted_position_,
+                    &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
     for (auto* b : {&pressure_, &sorted_pressure_, &allowed_, &pull_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
@@ -105,8 +105,8 @@ template <typename Executor> void Solver<Executor>::load_particles()
     wall_normal_.write_range(0, std::vector<Vec3>(n));
     wall_distance_.write_range(0, std::vector<Real>(n, reach_of_surface_));
     wall_segment_.write_range(0, std::vector<int>(n, no_wall));
-    content_.write_range(0, std::vector<std::int64_t>(
-                                n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
+    content_.write_range(
+        0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
     alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
     pressure_.write_range(0, std::vector<Real>(n, 0));
     count_ = static_cast<int>(n);
@@ -168,8 +168,8 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.pressure = sorted_pressure_.data();
     to.stress = sorted_stress_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                                     wall_segment_.data(), pressure_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(), key_.data(),
-                                     grid_.cells(), to});
+                                     wall_segment_.data(), pressure_.data(), scene_.shows_pressure ? stress_.data() : nullptr,
+                                     content_.data(), key_.data(), grid_.cells(), to});
     position_.swap(sorted_position_);
     velocity_.swap(sorted_velocity_);
     wall_normal_.swap(sorted_normal_);
@@ -209,8 +209,9 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real touching = Real(0.5) * spacing_;
     const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching, friction_coefficient, 1 / (1 + step * drag_rate),
-                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
+    each_particle("meet yarns",
+                  MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching, friction_coefficient,
+                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
     give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;

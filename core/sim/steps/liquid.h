@@ -204,7 +204,8 @@ struct PredictPosition {
 };
 
 /// Density at the predicted places raises the pressure. What is new in a step is corrected in it; what was there before, over the
-/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Errors are summed in millionths so that the sum has no order.
+/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Errors are summed in
+/// millionths so that the sum has no order.
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
@@ -217,8 +218,7 @@ struct CorrectPressure {
         for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(x - p.predicted[j]), p.support); });
         Real density = p.mass * sum;
         if (p.at_wall(i))
-            density += liquid.density *
-                       kernel_beyond_plane(p.wall_distance[i] + dot(x - p.position[i], p.wall_normal[i]), p.support);
+            density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(x - p.position[i], p.wall_normal[i]), p.support);
         const Real excess = density - liquid.density;
         const Real pressure = p.pressure[i] + stiffness * (excess - p.allowed[i]);
         p.pressure[i] = pressure > 0 ? pressure : Real(0);
