@@ -156,13 +156,15 @@ struct MeetYarns {
         try_vessel(vessel, x, skin);
         if (skin.segment != no_wall && skin.distance < touching) {
             const Real approach = dot(v, skin.normal);
-            if (approach < 0) {
-                v -= approach * skin.normal;
-                const Real slide = length(v);
-                const Real held = -friction * approach;
-                v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
+            if (approach < 0) v -= approach * skin.normal;
+            if (skin.segment != vessel_wall) { // a vessel is smooth and lets the liquid slip
+                if (approach < 0) {
+                    const Real slide = length(v);
+                    const Real held = -friction * approach;
+                    v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
+                }
+                v = film_drag * v;
             }
-            v = film_drag * v;
             x += (touching - skin.distance) * skin.normal;
             skin.distance = touching;
         }
