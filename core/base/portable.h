@@ -6,8 +6,10 @@
 
 #ifdef __CUDACC__
 #define HL_FN __host__ __device__ inline
+#define HL_LANES 1
 #else
 #define HL_FN inline
+#define HL_LANES 8
 #endif
 
 namespace hygroloom {

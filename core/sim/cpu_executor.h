@@ -48,14 +48,10 @@ public:
     template <typename Stage> void for_each(const char*, int count, const Stage& stage)
     {
         constexpr int grain = 64;
-        if (count <= grain) {
-            for (int i = 0; i < count; ++i) stage(i);
-            return;
-        }
+        if (count <= grain) return run_range(stage, 0, count);
         arena_->execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& range) {
-                for (int i = range.begin(); i < range.end(); ++i) stage(i);
-            });
+            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain),
+                              [&](const tbb::blocked_range<int>& range) { run_range(stage, range.begin(), range.end()); });
         });
     }
 
@@ -75,6 +71,25 @@ public:
     }
 
 private:
+    template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
+    {
+#ifdef __x86_64__
+        // Stages that work on packs say so; they run twice as fast with whole packs in a register, to the same last bit.
+        if constexpr (requires { Stage::wide; }) {
+            static const bool has_wide = __builtin_cpu_supports("avx2");
+            if (has_wide) return run_wide(stage, begin, end);
+        }
+#endif
+        for (int i = begin; i < end; ++i) stage(i);
+    }
+#ifdef __x86_64__
+    template <typename Stage>
+    __attribute__((target("avx2"), flatten, noinline)) static void run_wide(const Stage& stage, int begin, int end)
+    {
+        for (int i = begin; i < end; ++i) stage(i);
+    }
+#endif
+
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
     std::vector<int> places_, sorted_;
 };

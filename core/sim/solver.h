@@ -147,6 +147,7 @@ private:
     void exchange(double dt);
     void step_liquid(double dt);
     void give_to_segments(double dt);
+    void fit_grid();
     void sort_particles();
     void correct_pressure(Real dt);
     void choose_liquid_step();
@@ -198,9 +199,10 @@ private:
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
     double stiffness_ = 0; ///< delta x dt2
     double capillary_dt_ = 0;
-    Buffer<Vec3> position_, velocity_, predicted_, force_, pressure_force_, wall_normal_;
+    Buffer<Quad> place_, predicted_;
+    Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
-    Buffer<Real> pressure_, wall_distance_, sorted_distance_;
+    Buffer<Real> wall_distance_, sorted_distance_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> sums_; ///< density error, dripped quanta
@@ -208,6 +210,7 @@ private:
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
     Buffer<int> maxima_;          ///< fastest, largest change of saturation
     CellGrid grid_;
+    Buffer<int> box_; ///< see FindBox
 };
 
 } // namespace hygroloom

@@ -4,6 +4,8 @@
 
 #include "core/sim/solver.h"
 
+#include <limits>
+
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
@@ -11,7 +13,7 @@ constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, pe
 constexpr double grain_viscosity = 0.03;         // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
-constexpr double most_cells = 2e5;               // of the grid that finds neighbours
+constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
@@ -52,10 +54,14 @@ template <typename Executor> void Solver<Executor>::load_liquid()
 
     std::size_t capacity = 0;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&position_, &velocity_, &predicted_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_,
-                    &sorted_normal_})
+    for (auto* b : {&place_, &predicted_}) {
+        b->resize(capacity + lanes); // whole packs are read
+        b->fill(far_away());
+    }
+    for (auto* b :
+         {&position_, &velocity_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
-    for (auto* b : {&pressure_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     neighbours_.resize(capacity * largest_neighbour_count);
@@ -63,17 +69,14 @@ template <typename Executor> void Solver<Executor>::load_liquid()
 
     const double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
     const double lowest = -scene_.half_thickness - drip_distance;
-    // Cells of one support, or wider where a small drop falls on a large sample: they are gone through at every step.
-    const double depth = highest - lowest;
-    const double widest = std::cbrt(width * height * depth / most_cells);
-    const double size = std::max({static_cast<double>(support_), widest, std::max({width, height, depth}) / 1000.0});
+    const double size = std::max(static_cast<double>(support_), std::max({width, height, highest - lowest}) * 1e-5);
     grid_.size = static_cast<Real>(size);
     grid_.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
     const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
-    grid_.nx = cells(width);
-    grid_.ny = cells(height);
-    grid_.nz = cells(depth);
-    cell_start_.resize(static_cast<std::size_t>(grid_.cells()) + 2);
+    grid_.whole_x = cells(width);
+    grid_.whole_y = cells(height);
+    grid_.whole_z = cells(highest - lowest);
+    box_.resize(6);
 }
 
 /// Where particles are that no yarn has taken up; the last step's dead are still among the count.
@@ -128,8 +131,32 @@ template <typename Executor> void Solver<Executor>::release_droplets()
     }
 }
 
+/// The grid's box about the particles there are; wider cells where they lie so far apart that going through the cells would cost more.
+template <typename Executor> void Solver<Executor>::fit_grid()
+{
+    constexpr int nothing = std::numeric_limits<int>::min();
+    box_.fill(nothing);
+    each_particle("find box", FindBox{particle_views(), grid(), box_.data()});
+    const std::vector<int> box = box_.download();
+    const auto lowest = [&](int axis) { return box[static_cast<std::size_t>(axis)] == nothing ? 0 : -box[static_cast<std::size_t>(axis)]; };
+    const auto highest = [&](int axis) { return std::max(0, box[static_cast<std::size_t>(axis) + 3]); };
+    const auto cells = [&](int axis) { return std::int64_t((highest(axis) >> grid_.shift) - (lowest(axis) >> grid_.shift) + 1); };
+    const std::int64_t most = std::max(most_cells, 2 * count_);
+    grid_.shift = 0;
+    while (cells(0) * cells(1) * cells(2) > most) ++grid_.shift;
+    grid_.first_x = lowest(0) >> grid_.shift;
+    grid_.first_y = lowest(1) >> grid_.shift;
+    grid_.first_z = lowest(2) >> grid_.shift;
+    grid_.nx = static_cast<int>(cells(0));
+    grid_.ny = static_cast<int>(cells(1));
+    grid_.nz = static_cast<int>(cells(2));
+    if (const auto needed = static_cast<std::size_t>(grid_.cells()) + 2; cell_start_.size() < needed)
+        cell_start_.resize(needed + needed / 2);
+}
+
 template <typename Executor> void Solver<Executor>::sort_particles()
 {
+    fit_grid();
     each_particle("find cell", FindCell{particle_views(), grid()});
     exec_.sort_by_key(key_, order_, count_, grid_.cells());
     Particles to = particle_views();
@@ -218,13 +245,13 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.spacing = spacing_;
     p.position = position_.data();
     p.velocity = velocity_.data();
+    p.place = place_.data();
     p.predicted = predicted_.data();
     p.force = force_.data();
     p.pressure_force = pressure_force_.data();
     p.wall_normal = wall_normal_.data();
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
-    p.pressure = pressure_.data();
     p.content = content_.data();
     p.alive = alive_.data();
     p.neighbours = neighbours_.data();

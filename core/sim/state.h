@@ -2,6 +2,7 @@
 // Views of a running scene's arrays: pointers and counts, on whichever machine holds them. A stage is a functor over such views.
 #pragma once
 
+#include "core/base/lanes.h"
 #include "core/sim/scene.h"
 
 namespace hygroloom {
@@ -132,34 +133,42 @@ struct Particles {
     Real spacing = 0; ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
-    Vec3* predicted = nullptr;
+    Quad* place = nullptr;           ///< position and pressure (Pa), as neighbours read them; one more at the end that is far from all
+    Quad* predicted = nullptr;       ///< position at the step's end, so far; one more at the end
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
     Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
     Real* wall_distance = nullptr;   ///< to its skin
     int* wall_segment = nullptr;     ///< or -1
-    Real* pressure = nullptr;        ///< Pa
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    int* neighbours = nullptr; ///< largest_neighbour_count slots each
+    int* neighbours = nullptr; ///< largest_neighbour_count slots each, filled up to whole packs with the one that is far away
     int* neighbour_count = nullptr;
 };
 
 constexpr int largest_neighbour_count = 96;
 
-/// Cells of one kernel support, for finding neighbours.
+/// Cells of one kernel support, for finding neighbours: a box of them about the particles. What is outside the whole space that liquid may
+/// be in counts to its border.
 struct CellGrid {
-    Vec3 origin;
+    Vec3 origin; ///< of the whole space
     Real size = 0;
-    int nx = 0, ny = 0, nz = 0;
-    int* key = nullptr;   ///< per particle
-    int* start = nullptr; ///< per cell, first particle; count of cells + 1
+    int whole_x = 0, whole_y = 0, whole_z = 0; ///< cells of the whole space
+    int shift = 0;                             ///< cells are 2^shift times as wide, where particles lie far apart
+    int first_x = 0, first_y = 0, first_z = 0; ///< of the box
+    int nx = 0, ny = 0, nz = 0;                ///< its cells
+    int* key = nullptr;                        ///< per particle
+    int* start = nullptr;                      ///< per cell, first particle; count of cells + 1
 
     HL_FN int cells() const { return nx * ny * nz; }
-    HL_FN int clamped(Real value, int count) const { return value < 0 ? 0 : value >= Real(count) ? count - 1 : static_cast<int>(value); }
-    HL_FN int cell_x(Real x) const { return clamped((x - origin.x) / size, nx); }
-    HL_FN int cell_y(Real y) const { return clamped((y - origin.y) / size, ny); }
-    HL_FN int cell_z(Real z) const { return clamped((z - origin.z) / size, nz); }
+    HL_FN int whole(Real distance, int count) const
+    {
+        const Real cell = distance / size;
+        return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0;
+    }
+    HL_FN int cell_x(Real x) const { return (whole(x - origin.x, whole_x) >> shift) - first_x; }
+    HL_FN int cell_y(Real y) const { return (whole(y - origin.y, whole_y) >> shift) - first_y; }
+    HL_FN int cell_z(Real z) const { return (whole(z - origin.z, whole_z) >> shift) - first_z; }
 };
 
 } // namespace hygroloom

@@ -225,6 +225,7 @@ std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
     // From the exact profile of an earlier time, once the centre is no longer over-full.
     const double full_until = std::pow(std::pow(exact.constant(), 1.0 / exact.p), exact.p + 1) * (exact.p + 1) / exact.d0;
     const double start = std::max(time / 16, 1.01 * full_until);
+    if (time <= start) throw Error(fmt::format("time_s: The spot's middle is more than full until {:.4g} s; give more.", start));
     scene.initial_liquid.resize(static_cast<std::size_t>(scene.segments()));
     const auto radius_of = [&](int end, int pick) { return pitch * std::hypot(end - cells / 2, pick - cells / 2); };
     const double capacity = scene.climate.density * scene.yarns[0].pore_area * pitch;

@@ -258,6 +258,9 @@ private Q_SLOTS:
         QTest::newRow("nan") << "washburn"
                              << "radius_um"
                              << "nan";
+        QTest::newRow("a spot more than full") << "barenblatt"
+                                               << "time_s"
+                                               << "0.01";
         QTest::newRow("no such material") << "regain"
                                           << "material"
                                           << "steel";

@@ -97,8 +97,15 @@ Design thick_and_thin()
 class TestLiquid : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void neighboursAreThoseABruteSearchFinds_data()
+    {
+        QTest::addColumn<int>("shift");
+        QTest::newRow("cells of a support") << 0;
+        QTest::newRow("cells twice as wide") << 1;
+    }
     void neighboursAreThoseABruteSearchFinds()
     {
+        QFETCH(int, shift);
         constexpr int n = 500;
         std::vector<Vec3> x;
         for (int i = 0; i < n; ++i)
@@ -106,7 +113,9 @@ private Q_SLOTS:
                          Real(random_uniform(1, 2, std::uint64_t(i)))});
         CellGrid grid;
         grid.size = Real(0.2);
-        grid.nx = grid.ny = grid.nz = 5;
+        grid.whole_x = grid.whole_y = grid.whole_z = 5;
+        grid.shift = shift;
+        grid.nx = grid.ny = grid.nz = (4 >> shift) + 1;
         CpuExecutor exec;
         CpuExecutor::Buffer<int> key, order;
         key.resize(n);
@@ -125,6 +134,9 @@ private Q_SLOTS:
         std::vector<Vec3> sorted;
         for (int i = 0; i < n; ++i) sorted.push_back(x[static_cast<std::size_t>(order.read(static_cast<std::size_t>(i)))]);
         p.position = sorted.data();
+        std::vector<Quad> places(n + lanes, far_away());
+        for (std::size_t i = 0; i < n; ++i) places[i] = {sorted[i].x, sorted[i].y, sorted[i].z, 0};
+        p.place = places.data();
         exec.for_each("starts", n + 1, FindCellStarts{grid, n});
         std::vector<int> neighbours(n * largest_neighbour_count), counts(n);
         p.neighbours = neighbours.data();
@@ -137,6 +149,7 @@ private Q_SLOTS:
                 expected += j != i && dot(d, d) < p.support * p.support;
             }
             QCOMPARE(counts[static_cast<std::size_t>(i)], expected);
+            for (int k = expected; k % lanes != 0; ++k) QCOMPARE(neighbours[static_cast<std::size_t>(i * largest_neighbour_count + k)], n);
         }
     }
     void aDropInTheAirFallsWithoutDrifting()

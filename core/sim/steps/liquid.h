@@ -15,6 +15,9 @@ struct LiquidParameters {
     Real gravity = 0;             ///< m/s2, downwards
 };
 
+/// Where no particle is. Lists are filled up with a place that stands there.
+HL_FN Quad far_away() { return {Real(1e6), Real(1e6), Real(1e6), 0}; }
+
 struct FindCell {
     Particles p;
     CellGrid g;
@@ -37,7 +40,25 @@ struct FindCellStarts {
     }
 };
 
-/// Brings particles into cell order.
+/// The cells between which particles are, as maxima: of minus x, y and z, and of x, y and z.
+struct FindBox {
+    Particles p;
+    CellGrid g;
+    int* box;
+    HL_FN void operator()(int i) const
+    {
+        if (!p.alive[i]) return;
+        const Vec3& x = p.position[i];
+        const int cell[3] = {g.whole(x.x - g.origin.x, g.whole_x), g.whole(x.y - g.origin.y, g.whole_y),
+                             g.whole(x.z - g.origin.z, g.whole_z)};
+        for (int k = 0; k < 3; ++k) {
+            atomic_max(box + k, -cell[k]);
+            atomic_max(box + 3 + k, cell[k]);
+        }
+    }
+};
+
+/// Brings particles into cell order. What lies behind the living is far away from then on.
 struct Reorder {
     const int* order;
     const Vec3* position;
@@ -59,16 +80,20 @@ struct Reorder {
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
         to.alive[i] = key[i] != dead_key;
+        to.place[i] = to.alive[i] ? Quad{position[from].x, position[from].y, position[from].z, 0} : far_away();
+        to.predicted[i] = to.place[i];
     }
 };
 
+/// Lists the neighbours of each particle; particles are in the order of cells.
 struct FindNeighbours {
     Particles p;
     CellGrid g;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
         const Vec3 x = p.position[i];
-        const Real reach = p.support * p.support;
         const int cx = g.cell_x(x.x), cy = g.cell_y(x.y), cz = g.cell_z(x.z);
         int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
         int found = 0;
@@ -77,20 +102,37 @@ struct FindNeighbours {
                 const int row = (z * g.ny + y) * g.nx;
                 const int last = cx + 1 < g.nx ? cx + 1 : g.nx - 1;
                 // Cells along x lie side by side, and so do their particles.
-                for (int j = g.start[row + (cx > 0 ? cx - 1 : 0)]; j < g.start[row + last + 1]; ++j) {
-                    const Vec3 d = x - p.position[j];
-                    if (j != i && dot(d, d) < reach && found < largest_neighbour_count) slots[found++] = j;
-                }
+                found = append(i, x, g.start[row + (cx > 0 ? cx - 1 : 0)], g.start[row + last + 1], slots, found);
             }
         p.neighbour_count[i] = found;
+        for (; found % lanes != 0; ++found) slots[found] = p.count;
+    }
+    HL_FN int append(int i, const Vec3& x, int first, int end, int* slots, int found) const
+    {
+        const Real reach = p.support * p.support;
+        for (int j = first; j < end && found <= largest_neighbour_count - lanes; j += lanes) {
+            const Quads other = load(p.place + j);
+            const Pack dx = x.x - other.x, dy = x.y - other.y, dz = x.z - other.z;
+            const Pack distance2 = dx * dx + dy * dy + dz * dz;
+            for (int l = 0; l < lanes; ++l) {
+                slots[found] = j + l; // stays if it is one
+                found += lane_of(distance2, l) < reach && j + l != i && j + l < end;
+            }
+        }
+        return found;
     }
 };
 
-/// Runs a sum over the neighbours of i.
-template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& add)
+/// Calls add(x, y, z, w) with one pack of neighbours after the other: the vectors from them to i, and what else stands there.
+template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const Quad* at, const F& add)
 {
     const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-    for (int k = 0; k < p.neighbour_count[i]; ++k) add(slots[k]);
+    const Quad own = at[i];
+    const int count = p.neighbour_count[i];
+    for (int k = 0; k < count; k += lanes) {
+        const Quads other = gather(at, slots + k);
+        add(own.x - other.x, own.y - other.y, own.z - other.z, other.w);
+    }
 }
 
 /// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: surface tension
@@ -107,7 +149,9 @@ struct FindForces {
         const Real smallest = Real(0.01) * p.support * p.support;
         const Real cohesion = pair_cohesion(liquid.surface_tension, p.spacing, p.support) / p.mass;
         Vec3 a{0, 0, -liquid.gravity};
-        for_neighbours(p, i, [&](int j) {
+        const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
+        for (int k = 0; k < p.neighbour_count[i]; ++k) {
+            const int j = slots[k];
             const Vec3 d = x - p.position[j];
             const Real r2 = dot(d, d);
             const Real r = std::sqrt(r2);
@@ -115,12 +159,11 @@ struct FindForces {
                               spline_gradient_factor(r, p.support);
             const Real push = r > 0 ? cohesion * pair_force_shape(r, p.support) / r : Real(0);
             a += (drag + push) * d;
-        });
+        }
         if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
             a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
                  p.wall_normal[i];
         p.force[i] = a;
-        p.pressure[i] = 0;
         p.pressure_force[i] = Vec3{};
     }
 };
@@ -131,7 +174,8 @@ struct PredictPosition {
     HL_FN void operator()(int i) const
     {
         const Vec3 v = p.velocity[i] + dt * (p.force[i] + p.pressure_force[i]);
-        p.predicted[i] = p.position[i] + dt * v;
+        const Vec3 x = p.position[i] + dt * v;
+        p.predicted[i] = {x.x, x.y, x.z, 0};
     }
 };
 
@@ -141,13 +185,15 @@ struct CorrectPressure {
     LiquidParameters liquid;
     Real stiffness;          ///< Pa per kg/m3, delta of the method
     std::int64_t* error_sum; ///< millionths of the rest density
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
-        Real sum = spline_kernel(0, p.support);
-        for_neighbours(p, i, [&](int j) { sum += spline_kernel(length(p.predicted[i] - p.predicted[j]), p.support); });
-        const Real excess = p.mass * sum - liquid.density;
-        const Real pressure = p.pressure[i] + stiffness * excess;
-        p.pressure[i] = pressure > 0 ? pressure : Real(0);
+        Pack sum{};
+        for_neighbours(p, i, p.predicted,
+                       [&](Pack x, Pack y, Pack z, Pack) { sum += spline_kernel(root(x * x + y * y + z * z), p.support); });
+        const Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(sum)) - liquid.density;
+        p.place[i].w = positive(p.place[i].w + stiffness * excess);
         if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
     }
 };
@@ -155,15 +201,20 @@ struct CorrectPressure {
 struct FindPressureForce {
     Particles p;
     LiquidParameters liquid;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
-        const Real scale = p.mass / (liquid.density * liquid.density);
-        Vec3 a;
-        for_neighbours(p, i, [&](int j) {
-            const Vec3 d = p.position[i] - p.position[j];
-            a += (scale * (p.pressure[i] + p.pressure[j]) * spline_gradient_factor(length(d), p.support)) * d;
+        const Real own = p.place[i].w;
+        Pack ax{}, ay{}, az{};
+        for_neighbours(p, i, p.place, [&](Pack x, Pack y, Pack z, Pack pressure) {
+            const Pack push = (own + pressure) * spline_gradient_factor(root(x * x + y * y + z * z), p.support);
+            ax += push * x;
+            ay += push * y;
+            az += push * z;
         });
-        p.pressure_force[i] = -a;
+        const Real scale = -p.mass / (liquid.density * liquid.density);
+        p.pressure_force[i] = {scale * sum_of(ax), scale * sum_of(ay), scale * sum_of(az)};
     }
 };
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a step of the free liquid costs: a drop in the air, and the same drop lying on textile F of the paper.
+#include "core/project/project_file.h"
+#include "core/sim/cpu_executor.h"
+#include "core/sim/solver.h"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr double drop_volume_ul = 15;
+
+Scene drop_scene(int particles, double height_mm)
+{
+    Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
+    design.fabrics[0].contact_angle_deg = 120; // nothing is drunk: the number of particles stays
+    Experiment experiment = standard_experiment(ExperimentType::droplet);
+    experiment.sample_mm = {20, 20};
+    experiment.droplets[0].volume_ul = drop_volume_ul;
+    experiment.droplets[0].height_mm = height_mm;
+    design.experiments = {experiment};
+    const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::reference);
+    Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
+    scene.particles_per_droplet = particles;
+    scene.sorption = scene.vapour = scene.heat = false;
+    return scene;
+}
+
+/// Arguments: particles, fall in mm (a short one has the drop on the cloth after the warm-up), threads.
+void liquid_step(benchmark::State& state)
+{
+    Solver<CpuExecutor> solver;
+    solver.executor().set_threads(static_cast<int>(state.range(2)));
+    solver.load(drop_scene(static_cast<int>(state.range(0)), static_cast<double>(state.range(1))));
+    const bool lies = state.range(1) < 5;
+    double time = lies ? solver.advance(0.03, 1e9) : 0;
+    constexpr double burst = 1e-4; // s
+    for (auto _ : state) {
+        const long before = solver.liquid_steps();
+        const auto start = std::chrono::steady_clock::now();
+        time = solver.advance(time + burst, 1e9);
+        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        state.SetIterationTime(wall / static_cast<double>(std::max(1L, solver.liquid_steps() - before)));
+    }
+    state.counters["s/particle"] = benchmark::Counter(static_cast<double>(state.range(0)),
+                                                      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(liquid_step)
+    ->ArgNames({"particles", "fall_mm", "threads"})
+    ->Args({1000, 10, 0})
+    ->Args({8000, 10, 0})
+    ->Args({8000, 10, 1})
+    ->Args({64000, 10, 0})
+    ->Args({8000, 0, 0})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
