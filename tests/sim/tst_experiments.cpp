@@ -167,12 +167,12 @@ private Q_SLOTS:
         Design design = small(ExperimentType::moisture_management);
         Experiment& experiment = design.experiments[0];
         experiment.sample_mm = {16, 16};
-        experiment.volume_ul = 6;
+        experiment.volume_ul = 3;
         const Result pool = run(design);
         experiment.drop_ul = 1;
         const Result drops = run(design);
         const double density = scene_of(design).climate.density;
-        QVERIFY2(std::abs(drops.metrics.ledger.water_delivered / (6e-9 * density) - 1) < 1e-12,
+        QVERIFY2(std::abs(drops.metrics.ledger.water_delivered / (3e-9 * density) - 1) < 1e-12,
                  qPrintable(QString::number(drops.metrics.ledger.water_delivered)));
         std::size_t most = 0;
         for (const Frame& frame : drops.frames) {
@@ -195,7 +195,7 @@ private Q_SLOTS:
     {
         Design design = drop_design(120, 1.5); // it stays where it falls
         Experiment& experiment = design.experiments[0];
-        experiment.droplets = {{2, 0, {0, 0}, 0, 0}, {2, 0.5, {0, 0}, 0, 0}, {2, 1, {0.2, 0}, 0, 0}};
+        experiment.droplets = {{8, 0, {0, 0}, 0, 0}, {8, 0.5, {0, 0}, 0, 0}, {8, 1, {0.2, 0}, 0, 0}};
         const Scene scene = scene_of(design);
         const double spacing = std::cbrt(scene.droplets[0].volume / scene.particles_per_droplet);
         Solver<CpuExecutor> solver;

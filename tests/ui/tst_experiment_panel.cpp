@@ -87,7 +87,10 @@ private Q_SLOTS:
         document_->history()->undo();
         QCOMPARE(text(), before);
         QCOMPARE(drops->value().value(), 0.0);
-        document_->edit("drops", {}, [](Design& d) { d.experiments[1].drop_ul = 2; });
+        document_->edit("drops", {}, [](Design& d) {
+            d.experiments[1].volume_ul = 200;
+            d.experiments[1].drop_ul = 2;
+        });
         QVERIFY(field("Drops")->accessibleDescription().contains("of 3.125 ul or more"));
     }
 
