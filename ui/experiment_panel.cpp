@@ -203,6 +203,9 @@ void ExperimentPanel::addTypes()
     group({Type::moisture_management});
     form_->addQuantity(Quantity::time(0.01, 86400), fixedField(tr("Feed"), tr("time of the feed"), "feed_s",
         [](const Experiment& e) { return std::optional(e.feed_s); }, [](Experiment& e, double v) { e.feed_s = v; }, tr("How long the pump runs.")));
+    form_->addQuantity(Quantity::volume(0, 1000), fixedField(tr("Drops"), tr("volume of the feed's drops"), "drop_ul",
+        [](const Experiment& e) { return std::optional(e.drop_ul); }, [](Experiment& e, double v) { e.drop_ul = v; },
+        tr("The feed falls on the cloth in drops of this volume, at most 64 of them, evenly in time. 0: one pool that the yarns drink from.")));
     group({Type::vertical_wicking});
     direction_ = new QComboBox;
     direction_->addItems({tr("Along the warp"), tr("Along the weft")});

@@ -214,6 +214,8 @@ LiquidSurface liquid_surface(const Frame& frame)
     smooth(surface);
     smooth(surface);
     add_normals(surface);
+    surface.particle_radius = static_cast<float>(std::cbrt(3 / (4 * pi)) * spacing);
+    surface.centres = std::move(centres);
     return surface;
 }
 

@@ -19,6 +19,8 @@ struct LiquidSurface {
     };
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<QVector3D> centres; ///< of the particles within
+    float particle_radius = 0;      ///< of a ball as large as a particle
 };
 
 /// Empty for a frame without free liquid. The skin lies most of a particle's spacing outside the outermost centres:

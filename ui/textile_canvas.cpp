@@ -135,6 +135,12 @@ void TextileCanvas::setLiquid(LiquidSurface surface)
     redraw(moving_);
 }
 
+void TextileCanvas::setParticlesShown(bool shown)
+{
+    particles_shown_ = shown;
+    redraw(moving_);
+}
+
 void TextileCanvas::setCaption(const PictureCaption& caption)
 {
     if (caption != caption_) {
@@ -290,6 +296,7 @@ void TextileCanvas::drawScene()
     QElapsedTimer timer;
     timer.start();
     renderer_.setMarked(selected_);
+    renderer_.setParticlesShown(particles_shown_);
     renderer_.draw(view, scene_.batches(), pixels, colors());
     if (settled) {
         context()->functions()->glFinish();

@@ -65,6 +65,8 @@ public:
     /// Values of the whole's segments.
     void setWater(std::vector<float> values, double maximum);
     void setLiquid(LiquidSurface surface);
+    /// Particles of free liquid instead of a skin round them.
+    void setParticlesShown(bool shown);
     void setCaption(const PictureCaption& caption);
     void setWaterColors(WaterColors colors);
     /// Crossing of the repeat that is pointed at elsewhere; negative for none.
@@ -149,6 +151,7 @@ private:
     bool water_changed_ = false;
     LiquidSurface liquid_;
     bool liquid_changed_ = false;
+    bool particles_shown_ = false;
     PictureCaption caption_;
     WaterColors water_colors_ = WaterColors::blue;
     QPoint highlight_{-1, -1};

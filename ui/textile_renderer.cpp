@@ -33,6 +33,16 @@ QByteArray textOf(const QString& name)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// Kept where the first three times a point are at most the fourth.
+QVector4D cutOf(const SceneView& view)
+{
+    if (!view.cut) {
+        return {0, 0, 0, 1};
+    }
+    const auto& n = view.cut->normal;
+    return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), static_cast<float>(mm_from_metre(view.cut->offset))};
+}
+
 const void* at(std::size_t offset)
 {
     return reinterpret_cast<const void*>(offset);
@@ -71,7 +81,7 @@ bool TextileRenderer::initialize()
             return false;
         }
     }
-    if (!load(drops_, "drop", false) || !load(blend_, "blend", false)) {
+    if (!load(drops_, "drop", false) || !load(balls_, "ball", false) || !load(blend_, "blend", false)) {
         return false;
     }
     unsigned textures[4];
@@ -117,6 +127,18 @@ bool TextileRenderer::initialize()
     gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
     gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(LiquidSurface::Vertex, normal)));
     drop_array_.release();
+
+    ball_array_.create();
+    ball_centres_.create();
+    ball_array_.bind();
+    gl_->glEnableVertexAttribArray(0);
+    gl_->glEnableVertexAttribArray(1);
+    flat_vertices_.bind();
+    gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    ball_centres_.bind();
+    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(QVector3D), nullptr);
+    gl_->glVertexAttribDivisor(1, 1);
+    ball_array_.release();
     return true;
 }
 
@@ -125,10 +147,10 @@ void TextileRenderer::release()
     meshes_.clear();
     mesh_bytes_ = 0;
     fabric_.reset();
-    for (QOpenGLVertexArrayObject* array : {&flat_array_, &drop_array_}) {
+    for (QOpenGLVertexArrayObject* array : {&flat_array_, &drop_array_, &ball_array_}) {
         array->destroy();
     }
-    for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_, &drop_vertices_, &drop_indices_}) {
+    for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_, &drop_vertices_, &drop_indices_, &ball_centres_}) {
         buffer->destroy();
     }
     ramp_.reset();
@@ -140,7 +162,7 @@ void TextileRenderer::release()
         gl_->glDeleteTextures(4, textures);
         water_ = 0;
     }
-    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_, &blend_}) {
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_, &balls_, &blend_}) {
         program->removeAllShaders();
     }
 }
@@ -303,6 +325,13 @@ void TextileRenderer::setLiquid(const LiquidSurface& surface)
         drop_indices_.allocate(surface.indices.data(), static_cast<int>(surface.indices.size() * sizeof(std::uint32_t)));
         drop_array_.release();
     }
+    ball_count_ = static_cast<int>(surface.centres.size());
+    ball_radius_ = surface.particle_radius;
+    if (ball_count_ > 0) {
+        ball_centres_.bind();
+        ball_centres_.allocate(surface.centres.data(), static_cast<int>(surface.centres.size() * sizeof(QVector3D)));
+        ball_centres_.release();
+    }
 }
 
 void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors)
@@ -319,8 +348,10 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     } else {
         drawFabric(view, batches, colors, {});
     }
-    if (drop_index_count_ > 0) {
-        drawLiquid(view, colors);
+    if (particles_shown_ && ball_count_ > 0) {
+        drawParticles(view, colors);
+    } else if (!particles_shown_ && drop_index_count_ > 0) {
+        drawSkin(view, colors);
     }
     gl_->glDisable(GL_DEPTH_TEST);
 }
@@ -407,12 +438,7 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("belt", QVector3D(static_cast<float>(one), static_cast<float>(belt_pixels[0]), static_cast<float>(belt_pixels[1])));
     program.setUniformValue("fibre_belt",
                             QVector3D(static_cast<float>(one), static_cast<float>(fibre_belt_pixels[0]), static_cast<float>(fibre_belt_pixels[1])));
-    QVector4D cut(0, 0, 0, 1);
-    if (view.cut) {
-        const Vec3d& n = view.cut->normal;
-        cut = QVector4D(static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), static_cast<float>(mm_from_metre(view.cut->offset)));
-    }
-    program.setUniformValue("cut", cut);
+    program.setUniformValue("cut", cutOf(view));
 }
 
 void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
@@ -497,14 +523,23 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
     gl_->glUseProgram(0);
 }
 
-void TextileRenderer::drawLiquid(const SceneView& view, const PictureColors& colors)
+void TextileRenderer::prepareLiquid(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
 {
-    drops_.bind();
-    drops_.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
-    drops_.setUniformValue("eye", view.camera.eye());
-    drops_.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
+    program.bind();
+    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    program.setUniformValue("eye", view.camera.eye());
+    program.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
+    program.setUniformValue("cut", cutOf(view));
+    gl_->glEnable(GL_CLIP_DISTANCE0);
+}
+
+void TextileRenderer::drawSkin(const SceneView& view, const PictureColors& colors)
+{
+    prepareLiquid(drops_, view, colors);
     drop_array_.bind();
-    gl_->glEnable(GL_CULL_FACE);
+    if (!view.cut) { // the inside is seen where the drop is cut
+        gl_->glEnable(GL_CULL_FACE);
+    }
     // Depth first, so that only the nearest skin shows and the drop reads as one body.
     gl_->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_->glDrawElements(GL_TRIANGLES, drop_index_count_, GL_UNSIGNED_INT, nullptr);
@@ -516,8 +551,24 @@ void TextileRenderer::drawLiquid(const SceneView& view, const PictureColors& col
     gl_->glDisable(GL_BLEND);
     gl_->glDepthMask(GL_TRUE);
     gl_->glDisable(GL_CULL_FACE);
+    gl_->glDisable(GL_CLIP_DISTANCE0);
     drop_array_.release();
     drops_.release();
+}
+
+void TextileRenderer::drawParticles(const SceneView& view, const PictureColors& colors)
+{
+    prepareLiquid(balls_, view, colors);
+    balls_.setUniformValue("radius", ball_radius_);
+    ball_array_.bind();
+    gl_->glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE); // smooth edges without an order of drawing
+    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ball_count_);
+    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_->glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    gl_->glDisable(GL_CLIP_DISTANCE0);
+    ball_array_.release();
+    balls_.release();
 }
 
 void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view)

@@ -56,6 +56,8 @@ public:
     /// Values of the whole's segments; empty for a dry fabric.
     void setWater(const std::vector<float>& values, double maximum);
     void setLiquid(const LiquidSurface& surface);
+    /// Whether free liquid is drawn as its particles instead of a skin round them.
+    void setParticlesShown(bool shown) { particles_shown_ = shown; }
     void setMarked(const YarnNumber& yarn) { marked_ = yarn; }
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
@@ -77,7 +79,10 @@ private:
     void drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, std::optional<CellRole> belt);
     /// Draws the fabric twice, and one picture over the other.
     void blendBelt(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
-    void drawLiquid(const SceneView& view, const PictureColors& colors);
+    /// The uniforms that skin and particles have in common.
+    void prepareLiquid(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
+    void drawSkin(const SceneView& view, const PictureColors& colors);
+    void drawParticles(const SceneView& view, const PictureColors& colors);
     void dropUnused();
 
     QOpenGLFunctions_3_3_Core* gl_ = nullptr;
@@ -89,6 +94,7 @@ private:
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram drops_;
+    QOpenGLShaderProgram balls_;
     QOpenGLShaderProgram blend_;
     std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
@@ -108,6 +114,11 @@ private:
     QOpenGLBuffer drop_vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer drop_indices_{QOpenGLBuffer::IndexBuffer};
     int drop_index_count_ = 0;
+    QOpenGLVertexArrayObject ball_array_;
+    QOpenGLBuffer ball_centres_{QOpenGLBuffer::VertexBuffer};
+    int ball_count_ = 0;
+    float ball_radius_ = 0;
+    bool particles_shown_ = false;
 };
 
 /// Makes all meshes that the picture would like to have, however long that takes, and ends all fading. Needs the renderer's context.

@@ -128,6 +128,15 @@ void ViewBar::buildViews()
         c.setParallel(parallel_->isChecked());
     });
     parallel_->setCheckable(true);
+    particles_ = addKeyed(tr("Pa&rticles"), Qt::Key_P, tr("Show the particles of free liquid instead of its surface."), [this](TextileCanvas& c) {
+        QSettings().setValue("view/particles", particles_->isChecked());
+        c.setParticlesShown(particles_->isChecked());
+    });
+    particles_->setCheckable(true);
+    particles_->setChecked(QSettings().value("view/particles", false).toBool());
+    if (canvas_) {
+        canvas_->setParticlesShown(particles_->isChecked());
+    }
     swatches_ = choices(tr("S&watch"), "view/swatch", {tr("5 mm"), tr("2 cm"), tr("5 cm"), tr("10 cm")}, first_swatch,
                         [this](int i) { viewport_.setSwatch(i); });
     navigation_ = choices(tr("&Mouse"), "view/mouse", {tr("Hygroloom: left turns, middle moves"), tr("Blender: middle turns, Shift and middle moves"),
@@ -139,6 +148,7 @@ void ViewBar::buildViews()
                           });
     addWidget(menuButton(tr("View"), tr("Where the fabric is looked at from"), views_));
     addAction(parallel_);
+    addAction(particles_);
     addWidget(menuButton(tr("Swatch"), tr("Size of the swatch that is shown"), swatches_));
 }
 
@@ -267,6 +277,7 @@ void ViewBar::fillMenu(QMenu* menu)
     menu->addAction(fit_);
     menu->addMenu(views_);
     menu->addAction(parallel_);
+    menu->addAction(particles_);
     menu->addMenu(swatches_);
     menu->addMenu(sections_);
     menu->addAction(measure_);

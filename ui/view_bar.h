@@ -43,6 +43,7 @@ private:
     std::vector<std::pair<int, QAction*>> keys_;
     QAction* fit_ = nullptr;
     QAction* parallel_ = nullptr;
+    QAction* particles_ = nullptr;
     QAction* measure_ = nullptr;
     QMenu* views_ = nullptr;
     QMenu* swatches_ = nullptr;

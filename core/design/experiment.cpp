@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/experiment.h"
 
+#include <cmath>
+
 namespace hygroloom {
 
 const char* name_of(ExperimentType type)
@@ -65,6 +67,17 @@ std::array<double, 2> sample_extent_mm(const Experiment& experiment)
     const auto [across, along] = experiment.sample_mm;
     if (experiment.type == ExperimentType::vertical_wicking && experiment.along_weft) return {along, across};
     return {across, along};
+}
+
+std::vector<Droplet> falling_drops(const Experiment& experiment)
+{
+    if (experiment.type == ExperimentType::droplet) return experiment.droplets;
+    if (experiment.type != ExperimentType::moisture_management || !(experiment.drop_ul > 0)) return {};
+    const double count = std::ceil(experiment.volume_ul / experiment.drop_ul * (1 - 1e-12)); // 0.3 / 0.1 is three
+    std::vector<Droplet> drops(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < drops.size(); ++i)
+        drops[i] = {experiment.volume_ul / count, static_cast<double>(i) * experiment.feed_s / count};
+    return drops;
 }
 
 Climate climate_at(const Experiment& experiment, double time_s)

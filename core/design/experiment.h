@@ -68,6 +68,7 @@ struct Experiment {
     std::vector<Droplet> droplets{Droplet{}};
     double volume_ul = 200;          ///< moisture_management, horizontal_wicking
     double feed_s = 20;              ///< moisture_management: how long the pump runs
+    double drop_ul = 0;              ///< moisture_management: volume of the drops that the feed falls in; 0: a pool that yarns drink from
     bool along_weft = false;         ///< vertical_wicking: the strip's long side
     double immersion_mm = 10;        ///< vertical_wicking: depth of the strip's end in the liquid
     double initial_water_g_m2 = 100; ///< drying
@@ -82,6 +83,12 @@ Experiment standard_experiment(ExperimentType type);
 
 /// Along the weft and along the warp, whichever way a strip is cut.
 std::array<double, 2> sample_extent_mm(const Experiment& experiment);
+
+/// The most drops that one experiment may have.
+constexpr int most_droplets = 64;
+
+/// All drops that fall, of whichever type: those of droplet, or the feed of moisture_management in equal drops, evenly in time.
+std::vector<Droplet> falling_drops(const Experiment& experiment);
 
 Climate climate_at(const Experiment& experiment, double time_s);
 

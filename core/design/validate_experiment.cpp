@@ -8,7 +8,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr std::size_t most_droplets = 64;
 constexpr std::size_t most_climates = 1000;
 
 double drop_radius_mm(const Droplet& drop) { return std::cbrt(3 * drop.volume_ul / (4 * pi)); }
@@ -66,7 +65,7 @@ void validate_droplets(const Experiment& experiment, const std::string& where, I
     const int before = list.errors();
     if (experiment.droplets.empty())
         list.add(Severity::warning, "no_droplet", where + ".droplets", "The experiment has no droplet; nothing will get wet.");
-    if (experiment.droplets.size() > most_droplets) {
+    if (experiment.droplets.size() > static_cast<std::size_t>(most_droplets)) {
         list.error("range", where + ".droplets",
                    fmt::format("At most {} droplets are allowed; given are {}.", most_droplets, experiment.droplets.size()));
         return;
@@ -74,6 +73,22 @@ void validate_droplets(const Experiment& experiment, const std::string& where, I
     for (std::size_t i = 0; i < experiment.droplets.size(); ++i)
         validate_droplet(experiment, experiment.droplets[i], fmt::format("{}.droplets[{}]", where, i), list);
     if (list.errors() == before) validate_overlaps(experiment, where, list);
+}
+
+void validate_feed(const Experiment& e, const std::string& where, IssueList& list)
+{
+    list.range(where + ".feed_s", "time the pump runs", e.feed_s, 0.01, 86400, "s");
+    if (e.drop_ul == 0) return;
+    constexpr double smallest = 0.5, largest = 1000;
+    if (!list.range(where + ".drop_ul", "volume of the feed's drops, if it falls in drops,", e.drop_ul, smallest, largest, "ul")) return;
+    if (e.drop_ul > e.volume_ul)
+        list.error("drop_too_large", where + ".drop_ul",
+                   fmt::format("The feed's drops of {} ul hold more than the whole feed of {} ul; make them smaller or the feed larger.",
+                               e.drop_ul, e.volume_ul));
+    else if (e.volume_ul > most_droplets * e.drop_ul)
+        list.error("too_many_drops", where + ".drop_ul",
+                   fmt::format("A feed of {} ul may fall in at most {} drops, of {} ul or more; given are drops of {} ul.", e.volume_ul,
+                               most_droplets, e.volume_ul / most_droplets, e.drop_ul));
 }
 
 void validate_climate(const Climate& climate, const std::string& where, IssueList& list)
@@ -111,9 +126,7 @@ void validate_type(const Experiment& e, const std::string& where, IssueList& lis
 {
     switch (e.type) {
     case ExperimentType::droplet: validate_droplets(e, where, list); break;
-    case ExperimentType::moisture_management:
-        list.range(where + ".feed_s", "time the pump runs", e.feed_s, 0.01, 86400, "s");
-        [[fallthrough]];
+    case ExperimentType::moisture_management: validate_feed(e, where, list); [[fallthrough]];
     case ExperimentType::horizontal_wicking: list.range(where + ".volume_ul", "volume of liquid", e.volume_ul, 1e-3, 1e5, "ul"); break;
     case ExperimentType::vertical_wicking:
         if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) break;

@@ -344,7 +344,10 @@ Experiment read_experiment(const ProjectJson& value, const std::string& file, co
     object.read("duration_s", experiment.duration_s);
     switch (experiment.type) {
     case ExperimentType::droplet: read_droplets(object, experiment); break;
-    case ExperimentType::moisture_management: object.read("feed_s", experiment.feed_s); [[fallthrough]];
+    case ExperimentType::moisture_management:
+        object.read("feed_s", experiment.feed_s);
+        object.read("drop_ul", experiment.drop_ul);
+        [[fallthrough]];
     case ExperimentType::horizontal_wicking: object.read("volume_ul", experiment.volume_ul); break;
     case ExperimentType::vertical_wicking:
         experiment.along_weft = choice_in(object, "direction", "weft", "warp", experiment.along_weft);

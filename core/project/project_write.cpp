@@ -164,7 +164,10 @@ ProjectJson write_experiment(const Experiment& experiment)
     json["duration_s"] = experiment.duration_s;
     switch (experiment.type) {
     case ExperimentType::droplet: json["droplets"] = write_droplets(experiment); break;
-    case ExperimentType::moisture_management: json["feed_s"] = experiment.feed_s; [[fallthrough]];
+    case ExperimentType::moisture_management:
+        json["feed_s"] = experiment.feed_s;
+        if (experiment.drop_ul != 0) json["drop_ul"] = experiment.drop_ul;
+        [[fallthrough]];
     case ExperimentType::horizontal_wicking: json["volume_ul"] = experiment.volume_ul; break;
     case ExperimentType::vertical_wicking:
         json["direction"] = experiment.along_weft ? "weft" : "warp";

@@ -74,7 +74,7 @@ private:
     template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
     {
 #ifdef __x86_64__
-        // Stages that work on packs say so; they run twice as fast with whole packs in a register, to the same last bit.
+        // Stages that work on packs say so; they run several times as fast with whole packs in a register, to the same last bit.
         if constexpr (requires { Stage::wide; }) {
             static const bool has_wide = __builtin_cpu_supports("avx2");
             if (has_wide) return run_wide(stage, begin, end);

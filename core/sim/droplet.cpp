@@ -28,6 +28,15 @@ std::vector<Vec3d> droplet_lattice(int count, double spacing)
     return places;
 }
 
+double height_clear_of(std::span<const Vec3> particles, const Vec3d& centre, double radius, double spacing)
+{
+    double height = centre.z;
+    for (const Vec3& p : particles)
+        if (std::hypot(static_cast<double>(p.x) - centre.x, static_cast<double>(p.y) - centre.y) <= radius + spacing)
+            height = std::max(height, static_cast<double>(p.z) + spacing + radius);
+    return height;
+}
+
 double pressure_stiffness(double spacing, double support)
 {
     Vec3d sum;

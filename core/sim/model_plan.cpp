@@ -52,6 +52,7 @@ struct Bounds {
     double temperature_rise = 0;    // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
     double finest = 0;              // m, height of the thinnest yarn
+    std::size_t drops = 0;          // that fall
     bool wicks = false;
 };
 
@@ -85,7 +86,7 @@ double delivered_water(const Experiment& experiment, double sample, double capac
     double volume = 0;
     switch (experiment.type) {
     case ExperimentType::droplet:
-        for (const Droplet& d : experiment.droplets) volume += cubic_metre_from_ul(d.volume_ul);
+        for (const Droplet& d : falling_drops(experiment)) volume += cubic_metre_from_ul(d.volume_ul);
         return volume * density;
     case ExperimentType::moisture_management:
     case ExperimentType::horizontal_wicking: return cubic_metre_from_ul(experiment.volume_ul) * density;
@@ -101,6 +102,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
 {
     Bounds b;
     b.finest = textile.thickness;
+    b.drops = falling_drops(experiment).size();
     const Climate air = hardest_climate(experiment);
     const double temperature = kelvin_from_celsius(air.temperature_c);
     const double humidity = air.relative_humidity;
@@ -169,8 +171,7 @@ int particles_for(const Level& level, const Experiment& experiment, const Bounds
 {
     const double finest = 0.1 * b.finest;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const double volume =
-        b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, b.drops));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
 }
 
@@ -192,11 +193,14 @@ std::string supply_in_words(const Experiment& experiment, const Bounds& b)
 {
     switch (experiment.type) {
     case ExperimentType::droplet:
-        if (experiment.droplets.empty()) return "No drop falls in this experiment.";
-        return fmt::format("{} {:.4g} mg.",
-                           experiment.droplets.size() == 1 ? "One drop brings" : fmt::format("{} drops bring", experiment.droplets.size()),
-                           1e6 * b.delivered);
+        if (b.drops == 0) return "No drop falls in this experiment.";
+        return fmt::format("{} {:.4g} mg.", b.drops == 1 ? "One drop brings" : fmt::format("{} drops bring", b.drops), 1e6 * b.delivered);
     case ExperimentType::moisture_management:
+        if (b.drops > 0)
+            return fmt::format("{} of {:.4g} ul {} {:.4g} mg in {:.4g} s.", b.drops == 1 ? "One drop" : fmt::format("{} drops", b.drops),
+                               experiment.volume_ul / static_cast<double>(b.drops), b.drops == 1 ? "brings" : "bring", 1e6 * b.delivered,
+                               experiment.feed_s);
+        [[fallthrough]];
     case ExperimentType::horizontal_wicking:
         return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * b.delivered);
     case ExperimentType::vertical_wicking: return "The strip hangs in the liquid; no drop falls.";
@@ -209,9 +213,9 @@ std::string supply_in_words(const Experiment& experiment, const Bounds& b)
 
 void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
 {
-    const bool drops = experiment.type == ExperimentType::droplet;
+    const bool drops = experiment.type == ExperimentType::droplet || b.drops > 0;
     const bool conditioning = experiment.type == ExperimentType::conditioning;
-    plan.parts.push_back(decide("liquid", drops && !experiment.droplets.empty(), supply_in_words(experiment, b), forced));
+    plan.parts.push_back(decide("liquid", b.drops > 0, supply_in_words(experiment, b), forced));
     const bool wet = drops ? plan.parts.back().on : b.delivered > 0;
     plan.parts.push_back(decide("wicking", wet && b.wicks,
                                 !wet      ? "No liquid comes to the yarns."
@@ -284,12 +288,12 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and network step.
     constexpr double particle_step = 1.5e-6, segment_step = 0.7e-6;
     constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
-    const double drops = static_cast<double>(std::max<std::size_t>(1, experiment.droplets.size()));
+    const double drops = static_cast<double>(std::max<std::size_t>(1, b.drops));
     const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
     const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
     const double liquid_step =
         0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
-    const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(experiment.droplets.size());
+    const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(b.drops);
     const double rests =
         std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
     const double resting_steps = plan.burst_steps > 0 ? rests / plan.network_step_limit * plan.burst_steps : rests / liquid_step;

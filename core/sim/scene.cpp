@@ -216,7 +216,7 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
 std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
 {
     std::vector<SceneDroplet> droplets;
-    for (const Droplet& d : experiment.droplets) {
+    for (const Droplet& d : falling_drops(experiment)) {
         SceneDroplet drop;
         drop.time = d.time_s;
         drop.volume = cubic_metre_from_ul(d.volume_ul);
@@ -289,11 +289,12 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 {
     const double volume = cubic_metre_from_ul(experiment.volume_ul);
     constexpr double pouring = 5; // s, to dispense the liquid of a horizontal test
+    if (plan.on("liquid")) scene.droplets = make_droplets(textile, experiment);
     switch (experiment.type) {
-    case ExperimentType::droplet:
-        if (plan.on("liquid")) scene.droplets = make_droplets(textile, experiment);
+    case ExperimentType::droplet: break;
+    case ExperimentType::moisture_management:
+        if (experiment.drop_ul == 0) scene.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
         break;
-    case ExperimentType::moisture_management: scene.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true}); break;
     case ExperimentType::horizontal_wicking: scene.pools.push_back({0, pouring, volume / pouring, true}); break;
     case ExperimentType::vertical_wicking: hang_in_liquid(scene, textile, experiment); break;
     case ExperimentType::drying: wet_evenly(scene, 1e-3 * experiment.initial_water_g_m2); break;

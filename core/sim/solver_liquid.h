@@ -114,13 +114,28 @@ template <typename Executor> void Solver<Executor>::load_particles()
     liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
 }
 
+/// Where particles are that no yarn has taken up; the last step's dead are still among the count.
+template <typename Places, typename Flags> std::vector<Vec3> living_particles(const Places& position, const Flags& alive, int count)
+{
+    std::vector<Vec3> living;
+    if (count == 0) return living;
+    const std::vector<Vec3> places = position.download();
+    const std::vector<std::uint8_t> lives = alive.download();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        if (lives[i]) living.push_back(places[i]);
+    return living;
+}
+
 template <typename Executor> void Solver<Executor>::release_droplets()
 {
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
-        const SceneDroplet& drop = scene_.droplets[next_droplet_++];
+        SceneDroplet drop = scene_.droplets[next_droplet_++];
+        if (count_ == 0) begin_anew();
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
+        const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
+        drop.centre.z = height_clear_of(living_particles(position_, alive_, count_), drop.centre, radius, static_cast<double>(spacing_));
         std::vector<Vec3> x;
         for (const Vec3d& place : places) {
             const Vec3d p = drop.centre + place;
@@ -142,7 +157,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
-        const double fall = drop.centre.z - std::cbrt(drop.volume * 3.0 / (4.0 * pi)) - scene_.half_thickness;
+        const double fall = drop.centre.z - radius - scene_.half_thickness;
         const double landed =
             (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
         const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);

@@ -6,8 +6,8 @@ out vec4 color;
 
 void main()
 {
-    vec3 n = normalize(facing);
     vec3 to_eye = normalize(eye - at);
+    vec3 n = normalize(gl_FrontFacing ? facing : -facing); // the inside is seen where a section opens the drop
     float across = max(dot(n, to_eye), 0.0);
     float side = eye.z >= 0.0 ? 1.0 : -1.0;
     vec3 lamp = normalize(vec3(-0.35, 0.3, 0.9 * side) + 0.5 * to_eye);

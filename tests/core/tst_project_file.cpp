@@ -86,6 +86,7 @@ Design rich()
     }
     design.experiments[1].volume_ul = 150.5;
     design.experiments[1].feed_s = 10;
+    design.experiments[1].drop_ul = 7.5;
     design.experiments[2].along_weft = true;
     design.experiments[2].immersion_mm = 3;
     design.experiments[3].volume_ul = 1234;
@@ -150,6 +151,21 @@ private Q_SLOTS:
         QVERIFY(refusal("\"time_s\": 9, ", "").contains("climate[1]: The key \"time_s\" is missing"));
         QVERIFY(refusal("{\"temperature_c\": 30}", "{\"time_s\": 1}").contains("begins at 0 s; given is 1"));
         QVERIFY(refusal("{\"temperature_c\": 30}, ", "").contains("begins at 0 s"));
+    }
+    void aFeedMayFallInDrops()
+    {
+        Design design;
+        design.experiments = {standard_experiment(ExperimentType::moisture_management)};
+        design.experiments[0].name = "feed";
+        QVERIFY(!has(format_project(design), "drop_ul")); // a pool needs no word
+        design.experiments[0].drop_ul = 12.5;
+        const std::string text = format_project(design);
+        QVERIFY(has(text, "\"drop_ul\": 12.5"));
+        QVERIFY(parse_project(text, "text") == design);
+        for (const char* wrong : {"\"12.5\"", "null", "[12.5]", "true"})
+            QVERIFY2(has(message_of([&] { parse_project(replaced(text, "12.5", wrong), "text"); }), "experiments[0].drop_ul"), wrong);
+        const std::string droplet = replaced(text, "moisture_management", "horizontal_wicking");
+        QVERIFY(has(message_of([&] { parse_project(replaced(droplet, "\"feed_s\": 20.0,", ""), "text"); }), "drop_ul")); // not of this type
     }
     void theSchemaNamesEveryKey()
     {

@@ -55,6 +55,32 @@ Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const Forc
     return result;
 }
 
+/// Of a design's scene at draft; the plan's decisions as they come.
+Scene scene_of(const Design& design)
+{
+    const Experiment& experiment = design.experiments[0];
+    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {});
+    return build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+}
+
+/// Between any two particles of which one at least lies above a height, m.
+double closest_pair_above(double height, const std::vector<std::array<float, 3>>& places)
+{
+    double closest = 1;
+    for (const auto& above : places) {
+        if (static_cast<double>(above[2]) <= height) continue;
+        for (const auto& other : places) {
+            double squared = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double apart = static_cast<double>(above[axis] - other[axis]);
+                squared += apart * apart;
+            }
+            if (&above != &other) closest = std::min(closest, std::sqrt(squared));
+        }
+    }
+    return closest;
+}
+
 double moved_water(const Ledger& l) { return l.water_delivered + l.water_initial + std::abs(l.water_evaporated) + l.water_bound; }
 double moved_heat(const Ledger& l)
 {
@@ -134,6 +160,62 @@ private Q_SLOTS:
             QVERIFY(m.ledger.water_free < 1e-9 * m.ledger.water_delivered);
             QVERIFY(m.maximum_wetted_radius_top > 1e-3);
             QCOMPARE(m.management.has_value(), type == ExperimentType::moisture_management);
+        }
+    }
+    void aFeedThatFallsInDropsWetsAsFarAsAPool()
+    {
+        Design design = small(ExperimentType::moisture_management);
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = {16, 16};
+        experiment.volume_ul = 3;
+        const Result pool = run(design);
+        experiment.drop_ul = 1;
+        const Result drops = run(design);
+        const double density = scene_of(design).climate.density;
+        QVERIFY2(std::abs(drops.metrics.ledger.water_delivered / (3e-9 * density) - 1) < 1e-12,
+                 qPrintable(QString::number(drops.metrics.ledger.water_delivered)));
+        std::size_t most = 0;
+        for (const Frame& frame : drops.frames) {
+            const double imbalance = std::abs(frame.ledger.water_imbalance());
+            QVERIFY2(imbalance <= 1e-9 * moved_water(frame.ledger), qPrintable(QString("%1 at %2").arg(imbalance).arg(frame.time)));
+            most = std::max(most, frame.positions.size());
+        }
+        qInfo("free at most %zu particles; at the end %.3g of %.3g mg free", most, 1e6 * drops.metrics.ledger.water_free,
+              1e6 * drops.metrics.ledger.water_delivered);
+        QVERIFY(drops.metrics.ledger.water_free < 1e-3 * drops.metrics.ledger.water_delivered);
+        QVERIFY(drops.metrics.management);
+        for (bool top : {true, false}) {
+            const auto& radius = top ? &Series::radius_top : &Series::radius_bottom;
+            const double fallen = (drops.metrics.series.*radius).back(), stood = (pool.metrics.series.*radius).back();
+            qInfo("%s: %.4g mm by drops, %.4g mm by a pool", top ? "top" : "bottom", 1e3 * fallen, 1e3 * stood);
+            QVERIFY2(stood > 1e-3 && std::abs(fallen / stood - 1) < 0.1, qPrintable(QString("%1 %2").arg(fallen).arg(stood)));
+        }
+    }
+    void dropsAreReleasedClearOfWhatStandsThere()
+    {
+        Design design = drop_design(120, 1.5); // it stays where it falls
+        Experiment& experiment = design.experiments[0];
+        experiment.droplets = {{8, 0, {0, 0}, 0, 0}, {8, 0.5, {0, 0}, 0, 0}, {8, 1, {0.2, 0}, 0, 0}};
+        const Scene scene = scene_of(design);
+        const double spacing = std::cbrt(scene.droplets[0].volume / scene.particles_per_droplet);
+        Solver<CpuExecutor> solver;
+        solver.executor().set_threads(2);
+        solver.load(scene);
+        for (std::size_t drop = 0; drop < 3; ++drop) {
+            double highest = 0;
+            solver.advance(experiment.droplets[drop].time_s, 1e9);
+            const Frame before = solver.frame();
+            for (const auto& place : before.positions) highest = std::max(highest, static_cast<double>(place[2]));
+            solver.advance(experiment.duration_s, 0.0); // one step
+            const Frame frame = solver.frame();
+            QCOMPARE(frame.positions.size(), before.positions.size() + static_cast<std::size_t>(scene.particles_per_droplet));
+            const auto fresh = std::count_if(frame.positions.begin(), frame.positions.end(),
+                                             [&](const auto& place) { return static_cast<double>(place[2]) > highest + 0.5 * spacing; });
+            if (drop > 0) QCOMPARE(fresh, static_cast<std::ptrdiff_t>(scene.particles_per_droplet)); // all of it over all that stood there
+            const double closest = closest_pair_above(drop > 0 ? highest + 0.5 * spacing : 0, frame.positions);
+            qInfo("drop %zu at %.4f s: closest pair with one of its particles %.3f spacings", drop, frame.time, closest / spacing);
+            QVERIFY2(closest > 0.5 * spacing, qPrintable(QString::number(closest / spacing)));
+            QVERIFY(std::abs(frame.ledger.water_imbalance()) <= 1e-9 * moved_water(frame.ledger));
         }
     }
     void sweatComesAtItsRate()

@@ -150,6 +150,44 @@ private Q_SLOTS:
         QVERIFY(!plan_of(design).on("liquid"));
         QVERIFY(!plan_of(design).on("wicking"));
     }
+    void aFeedMayFallInDrops()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        design.experiments[0].sample_mm = {8, 8};
+        const ModelPlan pool = plan_of(design);
+        QVERIFY(!pool.on("liquid"));
+        QCOMPARE(pool.particles_per_droplet, 0);
+        design.experiments[0].drop_ul = 10;
+        const ModelPlan drops = plan_of(design);
+        QVERIFY(drops.on("liquid") && drops.on("wicking"));
+        const std::string& reason = drops.parts[0].reason;
+        QVERIFY2(reason.starts_with("20 drops of 10 ul bring "), reason.c_str());
+        QVERIFY2(std::abs(number_after(reason, "bring") / (200 * find_liquid(design, "saline")->density_kg_m3 * 1e-3) - 1) < 1e-3,
+                 reason.c_str());
+        QCOMPARE(drops.particles_per_droplet, 2000);
+        QVERIFY(drops.expected_seconds > pool.expected_seconds);
+        QVERIFY(drops.expected_bytes - pool.expected_bytes > 20.0 * 2000 * 200); // all 40 000 particles
+        design.experiments[0].drop_ul = 200;
+        QVERIFY(plan_of(design).parts[0].reason.starts_with("One drop of 200 ul brings "));
+        QVERIFY(!plan_of(design, Fidelity::draft, {{"liquid", false}}).on("wicking")); // nothing else wets it
+    }
+    void aFeedIsCutIntoEqualDrops()
+    {
+        Experiment feed = standard_experiment(ExperimentType::moisture_management);
+        QVERIFY(falling_drops(feed).empty());
+        feed.volume_ul = 0.3;
+        feed.feed_s = 6;
+        feed.drop_ul = 0.1; // 0.3 / 0.1 is a little more than 3 in binary
+        const std::vector<Droplet> drops = falling_drops(feed);
+        QCOMPARE(drops.size(), std::size_t(3));
+        for (std::size_t i = 0; i < 3; ++i) QVERIFY((drops[i] == Droplet{0.3 / 3, 2.0 * static_cast<double>(i), {0, 0}, 2, 0}));
+        feed.drop_ul = 0.14; // the last would be smaller: all are
+        QCOMPARE(falling_drops(feed).size(), std::size_t(3));
+        QCOMPARE(falling_drops(feed)[2].volume_ul, 0.3 / 3);
+        feed.type = ExperimentType::horizontal_wicking;
+        QVERIFY(falling_drops(feed).empty());
+    }
     void partsCanBeForcedBothWays()
     {
         const ModelPlan plan = plan_of(drop_design(), Fidelity::standard, parse_forced_parts("heat=off,vapour=on"));

@@ -70,6 +70,30 @@ private Q_SLOTS:
         QVERIFY(field("Strip's width")->accessibleDescription().contains("strip's size must be"));
     }
 
+    void aFeedsDropsAreTypedWithTheirUnit()
+    {
+        document_->setExperimentIndex(0);
+        QVERIFY(!field("Drops")->isVisibleTo(panel_.get()));
+        document_->setExperimentIndex(static_cast<int>(ExperimentType::moisture_management));
+        const std::string before = text();
+        QuantityEdit* drops = field("Drops");
+        QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("0: one pool"));
+        QCOMPARE(drops->value().value(), 0.0);
+        drops->setFocus();
+        drops->selectAll();
+        QTest::keyClicks(drops, "0.01 ml");
+        QTest::keyClick(drops, Qt::Key_Return);
+        QCOMPARE(document_->experiment()->drop_ul, 10.0);
+        document_->history()->undo();
+        QCOMPARE(text(), before);
+        QCOMPARE(drops->value().value(), 0.0);
+        document_->edit("drops", {}, [](Design& d) {
+            d.experiments[1].volume_ul = 200;
+            d.experiments[1].drop_ul = 2;
+        });
+        QVERIFY(field("Drops")->accessibleDescription().contains("of 3.125 ul or more"));
+    }
+
     void theClimateStaysUntilAMomentIsAdded()
     {
         QVERIFY(!table()->isVisibleTo(panel_.get()));
@@ -234,6 +258,8 @@ private Q_SLOTS:
                                         << "Along the weft";
         QTest::newRow("a strip") << 2 << "experiments[2].strip_mm[1]"
                                  << "Strip's length";
+        QTest::newRow("a feed's drops") << 1 << "experiments[1].drop_ul"
+                                        << "Drops";
         QTest::newRow("a climate") << 1 << "experiments[1].climate.air_speed_m_s"
                                    << "Air speed";
         QTest::newRow("one that a type has") << 5 << "experiments[5].initial.relative_humidity"

@@ -2,6 +2,7 @@
 // The picture of the fabric: what is drawn how finely, choosing, measuring, cutting open. Needs a display: xvfb-run.
 #include "core/base/units.h"
 #include "core/project/project_file.h"
+#include "core/sim/droplet.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/point_paper.h"
@@ -293,6 +294,47 @@ private Q_SLOTS:
         QVERIFY(difference(before, meanColor(window_->viewport().picture())) > 0.5);
     }
 
+    void freeLiquidIsSeenAsASkinOrAsParticles()
+    {
+        const QImage dry = window_->viewport().picture();
+        canvas_->setLiquid(liquid_surface(standingDrop()));
+        const QImage skin = window_->viewport().picture();
+        QTest::keyClick(canvas_, Qt::Key_P);
+        QVERIFY(QSettings().value("view/particles").toBool());
+        const QImage particles = window_->viewport().picture();
+        QVERIFY2(difference(meanColor(dry), meanColor(skin)) > 5, "no skin");
+        QVERIFY2(difference(meanColor(skin), meanColor(particles)) > 2, "no particles");
+        // Beside the drop nothing has changed.
+        const QRect beside(20, dry.height() / 2, 60, 60);
+        QCOMPARE(skin.copy(beside), dry.copy(beside));
+        QCOMPARE(particles.copy(beside), dry.copy(beside));
+        QVERIFY2(dots(particles) > dots(skin), "balls have edges, a skin has few");
+        QTest::keyClick(canvas_, Qt::Key_P);
+        QVERIFY(!QSettings().value("view/particles").toBool());
+        QCOMPARE(window_->viewport().picture(), skin);
+        canvas_->setLiquid({});
+        QCOMPARE(window_->viewport().picture(), dry);
+    }
+
+    void aSectionCutsTheLiquidToo()
+    {
+        canvas_->setLiquid(liquid_surface(standingDrop()));
+        SectionPlane section;
+        section.across = SectionPlane::Across::warp;
+        section.position = 0;
+        window_->viewport().bar().setSection(section);
+        for (const bool particles : {false, true}) {
+            canvas_->setParticlesShown(particles);
+            const QImage cut = window_->viewport().picture();
+            const QPoint away = placeOf(0, -0.3e-3).toPoint(), kept = placeOf(0, 0.3e-3).toPoint();
+            QCOMPARE(cut.pixelColor(away), QColor("#e9ecee"));
+            QVERIFY(cut.pixelColor(kept) != QColor("#e9ecee"));
+        }
+        canvas_->setParticlesShown(false);
+        canvas_->setLiquid({});
+        window_->viewport().bar().setSection({});
+    }
+
     void twoEndsArePitchesApart()
     {
         const Textile& textile = canvas_->fabric()->textile;
@@ -467,6 +509,18 @@ private:
         const QSizeF size(canvas_->size());
         camera.zoom(factor, QPointF(0.5 * size.width(), 0.5 * size.height()), size);
         canvas_->setCamera(camera);
+    }
+    /// A ball of 500 particles on the fabric, 1 mm across.
+    Frame standingDrop() const
+    {
+        const double volume = 4.0 / 3.0 * pi * 0.125e-9, spacing = std::cbrt(volume / 500);
+        Frame frame;
+        frame.ledger.water_free = 1000 * volume;
+        for (const Vec3d& place : droplet_lattice(500, spacing)) {
+            const double height = canvas_->fabric()->textile.half_thickness() + 0.5e-3;
+            frame.positions.push_back({static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z + height)});
+        }
+        return frame;
     }
     /// Where the fabric's top is in the picture, metres.
     QPointF placeOf(double x, double y) const
