@@ -65,4 +65,16 @@ HL_FN Real kernel_in_plane(Real distance, Real support)
 /// Slope of kernel_in_plane() with distance, 1/m2.
 HL_FN Real kernel_in_plane_slope(Real distance, Real support) { return -Real(2.0 * pi) * distance * spline_kernel(distance, support); }
 
+/// Integral of -r dW/dr beyond a plane at that distance, by the divergence of r W.
+HL_FN Real slope_virial_beyond_plane(Real distance, Real support)
+{
+    return Real(3) * kernel_beyond_plane(distance, support) + distance * kernel_in_plane(distance, support);
+}
+
+/// Integral of z d2W/dr2 beyond a plane at that distance, 1/m, z the way along the plane's normal; twice by parts.
+HL_FN Real curvature_virial_beyond_plane(Real distance, Real support)
+{
+    return Real(3) * kernel_in_plane(distance, support) - distance * kernel_in_plane_slope(distance, support);
+}
+
 } // namespace hygroloom

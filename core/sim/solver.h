@@ -199,7 +199,8 @@ private:
     // Liquid.
     int count_ = 0;
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
-    double stiffness_ = 0; ///< delta x dt2
+    double stress_since_ = 0; ///< s, when the stresses began to be summed
+    double stiffness_ = 0;    ///< delta x dt2
     double capillary_dt_ = 0;
     Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;

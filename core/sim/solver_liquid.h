@@ -66,6 +66,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
         b->resize(capacity);
     for (auto* b : {&allowed_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
     for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
+    stress_.fill(0);
+    stress_since_ = 0;
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     neighbours_.resize(capacity * largest_neighbour_count);
@@ -238,10 +240,10 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
     each_particle("neighbours", FindNeighbours{particle_views(), grid()});
-    each_particle("surface", FindSurface{particle_views(), liquid(dt)});
+    each_particle("surface", FindSurface{particle_views(), liquid(dt), yarns()});
     each_particle("forces", FindForces{particle_views(), liquid(dt), yarns()});
     correct_pressure(dt);
-    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt)});
+    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt), yarns(), step});
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real touching = Real(0.5) * spacing_;

@@ -462,8 +462,12 @@ template <typename Executor> Frame Solver<Executor>::frame()
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
     }
     if (scene_.shows_pressure) {
-        const std::vector<Real> pressure = stress_.download();
-        f.pressures.assign(pressure.begin(), pressure.begin() + count_);
+        const double since = time_ - stress_since_;
+        const std::vector<Real> impulse = stress_.download();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+            f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
+        stress_.fill(0);
+        stress_since_ = time_;
     }
     return f;
 }

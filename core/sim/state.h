@@ -145,7 +145,7 @@ struct Particles {
     Real* wall_distance = nullptr;   ///< to its skin
     int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
     Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
-    Real* stress = nullptr;          ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
+    Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
     /// largest_neighbour_count slots each: those within the support from the front, the others from the back; both filled up to whole

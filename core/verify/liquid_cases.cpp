@@ -36,33 +36,52 @@ void put_on_plate(Scene& scene, double contact_angle)
 }
 
 /// Places a little off their lattice, so that nothing rests on a perfect one.
-void disturb(std::vector<Vec3d>& places, double spacing)
+void disturb(std::vector<Vec3d>& places, double spacing, std::uint64_t start = 1)
 {
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto off = [&](std::uint64_t axis) { return 0.1 * spacing * (random_uniform(1, axis, i) - 0.5); };
+        const auto off = [&](std::uint64_t axis) { return 0.5 * spacing * (random_uniform(start, axis, i) - 0.5); };
         places[i] += Vec3d{off(0), off(1), off(2)};
     }
 }
 
 /// A ball high over everything.
-Scene ball(int particles, double radius)
+Scene ball(int particles, double radius, std::uint64_t start = 1)
 {
     const double particle_volume = 4.0 / 3.0 * pi * radius * radius * radius / particles, spacing = std::cbrt(particle_volume);
     std::vector<Vec3d> places = droplet_lattice(particles, spacing);
-    disturb(places, spacing);
+    disturb(places, spacing, start);
     for (Vec3d& p : places) p += Vec3d{0, 0, plate_height + 2 * radius};
     return scene_with(places, particle_volume);
 }
 
-/// Half a ball on a plate, as if it met it at 90 degrees.
-Scene half_ball_on_plate(int particles, double volume, double contact_angle)
+/// The cap of a ball by its height and the radius of its base.
+struct Cap {
+    double base = 0, height = 0;
+    double angle() const { return 2.0 * std::atan(height / base); }
+};
+
+Cap cap_of(double volume, double contact_angle)
+{
+    const double c = std::cos(contact_angle);
+    const double base = std::sin(contact_angle) * std::cbrt(3.0 * volume / (pi * (2.0 - 3.0 * c + c * c * c)));
+    return {base, base * std::tan(0.5 * contact_angle)};
+}
+
+/// A drop on a plate, in the shape it would have there at the angle it starts with.
+Scene cap_on_plate(int particles, double volume, double start_angle, double contact_angle)
 {
     const double particle_volume = volume / particles, spacing = std::cbrt(particle_volume);
-    std::vector<Vec3d> places = droplet_lattice(2 * particles, spacing); // symmetric but for the last few
-    std::sort(places.begin(), places.end(), [](const Vec3d& a, const Vec3d& b) { return a.z > b.z; });
+    const Cap cap = cap_of(volume, start_angle);
+    const Vec3d middle{0, 0, -cap.base / std::tan(start_angle)}; // of the ball that the cap is cut from
+    const int across = static_cast<int>(std::ceil(std::max(cap.base, cap.base / std::sin(start_angle)) / spacing)) + 2;
+    std::vector<Vec3d> places;
+    for (int k = 0; k < static_cast<int>(cap.height / spacing) + 3; ++k)
+        for (int j = -across; j < across; ++j)
+            for (int i = -across; i < across; ++i) places.push_back(spacing * Vec3d{i + 0.5, j + 0.5, k + 0.5});
+    std::stable_sort(places.begin(), places.end(), [&](const Vec3d& a, const Vec3d& b) { return length(a - middle) < length(b - middle); });
     places.resize(static_cast<std::size_t>(particles));
     disturb(places, spacing);
-    for (Vec3d& p : places) p.z = plate_height + std::max(p.z, 0.45 * spacing);
+    for (Vec3d& p : places) p.z += plate_height;
     Scene scene = scene_with(places, particle_volume);
     put_on_plate(scene, contact_angle);
     return scene;
@@ -207,14 +226,16 @@ std::vector<VerifyResult> rayleigh(const VerifyValues& v, Backend& backend)
 }
 
 /// Mean pressure in the inner half of a ball at rest.
-double inner_pressure(Backend& backend, int particles, double radius)
+double inner_pressure(Backend& backend, int particles, double radius, std::uint64_t start)
 {
-    Scene scene = ball(particles, radius);
+    Scene scene = ball(particles, radius, start);
     scene.shows_pressure = true;
     const double period = 2.0 * pi * std::sqrt(scene.climate.density * radius * radius * radius / (8.0 * scene.climate.surface_tension));
     double sum = 0;
     long count = 0;
-    for (const Frame& f : frames_at(backend, scene, moments(2.0 * period, 3.0 * period, 60))) {
+    std::vector<Frame> frames = frames_at(backend, scene, moments(2.0 * period, 4.0 * period, 60));
+    frames.erase(frames.begin()); // its mean goes back to the start
+    for (const Frame& f : frames) {
         const Vec3d m = middle(f);
         for (std::size_t i = 0; i < f.positions.size(); ++i)
             if (length(place(f, i) - m) < 0.5 * radius) {
@@ -230,26 +251,18 @@ std::vector<VerifyResult> laplace(const VerifyValues& v, Backend& backend)
     const double radius = 1e-3 * value(v, "radius_mm");
     const int particles = static_cast<int>(value(v, "particles"));
     const double expected = 2.0 * bare_scene(1, 1, 1e-3, temperature).climate.surface_tension / radius;
-    const double small = inner_pressure(backend, particles, radius), large = inner_pressure(backend, particles, 2 * radius);
+    const int starts = static_cast<int>(value(v, "starts"));
+    double small = 0, large = 0;
+    for (int start = 1; start <= starts; ++start) {
+        small += inner_pressure(backend, particles, radius, static_cast<std::uint64_t>(start)) / starts;
+        large += inner_pressure(backend, particles, 2 * radius, static_cast<std::uint64_t>(start)) / starts;
+    }
     const auto scattered = [](const VerifyResult& result) {
         return known_miss(result, "The particles come to rest in shells, and stress in them scatters by a tenth from start to start.");
     };
     return {scattered({"pressure_pa", small, expected, 0.05 * expected}),
             scattered({"pressure_of_twice_the_radius_pa", large, 0.5 * expected, 0.025 * expected}),
             scattered({"ratio", small / large, 2.0, 0.06})};
-}
-
-/// The cap of a ball by its height and the radius of its base.
-struct Cap {
-    double base = 0, height = 0;
-    double angle() const { return 2.0 * std::atan(height / base); }
-};
-
-Cap cap_of(double volume, double contact_angle)
-{
-    const double c = std::cos(contact_angle);
-    const double base = std::sin(contact_angle) * std::cbrt(3.0 * volume / (pi * (2.0 - 3.0 * c + c * c * c)));
-    return {base, base * std::tan(0.5 * contact_angle)};
 }
 
 /// The cap with the same middle over the plate and the same mean square distance from its axis.
@@ -292,21 +305,19 @@ Cap mean_cap(const std::vector<Frame>& frames)
 std::vector<VerifyResult> sessile(const VerifyValues& v, Backend& backend)
 {
     const double angle = radian_from_degree(value(v, "contact_angle_deg")), volume = cubic_metre_from_ul(value(v, "volume_ul"));
-    const Scene scene = half_ball_on_plate(static_cast<int>(value(v, "particles")), volume, angle);
+    const double start = angle + (0.5 * pi - angle) * value(v, "off_by"); // a drop that starts far off leaps from the plate
+    const Scene scene = cap_on_plate(static_cast<int>(value(v, "particles")), volume, start, angle);
     const double time = value(v, "time_s");
     const Cap cap = mean_cap(frames_at(backend, scene, moments(0.8 * time, time, 20))), expected = cap_of(volume, angle);
-    std::vector<VerifyResult> results{{"base_radius_mm", 1e3 * cap.base, 1e3 * expected.base, 0.05 * 1e3 * expected.base},
-                                      {"height_mm", 1e3 * cap.height, 1e3 * expected.height, 0.05 * 1e3 * expected.height},
-                                      {"contact_angle_deg", cap.angle() * 180.0 / pi, value(v, "contact_angle_deg"), 6.0}};
-    if (std::abs(value(v, "contact_angle_deg") - 90.0) > 15.0)
-        for (VerifyResult& r : results) r = known_miss(r, "Far from 90 degrees the drop stops too near to them: adhesion acts too weakly.");
-    return results;
+    return {{"base_radius_mm", 1e3 * cap.base, 1e3 * expected.base, 0.05 * 1e3 * expected.base},
+            {"height_mm", 1e3 * cap.height, 1e3 * expected.height, 0.05 * 1e3 * expected.height},
+            {"contact_angle_deg", cap.angle() * 180.0 / pi, value(v, "contact_angle_deg"), 6.0}};
 }
 
 std::vector<VerifyResult> liquid_rest(const VerifyValues& v, Backend& backend)
 {
     const double angle = radian_from_degree(value(v, "contact_angle_deg")), volume = cubic_metre_from_ul(value(v, "volume_ul"));
-    const Scene scene = half_ball_on_plate(static_cast<int>(value(v, "particles")), volume, angle);
+    const Scene scene = cap_on_plate(static_cast<int>(value(v, "particles")), volume, angle, angle);
     constexpr double settled = 0.1; // s
     const std::vector<Frame> frames =
         frames_at(backend, scene, {settled, settled + 0.5 * value(v, "time_s"), settled + value(v, "time_s")});
@@ -315,6 +326,45 @@ std::vector<VerifyResult> liquid_rest(const VerifyValues& v, Backend& backend)
     return {{"drift_mm", 1e3 * std::hypot(last.x - first.x, last.y - first.y), 0, 1e3 * 0.01 * base},
             {"base_growth_mm", 1e3 * (cap_like(frames.back()).base - base), 0, 1e3 * 0.01 * base},
             {"speed_mm_s", 1e3 * agitation(frames.back()), 5.0, 0, Rule::at_most}};
+}
+
+/// A column in a box: pressure by depth, and how much the liquid is pressed together.
+std::vector<VerifyResult> column(const VerifyValues& v, Backend& backend)
+{
+    const double depth = 1e-3 * value(v, "depth_mm");
+    const int across = static_cast<int>(value(v, "across"));
+    const int up = static_cast<int>(value(v, "layers"));
+    const double spacing = depth / up;
+    std::vector<Vec3d> places;
+    for (int k = 0; k < up; ++k)
+        for (int j = 0; j < across; ++j)
+            for (int i = 0; i < across; ++i)
+                places.push_back(spacing * Vec3d{i + 0.5 - 0.5 * across, j + 0.5 - 0.5 * across, k + 0.5} + Vec3d{0, 0, plate_height});
+    disturb(places, spacing);
+    Scene scene = scene_with(places, spacing * spacing * spacing);
+    const double half = 0.5 * across * spacing;
+    scene.vessel = SceneVessel{{-half, -half, plate_height}, {half, half, 1}, scene.climate.surface_tension};
+    scene.gravity = gravity_acceleration;
+    scene.shows_pressure = true;
+    std::vector<Frame> frames = frames_at(backend, scene, moments(0.1, 0.2, 20));
+    frames.erase(frames.begin()); // its mean goes back to the start
+    std::vector<double> heights, pressures;
+    double lowering = 0;
+    for (const Frame& f : frames) {
+        lowering += 2.0 * (middle(f).z - plate_height) / static_cast<double>(frames.size());
+        for (std::size_t i = 0; i < f.positions.size(); ++i) {
+            const Vec3d p = place(f, i);
+            const double height = p.z - plate_height;
+            if (height < 3 * spacing || height > depth - 4 * spacing) continue;
+            heights.push_back(height);
+            pressures.push_back(static_cast<double>(f.pressures[i]));
+        }
+    }
+    const Fit line = fit_three(heights, pressures, [&](double z) { return std::array<double, 3>{1.0, z / depth, 1e-9 * z * z}; });
+    const double expected = scene.climate.density * gravity_acceleration * depth;
+    return {{"bottom_pressure_pa", line.factors[0], expected, 0.03 * expected},
+            {"gradient_pa", -line.factors[1], expected, 0.05 * expected},
+            {"shortening_percent", 100.0 * (1.0 - lowering / depth), 0, 1.0}};
 }
 
 std::vector<VerifyResult> falling_drop(const VerifyValues& v, Backend& backend)
@@ -335,6 +385,33 @@ std::vector<VerifyResult> falling_drop(const VerifyValues& v, Backend& backend)
             {"energy_change_percent", 100.0 * (energy(frames.back()) - energy(frames.front())) / gained, 0, 1.0}};
 }
 
+/// Greatest width of a drop that strikes a plate it hardly wets, over its diameter: 0.9 We^(1/4) (Clanet, Beguin, Richard and Quere
+/// 2004, J. Fluid Mech. 517, their figure 4; scatter about 10 %).
+std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
+{
+    const double radius = 1e-3 * value(v, "radius_mm"), weber = value(v, "weber");
+    Scene scene = ball(static_cast<int>(value(v, "particles")), radius);
+    put_on_plate(scene, radian_from_degree(value(v, "contact_angle_deg")));
+    const ClimateParameters& water = scene.climate;
+    const double speed = std::sqrt(weber * water.surface_tension / (2.0 * radius * water.density));
+    scene.liquid.velocities.assign(scene.liquid.places.size(), Vec3d{0, 0, -speed});
+    const double capillary = std::sqrt(water.density * radius * radius * radius / water.surface_tension);
+    const double spacing = std::cbrt(scene.liquid.particle_volume);
+    double widest = 0;
+    bool finite = true;
+    for (const Frame& f : frames_at(backend, scene, moments(0.2 * capillary, radius / speed + 2.5 * capillary, 60))) {
+        std::vector<double> across;
+        const Vec3d m = middle(f);
+        for (std::size_t i = 0; i < f.positions.size(); ++i) across.push_back(std::hypot(place(f, i).x - m.x, place(f, i).y - m.y));
+        std::sort(across.begin(), across.end());
+        const double rim = across[across.size() - 1 - across.size() / 100]; // without a stray particle
+        finite = finite && std::isfinite(rim);
+        widest = std::max(widest, 2.0 * rim + spacing);
+    }
+    const double expected = 0.9 * std::pow(weber, 0.25);
+    return {{"spread", finite ? widest / (2.0 * radius) : std::numeric_limits<double>::quiet_NaN(), expected, 0.15 * expected}};
+}
+
 } // namespace
 
 std::vector<VerifyCase> liquid_cases()
@@ -347,10 +424,10 @@ std::vector<VerifyCase> liquid_cases()
          "A drop swings between long and flat: frequency, and damping that is not less than water's.",
          {particles, radius, {"amplitude", 0.05, 0.005, 0.3, ""}},
          rayleigh},
-        {"laplace", "Pressure in a drop at rest and in one of twice its radius.", {particles, radius}, laplace},
+        {"laplace", "Pressure in a drop at rest and in one of twice its radius.", {particles, radius, {"starts", 4, 1, 100, ""}}, laplace},
         {"sessile",
          "A drop on a smooth plate without gravity settles to the cap of a ball.",
-         {particles, volume, {"contact_angle_deg", 90, 20, 160, ""}, {"time_s", 0.1, 0.01, 10, ""}},
+         {particles, volume, {"contact_angle_deg", 90, 20, 160, ""}, {"off_by", 0.3, 0, 1, ""}, {"time_s", 0.1, 0.01, 10, ""}},
          sessile},
         {"liquid_rest",
          "A drop on a smooth plate neither creeps nor heats up.",
@@ -360,6 +437,14 @@ std::vector<VerifyCase> liquid_cases()
          "A drop in free fall keeps its energy and its momentum.",
          {particles, radius, {"time_s", 0.02, 1e-3, 1, ""}},
          falling_drop},
+        {"column",
+         "A column of water in a box: pressure by depth.",
+         {{"depth_mm", 20, 1, 100, ""}, {"layers", 30, 10, 1000, ""}, {"across", 8, 6, 100, ""}},
+         column},
+        {"impact",
+         "A drop strikes a plate that it hardly wets: how far it spreads.",
+         {particles, radius, {"weber", 40, 5, 200, ""}, {"contact_angle_deg", 150, 20, 170, ""}},
+         impact},
     };
 }
 

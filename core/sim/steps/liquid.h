@@ -167,11 +167,20 @@ using Packs = Vec3T<Pack>;
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
 HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
 
+/// Cosine of the contact angle on the nearest wall.
+HL_FN Real wetting(const Particles& p, const LiquidParameters& liquid, const Yarns& yarns, int i)
+{
+    const int segment = p.wall_segment[i];
+    const Real adhesion = segment >= 0 ? static_cast<Real>(yarns.yarn_of(segment).adhesion) : liquid.vessel.adhesion;
+    return adhesion / liquid.surface_tension - Real(1);
+}
+
 /// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
 /// that follow.
 struct FindSurface {
     Particles p;
     LiquidParameters liquid;
+    Yarns yarns;
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
@@ -191,8 +200,9 @@ struct FindSurface {
         Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels));
         Vec3 slope = volume * sum_of(slopes);
         if (p.at_wall(i)) {
-            share += kernel_beyond_plane(p.wall_distance[i], p.reach);
-            slope -= kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
+            const Real of_liquid = wall_share(wetting(p, liquid, yarns, i));
+            share += of_liquid * kernel_beyond_plane(p.wall_distance[i], p.reach);
+            slope -= of_liquid * kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
         }
         const Vec3 tilt = liquid.surface.tilt(slope);
         p.surface[i] = {tilt.x, tilt.y, tilt.z, liquid.surface.pull(share)};
@@ -236,11 +246,11 @@ struct FindForces {
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
             excess += liquid.density * kernel_beyond_plane(distance, p.support);
-            const Real adhesion =
-                p.wall_segment[i] >= 0 ? static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion) : liquid.vessel.adhesion;
+            const Real cosine = wetting(p, liquid, yarns, i);
             const Real push =
-                surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
-                (distance > 0 ? wall_pull(adhesion - liquid.surface_tension, distance, p.support) : Real(0));
+                wall_share(cosine) *
+                    surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
+                wall_pull(wall_attraction(cosine) * liquid.surface_tension, distance, p.reach);
             a += (push / liquid.density) * p.wall_normal[i];
         }
         p.force[i] = a;
@@ -310,10 +320,12 @@ struct FindPressureForce {
 };
 
 /// Pressure as a gauge would show it: the virial of surface and pressure forces between particles (Irving and Kirkwood 1950), half of
-/// each pair's to each.
+/// each pair's to each, and the same with what a wall counts as; summed over time, for a single step says little.
 struct FindStress {
     Particles p;
     LiquidParameters liquid;
+    Yarns yarns;
+    Real dt;
     HL_FN void operator()(int i) const
     {
         const Real volume = p.mass / liquid.density;
@@ -330,7 +342,14 @@ struct FindStress {
             add_surface(slots);
         });
         for_distant_neighbours(p, i, add_surface);
-        p.stress[i] = volume * sum_of(sum) / Real(6);
+        Real virial = volume * sum_of(sum);
+        if (p.at_wall(i)) {
+            const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
+            virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
+                      wall_share(wetting(p, liquid, yarns, i)) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
+                                                                  tilt * curvature_virial_beyond_plane(distance, p.reach));
+        }
+        p.stress[i] += dt * virial / Real(6);
     }
 };
 
