@@ -19,6 +19,21 @@ struct alignas(4 * sizeof(Real)) Quad {
     Real x = 0, y = 0, z = 0, w = 0;
 };
 
+/// Slots name places by their distance from the first, in bytes: nothing is left to multiply where they are gathered.
+HL_FN constexpr int slot_of(int index) { return index * static_cast<int>(sizeof(Quad)); }
+HL_FN const Quad* at_slot(const Quad* first, int slot)
+{
+    return reinterpret_cast<const Quad*>(reinterpret_cast<const char*>(first) + slot);
+}
+
+/// Has memory brought that is read soon.
+HL_FN void bring(const void* memory)
+{
+#ifndef __CUDA_ARCH__
+    __builtin_prefetch(memory);
+#endif
+}
+
 HL_FN Real root(Real value) { return std::sqrt(value); }
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
 
@@ -29,14 +44,18 @@ struct Quads {
     Pack x, y, z, w;
 };
 HL_FN Real sum_of(Pack pack) { return pack; }
-HL_FN Quads gather(const Quad* at, const int* slots) { return {at[*slots].x, at[*slots].y, at[*slots].z, at[*slots].w}; }
+HL_FN Quads gather(const Quad* at, const int* slots)
+{
+    const Quad& quad = *at_slot(at, *slots);
+    return {quad.x, quad.y, quad.z, quad.w};
+}
 HL_FN Pack load(const Real* at) { return *at; }
 HL_FN void store(Real* at, Pack pack) { *at = pack; }
 HL_FN bool lanes_below(int count) { return count > 0; }
 HL_FN bool lanes_but(int lane) { return lane != 0; }
 HL_FN int list_lanes(bool wanted, int first, int* slots)
 {
-    if (wanted) *slots = first;
+    if (wanted) *slots = slot_of(first);
     return wanted;
 }
 
@@ -79,8 +98,8 @@ inline Quads transposed(const Quad* const (&at)[lanes])
 /// Of the places that the next slots name.
 inline Quads gather(const Quad* at, const int* slots)
 {
-    const Quad* const rows[lanes] = {at + slots[0], at + slots[1], at + slots[2], at + slots[3],
-                                     at + slots[4], at + slots[5], at + slots[6], at + slots[7]};
+    const Quad* const rows[lanes] = {at_slot(at, slots[0]), at_slot(at, slots[1]), at_slot(at, slots[2]), at_slot(at, slots[3]),
+                                     at_slot(at, slots[4]), at_slot(at, slots[5]), at_slot(at, slots[6]), at_slot(at, slots[7])};
     return transposed(rows);
 }
 using LoosePack = Real __attribute__((vector_size(lanes * sizeof(Real)), aligned(sizeof(Real)), may_alias));
@@ -108,27 +127,27 @@ inline unsigned bits_of(const Mask& mask)
 #endif
 }
 
-/// For all sets of lanes: their numbers, side by side, and how many they are.
+/// For all sets of lanes: their slots, side by side, and how many they are.
 struct LaneTable {
-    Slots numbers[1 << lanes] = {};
+    Slots slots[1 << lanes] = {};
     std::uint8_t count[1 << lanes] = {};
     constexpr LaneTable()
     {
         for (unsigned set = 0; set < 1u << lanes; ++set) {
             int of_set[lanes] = {};
             for (int lane = 0; lane < lanes; ++lane)
-                if (set >> lane & 1u) of_set[count[set]++] = lane;
-            numbers[set] = Slots{of_set[0], of_set[1], of_set[2], of_set[3], of_set[4], of_set[5], of_set[6], of_set[7]};
+                if (set >> lane & 1u) of_set[count[set]++] = slot_of(lane);
+            slots[set] = Slots{of_set[0], of_set[1], of_set[2], of_set[3], of_set[4], of_set[5], of_set[6], of_set[7]};
         }
     }
 };
 inline constexpr LaneTable lane_table;
 
-/// Writes first + lane for each wanted lane, side by side, and says how many; a whole pack of slots is written to.
+/// Writes the slot of first + lane for each wanted lane, side by side, and says how many; a whole pack of slots is written to.
 inline int list_lanes(const Mask& wanted, int first, int* slots)
 {
     const unsigned set = bits_of(wanted);
-    *reinterpret_cast<LooseSlots*>(slots) = first + lane_table.numbers[set];
+    *reinterpret_cast<LooseSlots*>(slots) = slot_of(first) + lane_table.slots[set];
     return lane_table.count[set];
 }
 

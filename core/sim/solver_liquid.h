@@ -233,9 +233,12 @@ template <typename Executor> bool Solver<Executor>::neighbours_hold(std::int64_t
         return false;
     }
     const std::vector<int> moved = moved_.download();
-    double square = 0;
-    for (std::size_t k = 0; k < 3; ++k) square += std::pow((1.0 * moved[k] + moved[k + 3]) / parts_of_spacing, 2);
-    const double apart = std::sqrt(square) * static_cast<double>(spacing_);
+    const auto middle = [&](std::size_t axis) {
+        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * spacing_;
+    };
+    maxima_.write(0, 0);
+    each_particle("farthest moved", FindFarthestMoved{particle_views(), {middle(0), middle(1), middle(2)}, maxima_.data()});
+    const double apart = 2.0 * std::sqrt(static_cast<double>(from_ordered_bits(maxima_.read(0)))) * static_cast<double>(spacing_);
     if (apart < 0.999 * static_cast<double>(skin_) && 16 * dead < count_) return true;
     skin_ = 2 * apart / listed_for_ < skin_in_spacings * spacing_ ? skin_in_spacings * spacing_ : Real(0); // none if it would not last
     return false;
@@ -296,12 +299,7 @@ template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 /// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
 template <typename Executor> void Solver<Executor>::choose_liquid_step()
 {
-    union {
-        float speed;
-        int bits;
-    } fast;
-    fast.bits = maxima_.read(0);
-    fastest_ = static_cast<double>(fast.speed);
+    fastest_ = static_cast<double>(from_ordered_bits(maxima_.read(0)));
     const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
     liquid_dt_ = std::min({capillary_dt_, advective_step(fastest_), viscous});
 }

@@ -163,6 +163,7 @@ struct Particles {
     HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
 };
 
+constexpr int usual_near = 64;                     // at most, at rest and with a skin
 constexpr int most_near = 128, most_distant = 160; // at rest 33 and 80 without a skin
 constexpr int no_wall = -1;
 constexpr int vessel_wall = -2;

@@ -230,7 +230,7 @@ private Q_SLOTS:
             }
             int near = 0, all = 0, filled = 0;
             const auto count = [&](const int* slots) {
-                for (int l = 0; l < lanes; ++l) (slots[l] == p.count ? filled : all) += slots[l] != i;
+                for (int l = 0; l < lanes; ++l) (slots[l] == slot_of(p.count) ? filled : all) += slots[l] != slot_of(i);
             };
             for_neighbours(p, i, count);
             near = all;

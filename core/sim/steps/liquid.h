@@ -22,6 +22,26 @@ struct LiquidParameters {
     Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
 };
 
+/// Bits of a positive number, which order like integers.
+HL_FN int ordered_bits(float positive)
+{
+    union {
+        float value;
+        int bits;
+    } both;
+    both.value = positive;
+    return both.bits;
+}
+HL_FN float from_ordered_bits(int bits)
+{
+    union {
+        int bits;
+        float value;
+    } both;
+    both.bits = bits;
+    return both.value;
+}
+
 /// Of a spacing, in which displacements are counted.
 constexpr int parts_of_spacing = 1 << 20;
 
@@ -50,6 +70,19 @@ struct BeginStep {
             atomic_max(moved + 3 + k, -whole);
         }
         return 0;
+    }
+};
+
+/// The greatest displacement since neighbours were listed, relative to that of the middle.
+struct FindFarthestMoved {
+    Particles p;
+    Vec3 middle;
+    int* farthest; ///< bits of its square, in spacings; positive, so they order like integers
+    HL_FN void operator()(int i) const
+    {
+        if (!p.alive[i]) return;
+        const Vec3 way = (Real(1) / p.spacing) * (p.position[i] - Vec3{p.listed_x[i], p.listed_y[i], p.listed_z[i]} - middle);
+        atomic_max(farthest, ordered_bits(static_cast<float>(dot(way, way))));
     }
 };
 
@@ -158,8 +191,8 @@ struct FindNeighbours {
                 append(i, x, g.start[row + x0], g.start[row + x1 + 1], gap2 < within2, found);
             }
         }
-        for (; found.near_count % lanes != 0; ++found.near_count) found.near[found.near_count] = p.count;
-        for (; found.distant_count % lanes != 0; ++found.distant_count) found.distant[found.distant_count] = p.count;
+        for (; found.near_count % lanes != 0; ++found.near_count) found.near[found.near_count] = slot_of(p.count);
+        for (; found.distant_count % lanes != 0; ++found.distant_count) found.distant[found.distant_count] = slot_of(p.count);
         p.near_count[i] = found.near_count;
         p.distant_count[i] = found.distant_count;
     }
@@ -180,11 +213,18 @@ struct FindNeighbours {
     }
 };
 
+/// What near pairs keep as long as a step lasts.
+HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
+
 /// Calls visit(slots) with one pack after the other of the near neighbours of i.
 template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
     const int* slots = p.near + std::int64_t(i) * most_near;
     const int count = p.near_count[i];
+    for (int k = 0; k < usual_near; k += 64 / int(sizeof(int))) { // the next particle's
+        bring(slots + most_near + k);
+        bring(slope_of(p, slots) + most_near + k);
+    }
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
@@ -195,9 +235,6 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
     const int count = p.distant_count[i];
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
-
-/// What near pairs keep as long as a step lasts.
-HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
 
 using Packs = Vec3T<Pack>;
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
@@ -270,21 +307,22 @@ struct FindForces {
         const Real smallest = Real(0.01) * p.support * p.support;
         const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
         Pack kernels{};
-        Packs drag{}, cohesion{}, pressed{};
+        const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density; // over that of the surface's forces
+        Packs forces{}, pressed{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             const Packs d = between(place, others);
             const Pack r2 = dot(d, d), r = root(r2);
-            const Pack slope = spline_gradient_factor(r, p.support);
+            const Pack slope = spline_slope(r, p.support) * inverse_distance(r, p.reach);
             store(slope_of(p, slots), slope);
             kernels += spline_kernel(r, p.support);
-            drag += dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * slope * d;
             pressed += (place.w + others.w) * slope * d;
-            cohesion += surface_forces(p, surface, d, slots);
+            forces += surface_forces(p, surface, d, slots);
+            forces += drag * dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * slope * d;
         });
         for_distant_neighbours(
-            p, i, [&](const int* slots) { cohesion += surface_forces(p, surface, between(place, gather(p.place, slots)), slots); });
-        Vec3 a = Real(10) * liquid.kinematic_viscosity * volume * sum_of(drag) + (volume / liquid.density) * sum_of(cohesion);
+            p, i, [&](const int* slots) { forces += surface_forces(p, surface, between(place, gather(p.place, slots)), slots); });
+        Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
         Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) - liquid.density;
         if (p.at_wall(i)) {
@@ -384,12 +422,7 @@ struct MoveParticles {
         if (!p.alive[i]) return;
         p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += dt * p.velocity[i];
-        union {
-            float speed;
-            int bits;
-        } fast;
-        fast.speed = static_cast<float>(length(p.velocity[i]));
-        atomic_max(fastest, fast.bits);
+        atomic_max(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
     }
 };
 
