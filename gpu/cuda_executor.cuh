@@ -67,7 +67,8 @@ public:
         }
         void fill(T value)
         {
-            if (size_ > 0) run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>(static_cast<int>(size_), FillStage<T>{data_, value});
+            if (size_ > 0)
+                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>(static_cast<int>(size_), FillStage<T>{data_, value});
             check_cuda(cudaGetLastError(), "filling memory");
         }
         void upload(const std::vector<T>& values)
@@ -141,12 +142,15 @@ public:
         int bits = 1;
         while (bits < 31 && (largest >> bits) != 0) ++bits;
         std::size_t bytes = 0;
-        check_cuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
-                   "sorting");
+        check_cuda(
+            cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
+            "sorting");
         if (scratch_.size() < bytes) scratch_.resize(bytes);
-        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
+        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(),
+                                                   count, 0, bits),
                    "sorting");
-        check_cuda(cudaMemcpy(keys.data(), sorted_.data(), static_cast<std::size_t>(count) * sizeof(int), cudaMemcpyDeviceToDevice), "sorting");
+        check_cuda(cudaMemcpy(keys.data(), sorted_.data(), static_cast<std::size_t>(count) * sizeof(int), cudaMemcpyDeviceToDevice),
+                   "sorting");
     }
 
 private:

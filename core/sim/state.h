@@ -148,8 +148,8 @@ struct Particles {
     Real* stress = nullptr;          ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    // Neighbours are listed for several steps: all that a skin more than the reach away or nearer, in whole packs, filled up with the one
-    // that is far away. Till then particles keep their order.
+    // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
+    // whole packs, filled up with the one that is far away.
     int* near = nullptr;          ///< most_near slots each: within the support and the skin
     int* distant = nullptr;       ///< most_distant slots each: the others
     int* near_count = nullptr;    ///< slots in use, whole packs

@@ -168,48 +168,59 @@ struct FindNeighbours {
     Real skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
-    struct Found {
-        int *near, *distant; ///< of the particle's slots
-        int near_count, distant_count;
+    /// Particles side by side, from a row of cells.
+    struct Run {
+        int first, end;
     };
+    static constexpr int most_runs = 64; // cells are no smaller than half the reach
     HL_FN void operator()(int i) const
     {
         const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
-        const Real reach = p.reach + skin;
+        const Real reach = p.reach + skin, reach2 = reach * reach, support2 = (p.support + skin) * (p.support + skin);
+        Run runs[most_runs + 1];
+        const int run_count = find_runs(x, reach, runs);
+        int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
+        int near_count = 0, distant_count = 0, run = 0;
+        Run now = runs[0];
+        while (run < run_count) {
+            const int j = now.first;
+            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
+            const Pack distance2 = dx * dx + dy * dy + dz * dz;
+            const auto others = lanes_below(now.end - j) & lanes_but(i - j) & (distance2 < reach2);
+            // What there is no room for is left out, which only happens where many are pressed together.
+            if (near_count <= most_near - lanes) near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count);
+            if (distant_count <= most_distant - lanes)
+                distant_count += list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count);
+            // Runs are short: without branches from one to the next.
+            const Run next = runs[run + 1];
+            const bool ends = j + lanes >= now.end;
+            run += ends;
+            now.first = ends ? next.first : j + lanes;
+            now.end = ends ? next.end : now.end;
+        }
+        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.count);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.count);
+        p.near_count[i] = near_count;
+        p.distant_count[i] = distant_count;
+    }
+    /// Of all cells that the reach may touch; behind them stands an empty one.
+    HL_FN int find_runs(const Vec3& x, Real reach, Run* runs) const
+    {
         const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
-        const Real within2 = (p.support + skin) * (p.support + skin), reach2 = reach * reach;
         const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
         const int z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
-        Found found{p.near + std::int64_t(i) * most_near, p.distant + std::int64_t(i) * most_distant, 0, 0};
+        int count = 0;
         for (int z = z0; z <= z1; ++z) {
             const Real gap_z = g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z);
             for (int y = y0; y <= y1; ++y) {
                 const Real gap_y = g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y);
-                const Real gap2 = gap_y * gap_y + gap_z * gap_z;
-                if (gap2 >= reach2) continue;
                 const int row = (z * g.ny + y) * g.nx; // cells along x lie side by side, and so do their particles
-                append(i, x, g.start[row + x0], g.start[row + x1 + 1], gap2 < within2, found);
+                runs[count] = {g.start[row + x0], g.start[row + x1 + 1]};
+                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < reach * reach);
             }
         }
-        for (; found.near_count % lanes != 0; ++found.near_count) found.near[found.near_count] = slot_of(p.count);
-        for (; found.distant_count % lanes != 0; ++found.distant_count) found.distant[found.distant_count] = slot_of(p.count);
-        p.near_count[i] = found.near_count;
-        p.distant_count[i] = found.distant_count;
-    }
-    HL_FN void append(int i, const Vec3& x, int first, int end, bool may_be_near, Found& found) const
-    {
-        const Real within = (p.support + skin) * (p.support + skin), reach = (p.reach + skin) * (p.reach + skin);
-        for (int j = first; j < end; j += lanes) {
-            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
-            const Pack distance2 = dx * dx + dy * dy + dz * dz;
-            const auto others = lanes_below(end - j) & lanes_but(i - j);
-            const auto near = others & (distance2 < within), distant = others & (distance2 >= within) & (distance2 < reach);
-            // What there is no room for is left out, which only happens where many are pressed together.
-            if (may_be_near && found.near_count <= most_near - lanes)
-                found.near_count += list_lanes(near, j, found.near + found.near_count);
-            if (found.distant_count <= most_distant - lanes)
-                found.distant_count += list_lanes(distant, j, found.distant + found.distant_count);
-        }
+        runs[count] = {0, 0};
+        return count;
     }
 };
 
