@@ -40,10 +40,10 @@ HL_FN SurfaceEnergy surface_energy(Real surface_tension, Real spacing)
 /// the first; pull is the sum of both, tilt the first's less the second's. Of one pair (Real) or a pack of them.
 template <typename T> HL_FN Vec3T<T> surface_force(T pull, const Vec3T<T>& tilt, const Vec3T<T>& d, Real support)
 {
-    const T r2 = dot(d, d);
-    const T r = root(r2);
-    const T slope = spline_gradient_factor(r, support);
-    const T along = dot(tilt, d) / (r2 + Real(1e-12) * support * support); // at no distance there is no direction
+    const T r = root(dot(d, d));
+    const T inverse = inverse_distance(r, support);
+    const T slope = spline_slope(r, support) * inverse;
+    const T along = dot(tilt, d) * inverse * inverse; // at no distance there is no direction
     const T stretch = pull * slope - (spline_curvature(r, support) - slope) * along;
     return {stretch * d.x - slope * tilt.x, stretch * d.y - slope * tilt.y, stretch * d.z - slope * tilt.z};
 }

@@ -17,15 +17,19 @@ template <typename T> HL_FN T spline_kernel(T r, Real support)
            (Real(2) * rest * rest * rest - Real(8) * inner * inner * inner);
 }
 
-/// dW/dr / r, 1/m5, so that grad W = this x (r_i - r_j).
-template <typename T> HL_FN T spline_gradient_factor(T r, Real support)
+/// dW/dr, 1/m4.
+template <typename T> HL_FN T spline_slope(T r, Real support)
 {
-    const Real no_distance = Real(1e-6); // keeps 0/0 away; there the factor does not matter
     const T q = r * (Real(1) / support);
     const T rest = positive(Real(1) - q), inner = positive(Real(0.5) - q);
-    return (Real(2.546479089470325) / (support * support * support * support * support)) *
-           (Real(24) * inner * inner - Real(6) * rest * rest) / (q + no_distance);
+    return (Real(2.546479089470325) / (support * support * support * support)) * (Real(24) * inner * inner - Real(6) * rest * rest);
 }
+
+/// 1 / r; at no distance something large, which does not matter there.
+template <typename T> HL_FN T inverse_distance(T r, Real support) { return Real(1) / (r + Real(1e-6) * support); }
+
+/// dW/dr / r, 1/m5, so that grad W = this x (r_i - r_j).
+template <typename T> HL_FN T spline_gradient_factor(T r, Real support) { return spline_slope(r, support) * inverse_distance(r, support); }
 
 /// d2W/dr2, 1/m5.
 template <typename T> HL_FN T spline_curvature(T r, Real support)

@@ -301,7 +301,8 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
     const double left = plan.on("wicking") ? 0.4 : 1.0; // of the particles, on average
     plan.expected_seconds = steps * particles * left * particle_step +
                             (plan.on("wicking") ? plan.segments * experiment.duration_s / plan.network_step_limit * segment_step : 0.0);
-    plan.expected_bytes = 40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (4.0 * largest_neighbour_count + 200.0);
+    plan.expected_bytes =
+        40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
     plan.expectation_source =
         fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
                     1e6 * b.delivered, resting_time);

@@ -24,6 +24,9 @@ public:
 
     Executor& executor() { return exec_; }
     long liquid_steps() const { return liquid_steps_; }
+    long pressure_rounds() const { return pressure_rounds_; }
+    /// How often neighbours have been listed.
+    long listings() const { return listings_; }
     int particles() const { return count_; }
     /// Segments that steps go through now.
     int visited_segments() { return yarns().visited_segments(); }
@@ -37,7 +40,8 @@ public:
         wicking_watch_ = exchange_watch_ = {};
         next_droplet_ = 0;
         count_ = 0;
-        liquid_steps_ = 0;
+        liquid_steps_ = pressure_rounds_ = listings_ = 0;
+        listed_for_ = 0;
         delivered_ = calm_time_ = 0;
         burst_ = 0;
         pool_.assign(scene.pools.size(), 0);
@@ -108,7 +112,10 @@ private:
         exec_.for_each(name, yarns().visited_crossings(), stage);
     }
     template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
-    template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
+    template <typename Stage> std::int64_t each_particle(const char* name, const Stage& stage)
+    {
+        return exec_.for_each(name, count_, stage);
+    }
 
     void load_segments();
     void note_start(std::vector<double>& regain);
@@ -150,6 +157,8 @@ private:
     void give_to_segments(double dt);
     void fit_grid();
     void sort_particles();
+    bool neighbours_hold(std::int64_t dead);
+    void list_neighbours();
     void correct_pressure(double dt);
     void choose_liquid_step();
     double advective_step(double speed) const;
@@ -168,7 +177,7 @@ private:
     Scene scene_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
-    long liquid_steps_ = 0;
+    long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
     int burst_ = 0;        ///< liquid steps since the last synchronisation
     double calm_time_ = 0; ///< from which the free liquid has had time to settle
     double fastest_ = 0;   ///< m/s, of the last liquid step
@@ -199,21 +208,24 @@ private:
     // Liquid.
     int count_ = 0;
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
+    Real skin_ = 0;           ///< m, by which neighbours are listed too far
+    int listed_for_ = 0;      ///< steps that have used the neighbours listed last; 0: list anew
     double stress_since_ = 0; ///< s, when the stresses began to be summed
     double stiffness_ = 0;    ///< delta x dt2
     double capillary_dt_ = 0;
     Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
-    Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_;
-    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, near_count_, distant_count_;
+    Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
+    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_; ///< density error, dripped quanta
+    Buffer<std::int64_t> dripped_; ///< quanta
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
     Buffer<int> maxima_;          ///< fastest, largest change of saturation
     CellGrid grid_;
-    Buffer<int> box_; ///< see FindBox
+    Buffer<int> box_;   ///< see FindBox
+    Buffer<int> moved_; ///< see BeginStep
 };
 
 } // namespace hygroloom

@@ -14,6 +14,7 @@ constexpr double grain_viscosity = 0.015;        // numerical: calms motion from
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
+constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
@@ -70,7 +71,11 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     stress_since_ = 0;
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
-    neighbours_.resize(capacity * largest_neighbour_count);
+    near_.resize(capacity * most_near);
+    slope_.resize(capacity * most_near);
+    distant_.resize(capacity * most_distant);
+    for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
+    moved_.resize(6);
     alive_.resize(capacity);
 
     double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
@@ -158,6 +163,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         place_.write_range(at, std::vector<Quad>(n));
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
+        listed_for_ = 0;
         // Till it has fallen, and ten of its capillary times for it to spread and settle.
         const double fall = drop.centre.z - radius - scene_.half_thickness;
         const double landed =
@@ -221,25 +227,54 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
 }
 
+/// Whether all that count are still listed: no two particles have come nearer to each other than by the skin, and few are dead.
+template <typename Executor> bool Solver<Executor>::neighbours_hold(std::int64_t dead)
+{
+    if (listed_for_ == 0) {
+        skin_ = skin_in_spacings * spacing_;
+        return false;
+    }
+    const std::vector<int> moved = moved_.download();
+    const auto middle = [&](std::size_t axis) {
+        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * spacing_;
+    };
+    maxima_.write(0, 0);
+    each_particle("farthest moved", FindFarthestMoved{particle_views(), {middle(0), middle(1), middle(2)}, maxima_.data()});
+    const double apart = 2.0 * std::sqrt(static_cast<double>(from_ordered_bits(maxima_.read(0)))) * static_cast<double>(spacing_);
+    if (apart < 0.999 * static_cast<double>(skin_) && 16 * dead < count_) return true;
+    skin_ = 2 * apart / listed_for_ < skin_in_spacings * spacing_ ? skin_in_spacings * spacing_ : Real(0); // none if it would not last
+    return false;
+}
+
+/// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
+template <typename Executor> void Solver<Executor>::list_neighbours()
+{
+    moved_.fill(std::numeric_limits<int>::min() / 2);
+    if (!neighbours_hold(each_particle("begin step", BeginStep{particle_views(), moved_.data()}))) {
+        sort_particles();
+        each_particle("neighbours", FindNeighbours{particle_views(), grid(), skin_});
+        listed_for_ = 0;
+        ++listings_;
+    }
+    ++listed_for_;
+}
+
 template <typename Executor> void Solver<Executor>::correct_pressure(double dt)
 {
     const Real stiffness = static_cast<Real>(stiffness_ / (dt * dt));
-    each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
     for (int round = 0; round < most_pressure_rounds; ++round) {
-        sums_.write(0, 0);
-        each_particle("predict", PredictPosition{particle_views(), static_cast<Real>(dt)});
-        each_particle("pressure", CorrectPressure{particle_views(), liquid(dt), stiffness, sums_.data()});
+        const std::int64_t error = each_particle("pressure", CorrectPressure{particle_views(), liquid(dt), stiffness});
         each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
-        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(sums_.read(0)) * 1e-6 < scene_.density_tolerance * count_) break;
+        ++pressure_rounds_;
+        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(error) * 1e-6 < scene_.density_tolerance * count_) break;
     }
 }
 
 template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 {
-    sort_particles();
+    list_neighbours();
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
-    each_particle("neighbours", FindNeighbours{particle_views(), grid()});
     each_particle("surface", FindSurface{particle_views(), liquid(dt), yarns()});
     each_particle("forces", FindForces{particle_views(), liquid(dt), yarns()});
     correct_pressure(dt);
@@ -250,7 +285,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
     each_particle("meet yarns",
                   MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching, friction_coefficient,
-                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
+                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), dripped_.data()});
     give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;
@@ -266,12 +301,7 @@ template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 /// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
 template <typename Executor> void Solver<Executor>::choose_liquid_step()
 {
-    union {
-        float speed;
-        int bits;
-    } fast;
-    fast.bits = maxima_.read(0);
-    fastest_ = static_cast<double>(fast.speed);
+    fastest_ = static_cast<double>(from_ordered_bits(maxima_.read(0)));
     const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
     liquid_dt_ = std::min({capillary_dt_, advective_step(fastest_), viscous});
 }
@@ -304,7 +334,12 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.wall_segment = wall_segment_.data();
     p.content = content_.data();
     p.alive = alive_.data();
-    p.neighbours = neighbours_.data();
+    p.near = near_.data();
+    p.distant = distant_.data();
+    p.slope = slope_.data();
+    p.listed_x = listed_x_.data();
+    p.listed_y = listed_y_.data();
+    p.listed_z = listed_z_.data();
     p.near_count = near_count_.data();
     p.distant_count = distant_count_.data();
     p.allowed = allowed_.data();
@@ -349,6 +384,7 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt
         grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(scene_.gravity);
+    l.dt = static_cast<Real>(dt);
     l.surface = surface_energy(l.surface_tension, spacing_);
     l.vessel = vessel();
     l.kept_excess = static_cast<Real>(std::max(0.0, 1.0 - dt / capillary_dt_));

@@ -68,8 +68,8 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    sums_.resize(2);
-    sums_.fill(0);
+    dripped_.resize(1);
+    dripped_.fill(0);
     supply_.resize(5);
     supply_.fill(0);
     maxima_.resize(2);
@@ -409,7 +409,10 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
     const std::vector<std::int64_t> content = content_.download();
     const std::int64_t standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
-    l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, standing)) * water_quantum;
+    const std::vector<std::uint8_t> alive = alive_.download();
+    std::int64_t free = standing;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) free += alive[i] ? content[i] : 0;
+    l.water_free = static_cast<double>(free) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
@@ -421,7 +424,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(sums_.read(1) + ran_off_) * water_quantum;
+    l.water_dripped = static_cast<double>(dripped_.read(0) + ran_off_) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());
@@ -431,7 +434,6 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
 
 template <typename Executor> Frame Solver<Executor>::frame()
 {
-    if (count_ > 0) sort_particles(); // drops the particles that were drunk since the last step
     Frame f;
     f.time = time_;
     f.ledger = ledger();
@@ -457,15 +459,16 @@ template <typename Executor> Frame Solver<Executor>::frame()
         (on_top ? f.water_top : f.water_bottom) += liquid[i] + bound - yarn.initial_regain * fibres;
     }
     const std::vector<Vec3> x = position_.download(), v = velocity_.download();
+    const std::vector<std::uint8_t> alive = alive_.download();
+    const std::vector<Real> impulse = stress_.download();
+    const double since = time_ - stress_since_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (!alive[i]) continue;
         f.positions.push_back({static_cast<float>(x[i].x), static_cast<float>(x[i].y), static_cast<float>(x[i].z)});
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
+        if (scene_.shows_pressure) f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
     }
     if (scene_.shows_pressure) {
-        const double since = time_ - stress_since_;
-        const std::vector<Real> impulse = stress_.download();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-            f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
         stress_.fill(0);
         stress_since_ = time_;
     }

@@ -148,17 +148,23 @@ struct Particles {
     Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    /// largest_neighbour_count slots each: those within the support from the front, the others from the back; both filled up to whole
-    /// packs with the one that is far away.
-    int* neighbours = nullptr;
-    int* near_count = nullptr;    ///< within the support
-    int* distant_count = nullptr; ///< between the support and the reach
+    // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
+    // whole packs, filled up with the one that is far away.
+    int* near = nullptr;          ///< most_near slots each: within the support and the skin
+    int* distant = nullptr;       ///< most_distant slots each: the others
+    int* near_count = nullptr;    ///< slots in use, whole packs
+    int* distant_count = nullptr; ///< slots in use, whole packs
+    Real* slope = nullptr;        ///< of near pairs, this step: see spline_gradient_factor()
+    Real* listed_x = nullptr;     ///< where particles were when neighbours were listed; axes apart, so packs are read as they lie
+    Real* listed_y = nullptr;
+    Real* listed_z = nullptr;
 
     /// Whether a wall is near, as far as distance tells.
     HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
 };
 
-constexpr int largest_neighbour_count = 192;
+constexpr int usual_near = 64;                     // at most, at rest and with a skin
+constexpr int most_near = 128, most_distant = 160; // at rest 33 and 80 without a skin
 constexpr int no_wall = -1;
 constexpr int vessel_wall = -2;
 
@@ -188,6 +194,15 @@ struct CellGrid {
         return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0;
     }
     HL_FN int inside(int cell, int count) const { return cell < 0 ? 0 : cell < count ? cell : count - 1; }
+    /// How far from a cell a place is along an axis, seen from the whole space's origin; a little less, for roundings. A cell at the
+    /// border has no end there.
+    HL_FN Real gap(Real place, int cell, int whole_count) const
+    {
+        const int first = cell << shift, end = first + (1 << shift);
+        const Real below = first > 0 ? Real(first) * size - place : Real(0), above = end < whole_count ? place - Real(end) * size : Real(0);
+        const Real most = below > above ? below : above;
+        return positive(most - Real(0.01) * size);
+    }
     HL_FN int cell_x(Real x) const { return (whole(x - origin.x, whole_x) >> shift) - first_x; }
     HL_FN int cell_y(Real y) const { return (whole(y - origin.y, whole_y) >> shift) - first_y; }
     HL_FN int cell_z(Real z) const { return (whole(z - origin.z, whole_z) >> shift) - first_z; }

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace hygroloom;
 
 namespace {
@@ -92,6 +94,113 @@ Design thick_and_thin()
     return design;
 }
 
+/// Particles at random places in a cube of length 1, their neighbours listed. Each has a name that stays when they are sorted.
+struct Listed {
+    Particles p;
+    CellGrid grid;
+    CpuExecutor exec;
+    std::vector<Vec3> x;
+    std::vector<int> name;
+
+    Listed(int count, int shift, Real skin)
+    {
+        p.count = count;
+        p.mass = Real(2e-3);
+        p.support = Real(0.15);
+        p.reach = p.spacing = Real(0.2);
+        grid.size = Real(0.2);
+        grid.whole_x = grid.whole_y = grid.whole_z = 5;
+        grid.shift = shift;
+        grid.nx = grid.ny = grid.nz = (4 >> shift) + 1;
+        for (int i = 0; i < count; ++i) {
+            const auto at = [&](std::uint64_t axis) { return Real(random_uniform(1, axis, std::uint64_t(i))); };
+            x.push_back({at(0), at(1), at(2)});
+            name.push_back(i);
+        }
+        alive_.assign(std::size_t(count), 1);
+        list(skin);
+    }
+    Listed(const Listed& other) : p(other.p), grid(other.grid), x(other.x), name(other.name), alive_(other.alive_), lists_(other.lists_)
+    {
+        view();
+    }
+
+    void list(Real skin)
+    {
+        const auto n = x.size();
+        view();
+        CpuExecutor::Buffer<int> key, order;
+        key.resize(n);
+        order.resize(n);
+        std::vector<int> start(static_cast<std::size_t>(grid.cells()) + 2);
+        grid.key = key.data();
+        grid.start = start.data();
+        exec.for_each("cell", p.count, FindCell{p, grid});
+        exec.sort_by_key(key, order, p.count, grid.cells());
+        const auto sort = [&](auto& values) {
+            const auto before = values;
+            for (std::size_t i = 0; i < n; ++i) values[i] = before[std::size_t(order.read(i))];
+        };
+        sort(x);
+        sort(name);
+        sort(alive_);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lists_.at[axis].assign(n + lanes, 0);
+            for (std::size_t i = 0; i < n; ++i) lists_.at[axis][i] = axis == 0 ? x[i].x : axis == 1 ? x[i].y : x[i].z;
+        }
+        exec.for_each("starts", p.count + 1, FindCellStarts{grid, p.count});
+        lists_.near.assign(n * most_near, 0);
+        lists_.distant.assign(n * most_distant, 0);
+        lists_.near_count.assign(n, 0);
+        lists_.distant_count.assign(n, 0);
+        view();
+        exec.for_each("neighbours", start[std::size_t(grid.cells())], FindNeighbours{p, grid, skin});
+    }
+    /// With the particles where they are now.
+    void find_surface()
+    {
+        const std::size_t room = x.size() + lanes;
+        for (auto* quads : {&place_, &motion_, &predicted_, &surface_}) quads->assign(room, far_away());
+        std::vector<Vec3> still(x.size());
+        std::vector<int> moved(6), no_walls(x.size(), no_wall);
+        view();
+        p.velocity = still.data();
+        p.wall_segment = no_walls.data();
+        LiquidParameters liquid;
+        liquid.density = 1;
+        liquid.surface = {1, Real(1e-3)};
+        exec.for_each("begin step", p.count, BeginStep{p, moved.data()});
+        exec.for_each("surface", p.count, FindSurface{p, liquid});
+    }
+    const Quad& surface_of(int named) const { return surface_[std::size_t(std::find(name.begin(), name.end(), named) - name.begin())]; }
+    int living() const { return int(std::count(alive_.begin(), alive_.end(), 1)); }
+
+private:
+    struct Lists {
+        std::vector<int> near, distant, near_count, distant_count;
+        std::vector<Real> at[3];
+    };
+    void view()
+    {
+        p.position = x.data();
+        p.alive = alive_.data();
+        p.near = lists_.near.data();
+        p.distant = lists_.distant.data();
+        p.near_count = lists_.near_count.data();
+        p.distant_count = lists_.distant_count.data();
+        p.listed_x = lists_.at[0].data();
+        p.listed_y = lists_.at[1].data();
+        p.listed_z = lists_.at[2].data();
+        p.place = place_.data();
+        p.motion = motion_.data();
+        p.predicted = predicted_.data();
+        p.surface = surface_.data();
+    }
+    std::vector<std::uint8_t> alive_;
+    Lists lists_;
+    std::vector<Quad> place_, motion_, predicted_, surface_;
+};
+
 } // namespace
 
 class TestLiquid : public QObject {
@@ -100,67 +209,99 @@ private Q_SLOTS:
     void neighboursAreThoseABruteSearchFinds_data()
     {
         QTest::addColumn<int>("shift");
-        QTest::newRow("cells of a support") << 0;
-        QTest::newRow("cells twice as wide") << 1;
+        QTest::addColumn<double>("skin");
+        QTest::newRow("cells of the reach") << 0 << 0.0;
+        QTest::newRow("cells twice as wide") << 1 << 0.0;
+        QTest::newRow("with a skin") << 0 << 0.03;
     }
     void neighboursAreThoseABruteSearchFinds()
     {
         QFETCH(int, shift);
-        constexpr int n = 500;
-        std::vector<Vec3> x;
-        for (int i = 0; i < n; ++i)
-            x.push_back({Real(random_uniform(1, 0, std::uint64_t(i))), Real(random_uniform(1, 1, std::uint64_t(i))),
-                         Real(random_uniform(1, 2, std::uint64_t(i)))});
-        CellGrid grid;
-        grid.size = Real(0.2);
-        grid.whole_x = grid.whole_y = grid.whole_z = 5;
-        grid.shift = shift;
-        grid.nx = grid.ny = grid.nz = (4 >> shift) + 1;
-        CpuExecutor exec;
-        CpuExecutor::Buffer<int> key, order;
-        key.resize(n);
-        order.resize(n);
-        std::vector<int> start(static_cast<std::size_t>(grid.cells()) + 2);
-        std::vector<std::uint8_t> alive(n, 1);
-        grid.key = key.data();
-        grid.start = start.data();
-        Particles p;
-        p.count = n;
-        p.support = Real(0.15);
-        p.reach = Real(0.2);
-        p.position = x.data();
-        p.alive = alive.data();
-        exec.for_each("cell", n, FindCell{p, grid});
-        exec.sort_by_key(key, order, n, grid.cells());
-        std::vector<Vec3> sorted;
-        for (int i = 0; i < n; ++i) sorted.push_back(x[static_cast<std::size_t>(order.read(static_cast<std::size_t>(i)))]);
-        p.position = sorted.data();
-        std::vector<Quad> places(n + lanes, far_away());
-        for (std::size_t i = 0; i < n; ++i) places[i] = {sorted[i].x, sorted[i].y, sorted[i].z, 0};
-        p.place = places.data();
-        exec.for_each("starts", n + 1, FindCellStarts{grid, n});
-        std::vector<int> neighbours(n * largest_neighbour_count), near(n), distant(n);
-        p.neighbours = neighbours.data();
-        p.near_count = near.data();
-        p.distant_count = distant.data();
-        exec.for_each("neighbours", n, FindNeighbours{p, grid});
-        for (int i = 0; i < n; ++i) {
+        QFETCH(double, skin);
+        Listed listed(500, shift, Real(skin));
+        const Particles& p = listed.p;
+        const Real within = p.support + Real(skin), reach = p.reach + Real(skin);
+        for (int i = 0; i < p.count; ++i) {
             int expected_near = 0, expected = 0;
-            for (int j = 0; j < n; ++j) {
-                const Vec3 d = sorted[static_cast<std::size_t>(i)] - sorted[static_cast<std::size_t>(j)];
-                expected_near += j != i && dot(d, d) < p.support * p.support;
-                expected += j != i && dot(d, d) < p.reach * p.reach;
+            for (int j = 0; j < p.count; ++j) {
+                const Vec3 d = p.position[i] - p.position[j];
+                expected_near += j != i && dot(d, d) < within * within;
+                expected += j != i && dot(d, d) < reach * reach;
             }
-            QCOMPARE(near[static_cast<std::size_t>(i)], expected_near);
-            QCOMPARE(near[static_cast<std::size_t>(i)] + distant[static_cast<std::size_t>(i)], expected);
-            int listed = 0, filled = 0;
+            int near = 0, all = 0, filled = 0;
             const auto count = [&](const int* slots) {
-                for (int l = 0; l < lanes; ++l) (slots[l] == n ? filled : listed) += slots[l] != i;
+                for (int l = 0; l < lanes; ++l) (slots[l] == slot_of(p.count) ? filled : all) += slots[l] != slot_of(i);
             };
             for_neighbours(p, i, count);
+            near = all;
             for_distant_neighbours(p, i, count);
-            QCOMPARE(listed, expected);
+            QCOMPARE(near, expected_near);
+            QCOMPARE(all, expected);
             QVERIFY(filled < 2 * lanes);
+        }
+    }
+    void keptListsGiveTheSameSurfaceAsFreshOnes()
+    {
+        const Real skin = Real(0.03);
+        Listed kept(500, 0, skin);
+        for (int i = 0; i < kept.p.count; ++i) { // all fall by more than the skin, and each moves by less than half of it
+            Vec3& x = kept.p.position[i];
+            const auto off = [&](std::uint64_t axis) { return Real(0.5) * skin * Real(random_uniform(2, axis, std::uint64_t(i)) - 0.5); };
+            x += Vec3{off(0), off(1), off(2) - Real(0.05)};
+        }
+        Listed fresh = kept;
+        fresh.list(0);
+        kept.find_surface();
+        fresh.find_surface();
+        for (int i = 0; i < kept.p.count; ++i) {
+            const Quad &a = kept.surface_of(kept.name[std::size_t(i)]), &b = fresh.surface_of(kept.name[std::size_t(i)]);
+            for (Real difference : {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) QVERIFY(std::abs(difference) < 2e-4);
+        }
+    }
+    void theDeadCountForNothing()
+    {
+        Listed with_dead(500, 0, 0);
+        for (int i = 0; i < with_dead.p.count; i += 7) with_dead.p.alive[i] = 0;
+        Listed without = with_dead;
+        with_dead.find_surface();
+        without.list(0);
+        QCOMPARE(without.living(), 500 - 72);
+        without.find_surface();
+        for (int i = 0; i < with_dead.p.count; ++i)
+            if (with_dead.p.alive[i]) {
+                const Quad &a = with_dead.surface_of(with_dead.name[std::size_t(i)]),
+                           &b = without.surface_of(with_dead.name[std::size_t(i)]);
+                for (Real difference : {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) QVERIFY(std::abs(difference) < 2e-4);
+            }
+    }
+    void nothingDependsOnThreadsOrOnFramesTaken()
+    {
+        Scene scene = drop_over_plate(1e-9, 0.2e-3, 0.5, 300);
+        for (YarnParameters& yarn : scene.yarns) { // so that some are drunk
+            yarn.pore_area = 5e-8;
+            yarn.intake_flux = 100;
+            yarn.face_area = 1e-7;
+        }
+        std::vector<Frame> ends;
+        for (int threads : {1, 2})
+            for (bool takes_frames : {false, true}) {
+                const auto backend = make_cpu_backend();
+                backend->set_threads(threads);
+                backend->load(scene);
+                for (int k = 1; k <= 40; ++k) {
+                    const double until = 2.5e-4 * k;
+                    while (backend->advance(until) < until) {}
+                    if (takes_frames) backend->frame();
+                }
+                ends.push_back(backend->frame());
+            }
+        QVERIFY(ends[0].positions.size() < 300);
+        for (const Frame& end : ends) {
+            QVERIFY(!end.positions.empty());
+            QVERIFY(end.positions == ends[0].positions);
+            QVERIFY(end.velocities == ends[0].velocities);
+            QVERIFY(end.liquid == ends[0].liquid);
+            QCOMPARE(end.ledger.water_free, ends[0].ledger.water_free);
         }
     }
     void aDropInTheAirFallsWithoutDrifting()

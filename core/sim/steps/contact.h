@@ -150,6 +150,7 @@ struct MeetYarns {
 
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         NearestSkin skin = nearest_skin(textile, x, reach);

@@ -16,13 +16,75 @@ struct LiquidParameters {
     Real kinematic_viscosity = 0; ///< m2/s
     Real surface_tension = 0;     ///< N/m
     Real gravity = 0;             ///< m/s2, downwards
+    Real dt = 0;                  ///< s, of this step
     SurfaceEnergy surface;
     Vessel vessel;
     Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
 };
 
+/// Bits of a positive number, which order like integers.
+HL_FN int ordered_bits(float positive)
+{
+    union {
+        float value;
+        int bits;
+    } both;
+    both.value = positive;
+    return both.bits;
+}
+HL_FN float from_ordered_bits(int bits)
+{
+    union {
+        int bits;
+        float value;
+    } both;
+    both.bits = bits;
+    return both.value;
+}
+
+/// Of a spacing, in which displacements are counted.
+constexpr int parts_of_spacing = 1 << 20;
+
 /// Where no particle is. Lists are filled up with a place that stands there.
 HL_FN Quad far_away() { return {Real(1e6), Real(1e6), Real(1e6), 0}; }
+
+/// What neighbours read, as a step finds it, and how far it is from where neighbours were listed. The dead count for nothing
+/// from here on; returns how many they are.
+struct BeginStep {
+    Particles p;
+    int* moved; ///< greatest displacements towards x, y, z, -x, -y and -z, in parts of the spacing
+    HL_FN std::int64_t operator()(int i) const
+    {
+        if (!p.alive[i]) {
+            p.place[i] = p.predicted[i] = far_away();
+            return 1;
+        }
+        const Vec3 &x = p.position[i], &v = p.velocity[i];
+        p.place[i] = {x.x, x.y, x.z, kept_pressure * p.place[i].w};
+        p.motion[i] = {v.x, v.y, v.z, 0};
+        const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
+        for (int k = 0; k < 3; ++k) {
+            const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
+            const int whole = static_cast<int>(parts > -most ? parts < most ? parts : most : -most);
+            atomic_max(moved + k, whole);
+            atomic_max(moved + 3 + k, -whole);
+        }
+        return 0;
+    }
+};
+
+/// The greatest displacement since neighbours were listed, relative to that of the middle.
+struct FindFarthestMoved {
+    Particles p;
+    Vec3 middle;
+    int* farthest; ///< bits of its square, in spacings; positive, so they order like integers
+    HL_FN void operator()(int i) const
+    {
+        if (!p.alive[i]) return;
+        const Vec3 way = (Real(1) / p.spacing) * (p.position[i] - Vec3{p.listed_x[i], p.listed_y[i], p.listed_z[i]} - middle);
+        atomic_max(farthest, ordered_bits(static_cast<float>(dot(way, way))));
+    }
+};
 
 struct FindCell {
     Particles p;
@@ -93,6 +155,9 @@ struct Reorder {
         to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, 0};
         to.predicted[i] = to.place[i];
+        to.listed_x[i] = x.x;
+        to.listed_y[i] = x.y;
+        to.listed_z[i] = x.z;
     }
 };
 
@@ -100,67 +165,86 @@ struct Reorder {
 struct FindNeighbours {
     Particles p;
     CellGrid g;
+    Real skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
-    /// How many were found within the support and beyond it.
-    struct Found {
-        int near, distant;
+    /// Particles side by side, from a row of cells.
+    struct Run {
+        int first, end;
     };
+    static constexpr int most_runs = 64; // cells are no smaller than half the reach
     HL_FN void operator()(int i) const
     {
-        const Vec3 x = p.position[i];
-        const Real reach = p.reach;
+        const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
+        const Real reach = p.reach + skin, reach2 = reach * reach, support2 = (p.support + skin) * (p.support + skin);
+        Run runs[most_runs + 1];
+        const int run_count = find_runs(x, reach, runs);
+        int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
+        int near_count = 0, distant_count = 0, run = 0;
+        Run now = runs[0];
+        while (run < run_count) {
+            const int j = now.first;
+            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
+            const Pack distance2 = dx * dx + dy * dy + dz * dz;
+            const auto others = lanes_below(now.end - j) & lanes_but(i - j) & (distance2 < reach2);
+            // What there is no room for is left out, which only happens where many are pressed together.
+            if (near_count <= most_near - lanes) near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count);
+            if (distant_count <= most_distant - lanes)
+                distant_count += list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count);
+            // Runs are short: without branches from one to the next.
+            const Run next = runs[run + 1];
+            const bool ends = j + lanes >= now.end;
+            run += ends;
+            now.first = ends ? next.first : j + lanes;
+            now.end = ends ? next.end : now.end;
+        }
+        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.count);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.count);
+        p.near_count[i] = near_count;
+        p.distant_count[i] = distant_count;
+    }
+    /// Of all cells that the reach may touch; behind them stands an empty one.
+    HL_FN int find_runs(const Vec3& x, Real reach, Run* runs) const
+    {
         const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
         const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
         const int z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
-        int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        Found found{0, 0};
-        for (int z = z0; z <= z1; ++z)
+        int count = 0;
+        for (int z = z0; z <= z1; ++z) {
+            const Real gap_z = g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z);
             for (int y = y0; y <= y1; ++y) {
+                const Real gap_y = g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y);
                 const int row = (z * g.ny + y) * g.nx; // cells along x lie side by side, and so do their particles
-                append(i, x, g.start[row + x0], g.start[row + x1 + 1], slots, found);
-            }
-        p.near_count[i] = found.near;
-        p.distant_count[i] = found.distant;
-        for (; found.near % lanes != 0; ++found.near) slots[found.near] = p.count;
-        for (; found.distant % lanes != 0; ++found.distant) slots[largest_neighbour_count - 1 - found.distant] = p.count;
-    }
-    HL_FN void append(int i, const Vec3& x, int first, int end, int* slots, Found& found) const
-    {
-        constexpr int room = largest_neighbour_count - 3 * lanes; // for a pack more and for what both ends are filled up with
-        const Real within = p.support * p.support, reach = p.reach * p.reach;
-        for (int j = first; j < end; j += lanes) {
-            if (found.near + found.distant > room) found.distant = found.distant > lanes ? found.distant - lanes : 0; // the near ones count
-            if (found.near > room) return;
-            const Quads other = load(p.place + j);
-            const Pack dx = x.x - other.x, dy = x.y - other.y, dz = x.z - other.z;
-            const Pack distance2 = dx * dx + dy * dy + dz * dz;
-            for (int l = 0; l < lanes; ++l) {
-                const Real d2 = lane_of(distance2, l);
-                const bool other_one = j + l != i && j + l < end;
-                slots[found.near] = j + l; // stays if it is one
-                found.near += d2 < within && other_one;
-                slots[largest_neighbour_count - 1 - found.distant] = j + l;
-                found.distant += d2 >= within && d2 < reach && other_one;
+                runs[count] = {g.start[row + x0], g.start[row + x1 + 1]};
+                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < reach * reach);
             }
         }
+        runs[count] = {0, 0};
+        return count;
     }
 };
 
-/// Calls visit(slots) with one pack after the other of the neighbours of i within the support.
+/// What near pairs keep as long as a step lasts.
+HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
+
+/// Calls visit(slots) with one pack after the other of the near neighbours of i.
 template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
-    const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
+    const int* slots = p.near + std::int64_t(i) * most_near;
     const int count = p.near_count[i];
+    for (int k = 0; k < usual_near; k += 64 / int(sizeof(int))) { // the next particle's
+        bring(slots + most_near + k);
+        bring(slope_of(p, slots) + most_near + k);
+    }
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
-/// The same with the other neighbours of i, up to the reach.
+/// The same with the distant neighbours of i.
 template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int i, const F& visit)
 {
-    const int* end = p.neighbours + (static_cast<std::int64_t>(i) + 1) * largest_neighbour_count;
+    const int* slots = p.distant + std::int64_t(i) * most_distant;
     const int count = p.distant_count[i];
-    for (int k = 0; k < count; k += lanes) visit(end - k - lanes);
+    for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
 using Packs = Vec3T<Pack>;
@@ -210,15 +294,27 @@ struct FindSurface {
 };
 
 /// Surface force of a pack of neighbours on a particle, over the square of their volume.
-HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Quad& place, const int* slots)
+HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, const int* slots)
 {
     const Quads theirs = gather(p.surface, slots);
-    return surface_force<Pack>(own.w + theirs.w, between(own, theirs), between(place, gather(p.place, slots)), p.reach);
+    return surface_force<Pack>(own.w + theirs.w, between(own, theirs), d, p.reach);
+}
+
+/// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
+/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
+HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Packs& push)
+{
+    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push);
+    if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+    p.pressure_force[i] = a;
+    const Vec3 v = p.velocity[i] + liquid.dt * (p.force[i] + a);
+    const Vec3 x = p.position[i] + liquid.dt * v;
+    p.predicted[i] = {x.x, x.y, x.z, 0};
 }
 
 /// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: eq. 5's cohesion
 /// presses a drop a hundred times harder than its surface tension does. A wall counts as liquid, so that it attracts with what its work
-/// of adhesion is over the surface tension, or repels.
+/// of adhesion is over the surface tension, or repels. And the acceleration by the pressure that is there already.
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
@@ -227,20 +323,27 @@ struct FindForces {
 
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         const Real volume = p.mass / liquid.density;
         const Real smallest = Real(0.01) * p.support * p.support;
         const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
         Pack kernels{};
-        Packs drag{}, cohesion{};
+        const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density; // over that of the surface's forces
+        Packs forces{}, pressed{};
         for_neighbours(p, i, [&](const int* slots) {
-            const Packs d = between(place, gather(p.place, slots));
+            const Quads others = gather(p.place, slots);
+            const Packs d = between(place, others);
             const Pack r2 = dot(d, d), r = root(r2);
+            const Pack slope = spline_slope(r, p.support) * inverse_distance(r, p.reach);
+            store(slope_of(p, slots), slope);
             kernels += spline_kernel(r, p.support);
-            drag += dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * spline_gradient_factor(r, p.support) * d;
-            cohesion += surface_forces(p, surface, place, slots);
+            pressed += (place.w + others.w) * slope * d;
+            forces += surface_forces(p, surface, d, slots);
+            forces += drag * dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * slope * d;
         });
-        for_distant_neighbours(p, i, [&](const int* slots) { cohesion += surface_forces(p, surface, place, slots); });
-        Vec3 a = Real(10) * liquid.kinematic_viscosity * volume * sum_of(drag) + (volume / liquid.density) * sum_of(cohesion);
+        for_distant_neighbours(
+            p, i, [&](const int* slots) { forces += surface_forces(p, surface, between(place, gather(p.place, slots)), slots); });
+        Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
         Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) - liquid.density;
         if (p.at_wall(i)) {
@@ -255,31 +358,20 @@ struct FindForces {
         }
         p.force[i] = a;
         p.allowed[i] = excess > 0 ? liquid.kept_excess * excess : Real(0);
-    }
-};
-
-struct PredictPosition {
-    Particles p;
-    Real dt;
-    HL_FN void operator()(int i) const
-    {
-        const Vec3 v = p.velocity[i] + dt * (p.force[i] + p.pressure_force[i]);
-        const Vec3 x = p.position[i] + dt * v;
-        p.predicted[i] = {x.x, x.y, x.z, 0};
+        predict(p, liquid, i, pressed);
     }
 };
 
 /// Density at the predicted places raises the pressure. What is new in a step is corrected in it; what was there before, over the
-/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Errors are summed in
-/// millionths so that the sum has no order.
+/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Returns by how many
+/// millionths of the rest density it is too dense, whole ones so that their sum has no order.
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
-    Real stiffness;          ///< Pa per kg/m3, delta of the method
-    std::int64_t* error_sum; ///< millionths of the rest density
+    Real stiffness; ///< Pa per kg/m3, delta of the method
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+    HL_FN std::int64_t operator()(int i) const
     {
         const Quad own = p.predicted[i];
         Pack kernels{};
@@ -294,11 +386,11 @@ struct CorrectPressure {
         }
         const Real excess = density - liquid.density;
         p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
-        if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
+        return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
     }
 };
 
-/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
+/// The acceleration by pressure, and where it takes a particle.
 struct FindPressureForce {
     Particles p;
     LiquidParameters liquid;
@@ -306,16 +398,14 @@ struct FindPressureForce {
 
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         const Quad own = p.place[i];
         Packs push{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
-            const Packs d = between(own, others);
-            push += (own.w + others.w) * spline_gradient_factor(root(dot(d, d)), p.support) * d;
+            push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
-        Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push);
-        if (p.at_wall(i)) a += (Real(2) * own.w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
-        p.pressure_force[i] = a;
+        predict(p, liquid, i, push);
     }
 };
 
@@ -332,13 +422,13 @@ struct FindStress {
         const Quad own = p.place[i], surface = p.surface[i];
         Pack sum{};
         const auto add_surface = [&](const int* slots) {
-            sum += dot(surface_forces(p, surface, own, slots), between(own, gather(p.place, slots)));
+            const Packs d = between(own, gather(p.place, slots));
+            sum += dot(surface_forces(p, surface, d, slots), d);
         };
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             const Packs d = between(own, others);
-            const Pack r2 = dot(d, d);
-            sum -= (own.w + others.w) * spline_gradient_factor(root(r2), p.support) * r2;
+            sum -= (own.w + others.w) * load(slope_of(p, slots)) * dot(d, d);
             add_surface(slots);
         });
         for_distant_neighbours(p, i, add_surface);
@@ -359,15 +449,10 @@ struct MoveParticles {
     int* fastest; ///< bits of the greatest speed; speeds are positive, so their bits order like integers
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += dt * p.velocity[i];
-        p.place[i].w *= kept_pressure;
-        union {
-            float speed;
-            int bits;
-        } fast;
-        fast.speed = static_cast<float>(length(p.velocity[i]));
-        atomic_max(fastest, fast.bits);
+        atomic_max(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
     }
 };
 
