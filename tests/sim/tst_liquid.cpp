@@ -274,6 +274,16 @@ private Q_SLOTS:
                 for (Real difference : {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) QVERIFY(std::abs(difference) < 2e-4);
             }
     }
+    void aFallingDropKeepsItsLists()
+    {
+        Solver<CpuExecutor> solver;
+        solver.load(drop_over_plate(5e-9, 20e-3, 0, 800));
+        for (double time = 0; time < 0.02;) time = solver.advance(0.02, 1e9);
+        const long steps = solver.liquid_steps(), listings = solver.listings();
+        for (double time = 0.02; time < 0.04;) time = solver.advance(0.04, 1e9);
+        QVERIFY2(2 * (solver.listings() - listings) < solver.liquid_steps() - steps,
+                 qPrintable(QString::number(solver.listings() - listings)));
+    }
     void nothingDependsOnThreadsOrOnFramesTaken()
     {
         Scene scene = drop_over_plate(1e-9, 0.2e-3, 0.5, 300);
