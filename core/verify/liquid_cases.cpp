@@ -257,12 +257,9 @@ std::vector<VerifyResult> laplace(const VerifyValues& v, Backend& backend)
         small += inner_pressure(backend, particles, radius, static_cast<std::uint64_t>(start)) / starts;
         large += inner_pressure(backend, particles, 2 * radius, static_cast<std::uint64_t>(start)) / starts;
     }
-    const auto scattered = [](const VerifyResult& result) {
-        return known_miss(result, "The particles come to rest in shells, and stress in them scatters by a tenth from start to start.");
-    };
-    return {scattered({"pressure_pa", small, expected, 0.05 * expected}),
-            scattered({"pressure_of_twice_the_radius_pa", large, 0.5 * expected, 0.025 * expected}),
-            scattered({"ratio", small / large, 2.0, 0.06})};
+    return {{"pressure_pa", small, expected, 0.05 * expected},
+            {"pressure_of_twice_the_radius_pa", large, 0.5 * expected, 0.025 * expected},
+            known_miss({"ratio", small / large, 2.0, 0.06}, "Particles come to rest in shells, whose stress differs with their number.")};
 }
 
 /// The cap with the same middle over the plate and the same mean square distance from its axis.
@@ -439,11 +436,11 @@ std::vector<VerifyCase> liquid_cases()
          falling_drop},
         {"column",
          "A column of water in a box: pressure by depth.",
-         {{"depth_mm", 20, 1, 100, ""}, {"layers", 30, 10, 1000, ""}, {"across", 8, 6, 100, ""}},
+         {{"depth_mm", 20, 1, 100, ""}, {"layers", 30, 10, 1000, ""}, {"across", 16, 6, 100, ""}},
          column},
         {"impact",
          "A drop strikes a plate that it hardly wets: how far it spreads.",
-         {particles, radius, {"weber", 40, 5, 200, ""}, {"contact_angle_deg", 150, 20, 170, ""}},
+         {particles, radius, {"weber", 15, 1, 200, ""}, {"contact_angle_deg", 150, 20, 170, ""}},
          impact},
     };
 }

@@ -94,6 +94,37 @@ private Q_SLOTS:
             QVERIFY(std::abs((in(d + h) - in(d - h)) / (2 * h) - double(kernel_in_plane_slope(Real(d), Real(2)))) < 2e-3);
         }
     }
+    void virialsBeyondAPlaneAreTheKernelsIntegrals()
+    {
+        for (double distance : {0.05, 0.5, 1.1, 1.8}) { // of a support of 2
+            double slope = 0, curvature = 0;
+            constexpr int n = 600;
+            const double step = 2.0 / n;
+            for (int k = 0; k < n; ++k) {
+                const double z = distance + (k + 0.5) * step;
+                for (int i = 0; i < n; ++i) {
+                    const double s = (i + 0.5) * step, r = std::hypot(s, z);
+                    const double ring = 2 * pi * s * step * step;
+                    slope -= ring * r * r * double(spline_gradient_factor(Real(r), Real(2)));
+                    curvature += ring * z * double(spline_curvature(Real(r), Real(2)));
+                }
+            }
+            QVERIFY(std::abs(double(slope_virial_beyond_plane(Real(distance), Real(2))) - slope) < 2e-3);
+            QVERIFY(std::abs(double(curvature_virial_beyond_plane(Real(distance), Real(2))) - curvature) < 2e-3);
+        }
+    }
+    void wallsWetTheLessTheLargerTheAngle()
+    {
+        Real attraction = 2, share = 2;
+        for (double degree = 0; degree <= 180; degree += 1) {
+            const Real cosine = Real(std::cos(radian_from_degree(degree)));
+            QVERIFY(wall_attraction(cosine) <= attraction && wall_attraction(cosine) > 0);
+            QVERIFY(wall_share(cosine) <= share && wall_share(cosine) >= 0 && wall_share(cosine) <= 1);
+            attraction = wall_attraction(cosine);
+            share = wall_share(cosine);
+        }
+        QVERIFY(std::abs(wall_share(Real(-1e-6)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees
+    }
     void surfaceForceIsTheSlopeOfTheSurfacesEnergy()
     {
         // A random heap, evenly spread so that no share reaches 1: the force on one of it against a difference of energies.
