@@ -68,11 +68,11 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    sums_.resize(2);
+    sums_.resize(4);
     sums_.fill(0);
     supply_.resize(5);
     supply_.fill(0);
-    maxima_.resize(2);
+    maxima_.resize(3);
     maxima_.fill(0);
 
     std::vector<double> vapour(n), regain(n * shells), pores(n);

@@ -125,6 +125,22 @@ struct Reach {
 
 constexpr int no_particle = 0x7fffffff;
 
+/// What a particle has of the cloth round it: the share of the space that is yarn, as far as a kernel sees it, and how it changes.
+struct ClothField {
+    Real share = 0;         ///< with the kernel of pressure
+    Vec3 slope;             ///< 1/m
+    Real surface_share = 0; ///< with the surface's kernel
+    Vec3 surface_slope;     ///< 1/m
+    Real bend[6] = {};      ///< 1/m2, second slopes of surface_share: xx, yy, zz, xy, yz, zx
+    Vec3 adhesion;          ///< N/m3
+
+    HL_FN Vec3 bent(const Vec3& v) const
+    {
+        return {bend[0] * v.x + bend[3] * v.y + bend[5] * v.z, bend[3] * v.x + bend[1] * v.y + bend[4] * v.z,
+                bend[5] * v.x + bend[4] * v.y + bend[2] * v.z};
+    }
+};
+
 /// One value per particle.
 struct Particles {
     int count = 0;
@@ -135,17 +151,18 @@ struct Particles {
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
     // What neighbours read; behind the last particle stands one that is far from all.
-    Quad* place = nullptr;           ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
-    Quad* motion = nullptr;          ///< velocity
-    Quad* predicted = nullptr;       ///< position at the step's end, so far
-    Quad* surface = nullptr;         ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
-    Vec3* force = nullptr;           ///< acceleration by all but pressure
-    Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn or the vessel
-    Real* wall_distance = nullptr;   ///< to its skin
-    int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
-    Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
-    Real* stress = nullptr;          ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
+    Quad* place = nullptr;          ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
+    Quad* motion = nullptr;         ///< velocity
+    Quad* predicted = nullptr;      ///< position at the step's end, so far
+    Quad* surface = nullptr;        ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
+    Vec3* force = nullptr;          ///< acceleration by all but pressure
+    Vec3* pressure_force = nullptr; ///< acceleration
+    Vec3* wall_normal = nullptr;    ///< out of the nearest yarn or the vessel
+    Real* wall_distance = nullptr;  ///< to its skin
+    int* wall_segment = nullptr;    ///< or no_wall, or vessel_wall
+    Real* allowed = nullptr;        ///< kg/m3 over the rest density that this step need not correct
+    Real* stress = nullptr;         ///< Pa, mean of the normal stresses by all forces between particles; null: nobody asks
+    ClothField* cloth = nullptr;
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
     /// largest_neighbour_count slots each: those within the support from the front, the others from the back; both filled up to whole
@@ -154,8 +171,8 @@ struct Particles {
     int* near_count = nullptr;    ///< within the support
     int* distant_count = nullptr; ///< between the support and the reach
 
-    /// Whether a wall is near, as far as distance tells.
-    HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
+    /// Whether a vessel's wall is near.
+    HL_FN bool at_wall(int i) const { return wall_segment[i] == -2; }
 };
 
 constexpr int largest_neighbour_count = 192;

@@ -188,8 +188,8 @@ struct FindSurface {
         };
         for_neighbours(p, i, add);
         for_distant_neighbours(p, i, add);
-        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels));
-        Vec3 slope = volume * sum_of(slopes);
+        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
+        Vec3 slope = volume * sum_of(slopes) + p.cloth[i].surface_slope;
         if (p.at_wall(i)) {
             share += kernel_beyond_plane(p.wall_distance[i], p.reach);
             slope -= kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
@@ -232,7 +232,10 @@ struct FindForces {
         for_distant_neighbours(p, i, [&](const int* slots) { cohesion += surface_forces(p, surface, place, slots); });
         Vec3 a = Real(10) * liquid.kinematic_viscosity * volume * sum_of(drag) + (volume / liquid.density) * sum_of(cohesion);
         a.z -= liquid.gravity;
-        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) - liquid.density;
+        const ClothField& cloth = p.cloth[i];
+        a +=
+            (Real(1) / liquid.density) * (surface.w * cloth.surface_slope - cloth.bent({surface.x, surface.y, surface.z}) + cloth.adhesion);
+        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
             excess += liquid.density * kernel_beyond_plane(distance, p.support);
@@ -277,11 +280,10 @@ struct CorrectPressure {
             const Packs d = between(own, gather(p.predicted, slots));
             kernels += spline_kernel(root(dot(d, d)), p.support);
         });
-        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels));
-        if (p.at_wall(i)) {
-            const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
-            density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support);
-        }
+        const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
+        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) +
+                       liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
+        if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
         p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
         if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
@@ -303,7 +305,8 @@ struct FindPressureForce {
             const Packs d = between(own, others);
             push += (own.w + others.w) * spline_gradient_factor(root(dot(d, d)), p.support) * d;
         });
-        Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push);
+        // The cloth only bounds the density: its own force is what does no work where the density stays.
+        Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push) - (own.w / liquid.density) * p.cloth[i].slope;
         if (p.at_wall(i)) a += (Real(2) * own.w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
         p.pressure_force[i] = a;
     }
