@@ -9,6 +9,7 @@
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
+constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
 constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
 constexpr double grain_viscosity = 0.015;        // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
@@ -244,9 +245,9 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real half_spacing = Real(0.5) * spacing_;
     const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns",
-                  MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, half_spacing, friction_coefficient,
-                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching_in_spacings * spacing_,
+                                          half_spacing, friction_coefficient, 1 / (1 + step * drag_rate),
+                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
     give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;

@@ -163,7 +163,8 @@ struct MeetYarns {
     Particles p;
     TextileShape textile;
     Vessel vessel;
-    Real reach; ///< how far the wall is felt
+    Real reach;    ///< how far the wall is felt
+    Real touching; ///< distance at which a particle rests on a skin; it never comes nearer than half of that, nor through such a hole
     Real half_spacing;
     Real friction;
     Real film_drag;        ///< 1 / (1 + dt x rate), what is left of the speed along a skin
@@ -175,16 +176,16 @@ struct MeetYarns {
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
-        if (length(x - start) > p.wall_distance[i]) x = first_meeting(start, x);
+        x = stopped(start, x, p.wall_distance[i]);
         NearestSkin skin = nearest_skin(textile, x, reach);
         if (skin.segment >= 0) {
             constexpr int most_ways_out = 4; // out of one yarn may be into the next
-            for (int k = 0; skin.distance < 0 && k < most_ways_out; ++k) {
-                lose_approach(v, skin.normal);
-                x += -skin.distance * skin.normal;
+            for (int k = 0; skin.distance < touching && k < most_ways_out; ++k) {
+                lose_approach(v, skin.normal, k == 0 ? friction : Real(0));
+                x += (touching - skin.distance) * skin.normal;
                 skin = nearest_skin(textile, x, reach);
             }
-            if (skin.distance < -tolerance()) {
+            if (skin.distance < Real(0.5) * touching) { // in a wedge between yarns
                 x = start;
                 v = {};
                 skin = nearest_skin(textile, x, reach);
@@ -206,26 +207,27 @@ struct MeetYarns {
             atomic_add(dripped, p.content[i]);
         }
     }
-    HL_FN Real tolerance() const { return Real(1e-3) * half_spacing; }
-    HL_FN void lose_approach(Vec3& v, const Vec3& normal) const
+    HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
         const Real approach = dot(v, normal);
         if (approach >= 0) return;
         v -= approach * normal;
         const Real slide = length(v);
-        const Real held = -friction * approach;
+        const Real held = -coefficient * approach;
         v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
     }
-    /// Goes on by what the nearest skin leaves free, less a part since yarns bend, until a skin is there.
-    HL_FN Vec3 first_meeting(const Vec3& start, const Vec3& end) const
+    /// Where a move ends: at the first place half as near to a skin as particles rest, so that they may slide. Goes on by what the
+    /// nearest skin leaves free, less a part since yarns bend.
+    HL_FN Vec3 stopped(const Vec3& start, const Vec3& end, Real free_at_start) const
     {
         const Real way = length(end - start);
-        const Real least = Real(0.05) * half_spacing;
+        if (way <= free_at_start - Real(0.5) * touching) return end;
+        const Real least = Real(0.1) * touching;
         Real gone = 0;
         constexpr int most_pieces = 200;
         for (int k = 0; k < most_pieces; ++k) {
             const Vec3 here = start + (gone / way) * (end - start);
-            const Real free = nearest_skin(textile, here, reach).distance;
+            const Real free = nearest_skin(textile, here, reach).distance - Real(0.5) * touching;
             if (free < 0 && k > 0) return here;
             const Real piece = Real(0.7) * free;
             gone += piece > least ? piece : least;
