@@ -49,6 +49,7 @@ HL_FN Quads gather(const Quad* at, const int* slots)
     const Quad& quad = *at_slot(at, *slots);
     return {quad.x, quad.y, quad.z, quad.w};
 }
+HL_FN Quads load(const Quad* at) { return {at->x, at->y, at->z, at->w}; }
 HL_FN Pack load(const Real* at) { return *at; }
 HL_FN void store(Real* at, Pack pack) { *at = pack; }
 HL_FN bool lanes_below(int count) { return count > 0; }
@@ -100,6 +101,12 @@ inline Quads gather(const Quad* at, const int* slots)
 {
     const Quad* const rows[lanes] = {at_slot(at, slots[0]), at_slot(at, slots[1]), at_slot(at, slots[2]), at_slot(at, slots[3]),
                                      at_slot(at, slots[4]), at_slot(at, slots[5]), at_slot(at, slots[6]), at_slot(at, slots[7])};
+    return transposed(rows);
+}
+/// Of places side by side.
+inline Quads load(const Quad* at)
+{
+    const Quad* const rows[lanes] = {at, at + 1, at + 2, at + 3, at + 4, at + 5, at + 6, at + 7};
     return transposed(rows);
 }
 using LoosePack = Real __attribute__((vector_size(lanes * sizeof(Real)), aligned(sizeof(Real)), may_alias));

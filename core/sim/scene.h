@@ -160,7 +160,7 @@ struct Scene {
     double step_error = 0;        ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0; ///< largest a step aims at, for the step's length
     double density_tolerance = 0.01;
-    int burst_steps = 0; ///< liquid steps between two network steps once the liquid rests; 0: all
+    double settle_share = 0; ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
     std::uint64_t seed = 1;
 
     int crossings() const { return ends * picks; }

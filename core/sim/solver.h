@@ -5,6 +5,8 @@
 
 #include "core/sim/droplet.h"
 #include "core/sim/frame.h"
+#include "core/sim/host_cloth.h"
+#include "core/sim/steps/cloth_field.h"
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/supply.h"
@@ -42,8 +44,8 @@ public:
         count_ = 0;
         liquid_steps_ = pressure_rounds_ = listings_ = 0;
         listed_for_ = 0;
-        delivered_ = calm_time_ = 0;
-        burst_ = 0;
+        delivered_ = landing_ = last_moved_ = settling_ = 0;
+        asleep_ = false;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
         load_segments();
@@ -67,20 +69,19 @@ public:
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
             while (time_ < sync_time_ && count_ > 0) {
-                if (scene_.burst_steps > 0 && time_ >= calm_time_ && fastest_ < calm_speed() && burst_ >= scene_.burst_steps) {
-                    give_to_segments(sync_time_ - time_); // the puddle rests: it only drains until the next burst
+                if (asleep()) {
+                    give_to_segments(sync_time_ - time_);
                     break;
                 }
                 const double steps = steps_to(sync_time_, liquid_dt_);
                 const double dt = (sync_time_ - time_) / steps;
                 step_liquid(dt);
                 time_ = steps == 1.0 ? sync_time_ : time_ + dt;
-                ++burst_;
+                watch_motion();
                 if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
             }
             time_ = sync_time_;
             sync_time_ = -1;
-            burst_ = 0;
             step_network(time_ - network_time_, time_ >= until);
             network_time_ = time_;
             if (elapsed(start) > wall_seconds) break;
@@ -94,12 +95,6 @@ private:
     static double elapsed(std::chrono::steady_clock::time_point start)
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-    /// Below it the liquid counts as resting: twice the capillary speed of a particle, which the jitter of a thin film reaches (0.6 to
-    /// 1 m/s seen). It keeps a run or a splash from being skipped; a drip that falls slower than this falls too slowly in bursts.
-    double calm_speed() const
-    {
-        return 2.0 * std::sqrt(scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_)));
     }
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
@@ -155,6 +150,9 @@ private:
     void exchange(double dt);
     void step_liquid(double dt);
     void give_to_segments(double dt);
+    double capillary_time(double volume) const;
+    void watch_motion();
+    bool asleep();
     void fit_grid();
     void sort_particles();
     bool neighbours_hold(std::int64_t dead);
@@ -170,6 +168,7 @@ private:
     Particles particle_views();
     CellGrid grid();
     TextileShape shape();
+    Beads beads();
     Vessel vessel() const;
     LiquidParameters liquid(double dt) const;
 
@@ -178,9 +177,10 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
-    int burst_ = 0;        ///< liquid steps since the last synchronisation
-    double calm_time_ = 0; ///< from which the free liquid has had time to settle
-    double fastest_ = 0;   ///< m/s, of the last liquid step
+    double landing_ = 0;    ///< s, when the last drop released meets the cloth
+    double last_moved_ = 0; ///< s, when the free liquid was last seen to move
+    double settling_ = 0;   ///< s without motion after which it rests
+    bool asleep_ = false;
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;
@@ -219,13 +219,17 @@ private:
     Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> dripped_; ///< quanta
+    Buffer<std::int64_t> sums_; ///< dripped quanta, squares of speeds, particles emptied since the liquid last moved
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> maxima_;          ///< fastest, largest change of saturation
+    Buffer<int> maxima_;          ///< fastest, largest change of saturation, square of the fastest past the cloth
     CellGrid grid_;
     Buffer<int> box_;   ///< see FindBox
     Buffer<int> moved_; ///< see BeginStep
+    Buffer<ClothField> cloth_;
+    Buffer<Quad> bead_;
+    Buffer<BeadType> bead_types_;
+    Beads beads_; ///< their counts; the pointers come with beads()
 };
 
 } // namespace hygroloom

@@ -9,25 +9,18 @@
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
+constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
 constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
 constexpr double grain_viscosity = 0.015;        // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
 constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
+/// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
+constexpr double resting_speed = 0.05;         // root of the mean square
+constexpr double fastest_resting_speed = 0.25; // of any particle: a drip gets faster
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
-
-/// Shapes of the scene's types of yarn; their profiles go to one array.
-inline std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles)
-{
-    std::vector<YarnShape> shapes;
-    for (const ContactShape& shape : scene.shapes) {
-        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<int>(profiles.size())});
-        profiles.insert(profiles.end(), shape.profiles.begin(), shape.profiles.end());
-    }
-    return shapes;
-}
 
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
@@ -76,6 +69,11 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     distant_.resize(capacity * most_distant);
     for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
     moved_.resize(6);
+    cloth_.resize(capacity);
+    const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
+    beads_ = beads.view;
+    bead_.upload(beads.beads);
+    bead_types_.upload(beads.types);
     alive_.resize(capacity);
 
     double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
@@ -108,14 +106,14 @@ template <typename Executor> void Solver<Executor>::load_particles()
     position_.write_range(0, single(scene_.liquid.places));
     velocity_.write_range(0, single(scene_.liquid.velocities));
     wall_normal_.write_range(0, std::vector<Vec3>(n));
-    wall_distance_.write_range(0, std::vector<Real>(n, reach_of_surface_));
+    wall_distance_.write_range(0, std::vector<Real>(n, Real(0))); // not looked for yet
     wall_segment_.write_range(0, std::vector<int>(n, no_wall));
     content_.write_range(
         0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
     alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
     place_.write_range(0, std::vector<Quad>(n));
     count_ = static_cast<int>(n);
-    calm_time_ = std::numeric_limits<double>::infinity();
+    landing_ = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
     double fastest = 0;
     for (const Vec3d& v : scene_.liquid.velocities) fastest = std::max(fastest, length(v));
     liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
@@ -153,7 +151,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         position_.write_range(at, x);
         velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
         wall_normal_.write_range(at, std::vector<Vec3>(n));
-        wall_distance_.write_range(at, std::vector<Real>(n, reach_of_surface_));
+        wall_distance_.write_range(at, std::vector<Real>(n, Real(0))); // not looked for yet
         wall_segment_.write_range(at, std::vector<int>(n, no_wall));
         // The drop's own water, shared out to the last quantum.
         const std::int64_t water = std::llround(drop.volume * scene_.climate.density / water_quantum);
@@ -164,12 +162,12 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
         listed_for_ = 0;
-        // Till it has fallen, and ten of its capillary times for it to spread and settle.
         const double fall = drop.centre.z - radius - scene_.half_thickness;
         const double landed =
             (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
-        const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);
-        calm_time_ = std::max(calm_time_, drop.time + landed + 10.0 * capillary_time);
+        landing_ = std::max(landing_, drop.time + landed);
+        settling_ = std::max(settling_, capillary_time(drop.volume));
+        asleep_ = false;
         delivered_ += static_cast<double>(water) * water_quantum;
         liquid_dt_ = std::min(next_droplet_ == 1 ? capillary_dt_ : liquid_dt_, advective_step(drop.speed));
     }
@@ -275,17 +273,18 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     list_neighbours();
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
-    each_particle("surface", FindSurface{particle_views(), liquid(dt), yarns()});
-    each_particle("forces", FindForces{particle_views(), liquid(dt), yarns()});
+    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
+    each_particle("surface", FindSurface{particle_views(), liquid(dt)});
+    each_particle("forces", FindForces{particle_views(), liquid(dt)});
     correct_pressure(dt);
-    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt), yarns(), step});
+    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt), step});
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
-    const Real touching = Real(0.5) * spacing_;
+    const Real half_spacing = Real(0.5) * spacing_;
     const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns",
-                  MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching, friction_coefficient,
-                            1 / (1 + step * drag_rate), static_cast<Real>(-scene_.half_thickness - drip_distance), dripped_.data()});
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching_in_spacings * spacing_,
+                                           half_spacing, friction_coefficient, 1 / (1 + step * drag_rate),
+                                           static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
     give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;
@@ -294,23 +293,63 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 {
     each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
-    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}});
+    each_particle("give",
+                  GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}, sums_.data() + 2});
     each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
-/// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
+/// In which a volume of liquid finds its shape, s.
+template <typename Executor> double Solver<Executor>::capillary_time(double volume) const
+{
+    return std::sqrt(scene_.climate.density * volume / scene_.climate.surface_tension);
+}
+
+/// Whether the liquid has come to rest: it falls asleep, takes no steps and only drains.
+template <typename Executor> void Solver<Executor>::watch_motion()
+{
+    if (scene_.settle_share <= 0 || count_ == 0) return;
+    sums_.write(1, 0);
+    maxima_.write(2, 0);
+    const SumSpeeds sum{particle_views(), sums_.data() + 1, maxima_.data() + 2};
+    exec_.for_each("speeds", sum.parts(), sum);
+    const double square = static_cast<double>(sums_.read(1)) * SumSpeeds::quantum / count_;
+    const double unit = scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_));
+    union {
+        float square;
+        int bits;
+    } most;
+    most.bits = maxima_.read(2);
+    const bool moves = square > resting_speed * resting_speed * unit ||
+                       static_cast<double>(most.square) > fastest_resting_speed * fastest_resting_speed * unit;
+    if (moves || time_ < landing_) last_moved_ = time_;
+    asleep_ = time_ - last_moved_ >= settling_;
+    if (asleep_) sums_.write(2, 0);
+}
+
+/// Wakes the liquid when so many particles were emptied since it fell asleep that its shape must change. What has changed is as large as
+/// they are, and so is the time in which it settles.
+template <typename Executor> bool Solver<Executor>::asleep()
+{
+    if (!asleep_) return false;
+    const auto emptied = static_cast<double>(sums_.read(2));
+    if (emptied < 1.0 || emptied < scene_.settle_share * count_) return true;
+    asleep_ = false;
+    last_moved_ = time_;
+    settling_ = capillary_time(emptied * static_cast<double>(particle_mass_) / scene_.climate.density);
+    return false;
+}
+
+/// Capillary, advective and viscous limits.
 template <typename Executor> void Solver<Executor>::choose_liquid_step()
 {
-    fastest_ = static_cast<double>(from_ordered_bits(maxima_.read(0)));
+    const double fastest = static_cast<double>(from_ordered_bits(maxima_.read(0)));
     const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
-    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest_), viscous});
+    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest), viscous});
 }
 
 template <typename Executor> double Solver<Executor>::advective_step(double speed) const
 {
-    double thin = scene_.shapes[0].half_height;
-    for (const ContactShape& shape : scene_.shapes) thin = std::min(thin, shape.half_height);
-    return 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, speed);
+    return 0.4 * static_cast<double>(spacing_) / std::max(1e-6, speed);
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()
@@ -332,6 +371,7 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.wall_normal = wall_normal_.data();
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
+    p.cloth = cloth_.data();
     p.content = content_.data();
     p.alive = alive_.data();
     p.near = near_.data();
@@ -368,11 +408,20 @@ template <typename Executor> TextileShape Solver<Executor>::shape()
             shift_.data()};
 }
 
+template <typename Executor> Beads Solver<Executor>::beads()
+{
+    Beads b = beads_;
+    b.bead = bead_.data();
+    b.types = bead_types_.data();
+    return b;
+}
+
 template <typename Executor> Vessel Solver<Executor>::vessel() const
 {
     if (!scene_.vessel) return {};
     const auto single = [](const Vec3d& v) { return Vec3{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)}; };
-    return {true, single(scene_.vessel->low), single(scene_.vessel->high), static_cast<Real>(scene_.vessel->adhesion)};
+    return {true, single(scene_.vessel->low), single(scene_.vessel->high),
+            static_cast<Real>(scene_.vessel->adhesion / scene_.climate.surface_tension - 1.0)};
 }
 
 template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt) const

@@ -68,11 +68,11 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    dripped_.resize(1);
-    dripped_.fill(0);
+    sums_.resize(3);
+    sums_.fill(0);
     supply_.resize(5);
     supply_.fill(0);
-    maxima_.resize(2);
+    maxima_.resize(3);
     maxima_.fill(0);
 
     std::vector<double> vapour(n), regain(n * shells), pores(n);
@@ -424,7 +424,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(dripped_.read(0) + ran_off_) * water_quantum;
+    l.water_dripped = static_cast<double>(sums_.read(0) + ran_off_) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());

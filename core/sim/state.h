@@ -125,6 +125,22 @@ struct Reach {
 
 constexpr int no_particle = 0x7fffffff;
 
+/// What a particle has of the cloth round it: the share of the space that is yarn, as far as a kernel sees it, and how it changes.
+struct ClothField {
+    Real share = 0;         ///< with the kernel of pressure
+    Vec3 slope;             ///< 1/m
+    Real surface_share = 0; ///< with the surface's kernel
+    Vec3 surface_slope;     ///< 1/m
+    Real bend[6] = {};      ///< 1/m2, second slopes of surface_share: xx, yy, zz, xy, yz, zx
+    Vec3 adhesion;          ///< N/m3
+
+    HL_FN Vec3 bent(const Vec3& v) const
+    {
+        return {bend[0] * v.x + bend[3] * v.y + bend[5] * v.z, bend[3] * v.x + bend[1] * v.y + bend[4] * v.z,
+                bend[5] * v.x + bend[4] * v.y + bend[2] * v.z};
+    }
+};
+
 /// One value per particle.
 struct Particles {
     int count = 0;
@@ -146,6 +162,7 @@ struct Particles {
     int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
     Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
     Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
+    ClothField* cloth = nullptr;
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
     // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
@@ -159,8 +176,8 @@ struct Particles {
     Real* listed_y = nullptr;
     Real* listed_z = nullptr;
 
-    /// Whether a wall is near, as far as distance tells.
-    HL_FN bool at_wall(int i) const { return wall_segment[i] != -1; }
+    /// Whether a vessel's wall is near.
+    HL_FN bool at_wall(int i) const { return wall_segment[i] == -2; }
 };
 
 constexpr int usual_near = 64;                     // at most, at rest and with a skin
@@ -172,7 +189,7 @@ constexpr int vessel_wall = -2;
 struct Vessel {
     bool present = false;
     Vec3 low, high;
-    Real adhesion = 0; ///< J/m2, work of adhesion
+    Real wetting = 0; ///< cosine of the contact angle
 };
 
 /// Cells of one kernel support, for finding neighbours: a box of them about the particles. What is outside the whole space that liquid may

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/cloth_cases.cpp
   verify/convergence_cases.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp

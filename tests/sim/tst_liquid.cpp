@@ -2,6 +2,7 @@
 // The free liquid: neighbours against brute force, balances, and that nothing passes through yarn.
 #include "core/base/random.h"
 #include "core/sim/cpu_executor.h"
+#include "core/sim/host_cloth.h"
 #include "core/sim/solver.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
@@ -45,7 +46,7 @@ void set_heights(Scene& scene, const std::vector<double>& half_heights)
 
 Scene drop_over_plate(double volume, double height, double speed, int particles, const std::vector<double>& half_heights = {5e-5})
 {
-    Scene scene = bare_scene(24, 24, 3e-4, 293.15);
+    Scene scene = bare_scene(80, 80, 3e-4, 293.15);
     scene.shift.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
     set_heights(scene, half_heights);
     const double radius = std::cbrt(3 * volume / (4 * pi));
@@ -53,33 +54,6 @@ Scene drop_over_plate(double volume, double height, double speed, int particles,
     scene.particles_per_droplet = particles;
     return scene;
 }
-
-/// The scene's cloth as stages see it, and what that points to.
-struct HostShape {
-    std::vector<float> profiles;
-    std::vector<YarnShape> shapes;
-    TextileShape view;
-
-    explicit HostShape(const Scene& scene) : shapes(yarn_shapes(scene, profiles))
-    {
-        view = {{scene.ends,
-                 scene.picks,
-                 scene.warp_types,
-                 scene.weft_types(),
-                 scene.type.data(),
-                 scene.yarns.data(),
-                 scene.crossing.data(),
-                 {}},
-                static_cast<Real>(scene.half_thickness),
-                static_cast<Real>(scene.warp_pitch),
-                static_cast<Real>(scene.weft_pitch),
-                scene.profile_samples,
-                shapes.data(),
-                profiles.data(),
-                scene.warp_up.data(),
-                scene.shift.data()};
-    }
-};
 
 /// Ends and picks thick, thin and thick again in a 2/2 twill, which has level paths and changes of side between all of them.
 Design thick_and_thin()
@@ -365,15 +339,62 @@ private Q_SLOTS:
         QFETCH(std::vector<double>, half_heights);
         const auto backend = make_cpu_backend();
         const Frame frame = frames_at(*backend, drop_over_plate(1e-9, 0.5e-3, speed, 300, half_heights), {0.01}).back();
-        for (const auto& x : frame.positions) // those over the cloth; thrown sideways they may fall past its edge
-            if (std::abs(x[0]) < 3.3e-3f && std::abs(x[1]) < 3.3e-3f) QVERIFY2(x[2] > 0, qPrintable(QString::number(double(x[2]))));
+        for (const auto& x : frame.positions) // those far from its edge, past which they may be thrown and cling to the other face
+            if (std::abs(x[0]) < 7e-3f && std::abs(x[1]) < 7e-3f) QVERIFY2(x[2] > 0, qPrintable(QString::number(double(x[2]))));
         QCOMPARE(frame.ledger.water_delivered, frame.ledger.water_free + frame.ledger.water_dripped);
+    }
+    void aMoveStopsAtTheFirstSkinOnItsWay()
+    {
+        const Design design = thick_and_thin();
+        const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
+        const Scene scene = build_scene(design, textile, design.experiments[0],
+                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+        const HostCloth cloth(scene);
+        const Real reach = Real(3e-4), touching = Real(5e-6);
+        int moves = 0, stopped = 0;
+        for (std::uint64_t k = 0; k < 3000; ++k) {
+            const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(7, axis, k) - 1) * half); };
+            const Real height = Real(1.3 * scene.half_thickness);
+            const Vec3 start{within(0, 2e-3), within(1, 2e-3), within(2, 1) * height};
+            const Vec3 way{within(3, 6e-4), within(4, 6e-4), within(5, 6e-4)}; // of up to several yarns
+            const NearestSkin at_start = nearest_skin(cloth.shape(), start, reach);
+            if (at_start.distance < touching) continue;
+            Vec3 x = start + way, v = Real(1e3) * way, normal;
+            Real distance = at_start.distance;
+            int segment = at_start.segment;
+            std::uint8_t alive = 1;
+            Quad place{start.x, start.y, start.z, 0};
+            std::int64_t content = 0, dripped = 0;
+            Particles p;
+            p.position = &x;
+            p.velocity = &v;
+            p.place = &place;
+            p.wall_distance = &distance;
+            p.wall_normal = &normal;
+            p.wall_segment = &segment;
+            p.alive = &alive;
+            p.content = &content;
+            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), Real(0.2), 1, -1, &dripped}(0);
+            ++moves;
+            QVERIFY(nearest_skin(cloth.shape(), x, reach).distance > Real(0.49) * touching);
+            // Where the free way ends, by small pieces; behind it the particle may not be.
+            constexpr int pieces = 600;
+            int free = 0;
+            while (free < pieces &&
+                   nearest_skin(cloth.shape(), start + (Real(free + 1) / pieces) * way, reach).distance > Real(0.5) * touching)
+                ++free;
+            if (free == pieces) continue;
+            ++stopped;
+            const Real behind = dot(x - start, way) / length(way) - Real(free) / pieces * length(way);
+            QVERIFY2(behind < Real(4e-5), qPrintable(QString("%1 um behind a skin").arg(1e6 * double(behind))));
+        }
+        QVERIFY(moves > 1000 && stopped > 300);
     }
     void skinIsFoundOnTheSideOneIsOn()
     {
         const Scene scene = drop_over_plate(1e-9, 1e-3, 0, 10);
-        const HostShape host(scene);
-        const TextileShape& shape = host.view;
+        const HostCloth host(scene);
+        const TextileShape& shape = host.shape();
         const NearestSkin above = nearest_skin(shape, {Real(1.5e-4), Real(1.5e-4), Real(1.8e-4)}, Real(2e-4));
         QVERIFY(above.segment >= 0);
         QVERIFY(above.normal.z > Real(0.9));
@@ -388,14 +409,14 @@ private Q_SLOTS:
         QCOMPARE(int(textile.warp.types.size()), 2);
         const Scene scene = build_scene(design, textile, design.experiments[0],
                                         plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
-        const HostShape host(scene);
+        const HostCloth host(scene);
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
                 for (int at = 1; at + 1 < textile.system(other_kind(kind)).count; ++at)
                     for (double offset : {-0.49, -0.31, -0.12, 0.0, 0.2, 0.37, 0.48}) {
                         const YarnPoint point = yarn_point(textile, kind, yarn, at, offset);
                         const Vec3 middle{Real(point.centre.x), Real(point.centre.y), Real(point.centre.z)};
-                        const NearestSkin skin = nearest_skin(host.view, middle, Real(1e-4));
+                        const NearestSkin skin = nearest_skin(host.shape(), middle, Real(1e-4));
                         QCOMPARE(skin.segment, kind == YarnKind::warp ? textile.segment(kind, yarn, at) : textile.segment(kind, at, yarn));
                         QVERIFY2(std::abs(double(skin.distance) + point.half_height) < 1e-3 * point.half_height,
                                  qPrintable(QString("%1 instead of %2").arg(double(skin.distance)).arg(-point.half_height)));

@@ -251,20 +251,11 @@ using Packs = Vec3T<Pack>;
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
 HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
 
-/// Cosine of the contact angle on the nearest wall.
-HL_FN Real wetting(const Particles& p, const LiquidParameters& liquid, const Yarns& yarns, int i)
-{
-    const int segment = p.wall_segment[i];
-    const Real adhesion = segment >= 0 ? static_cast<Real>(yarns.yarn_of(segment).adhesion) : liquid.vessel.adhesion;
-    return adhesion / liquid.surface_tension - Real(1);
-}
-
 /// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
 /// that follow.
 struct FindSurface {
     Particles p;
     LiquidParameters liquid;
-    Yarns yarns;
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
@@ -281,10 +272,10 @@ struct FindSurface {
         };
         for_neighbours(p, i, add);
         for_distant_neighbours(p, i, add);
-        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels));
-        Vec3 slope = volume * sum_of(slopes);
+        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
+        Vec3 slope = volume * sum_of(slopes) + p.cloth[i].surface_slope;
         if (p.at_wall(i)) {
-            const Real of_liquid = wall_share(wetting(p, liquid, yarns, i));
+            const Real of_liquid = wall_share(liquid.vessel.wetting);
             share += of_liquid * kernel_beyond_plane(p.wall_distance[i], p.reach);
             slope -= of_liquid * kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
         }
@@ -304,7 +295,8 @@ HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, 
 /// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
 HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Packs& push)
 {
-    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push);
+    // The cloth only bounds the density: its own force is what does no work where the density stays.
+    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push) - (p.place[i].w / liquid.density) * p.cloth[i].slope;
     if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
     p.pressure_force[i] = a;
     const Vec3 v = p.velocity[i] + liquid.dt * (p.force[i] + a);
@@ -318,7 +310,6 @@ HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, co
 struct FindForces {
     Particles p;
     LiquidParameters liquid;
-    Yarns yarns;
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
@@ -345,11 +336,14 @@ struct FindForces {
             p, i, [&](const int* slots) { forces += surface_forces(p, surface, between(place, gather(p.place, slots)), slots); });
         Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
-        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) - liquid.density;
+        const ClothField& cloth = p.cloth[i];
+        a +=
+            (Real(1) / liquid.density) * (surface.w * cloth.surface_slope - cloth.bent({surface.x, surface.y, surface.z}) + cloth.adhesion);
+        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
             excess += liquid.density * kernel_beyond_plane(distance, p.support);
-            const Real cosine = wetting(p, liquid, yarns, i);
+            const Real cosine = liquid.vessel.wetting;
             const Real push =
                 wall_share(cosine) *
                     surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
@@ -379,11 +373,10 @@ struct CorrectPressure {
             const Packs d = between(own, gather(p.predicted, slots));
             kernels += spline_kernel(root(dot(d, d)), p.support);
         });
-        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels));
-        if (p.at_wall(i)) {
-            const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
-            density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support);
-        }
+        const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
+        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) +
+                       liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
+        if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
         p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
         return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
@@ -414,7 +407,6 @@ struct FindPressureForce {
 struct FindStress {
     Particles p;
     LiquidParameters liquid;
-    Yarns yarns;
     Real dt;
     HL_FN void operator()(int i) const
     {
@@ -436,7 +428,7 @@ struct FindStress {
         if (p.at_wall(i)) {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
             virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
-                      wall_share(wetting(p, liquid, yarns, i)) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
+                      wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                                   tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
         p.stress[i] += dt * virial / Real(6);
