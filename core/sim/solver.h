@@ -44,7 +44,7 @@ public:
         count_ = 0;
         liquid_steps_ = pressure_rounds_ = listings_ = 0;
         listed_for_ = 0;
-        delivered_ = landing_ = last_moved_ = settling_ = 0;
+        delivered_ = landing_ = roused_ = settling_ = mean_square_ = largest_square_ = 0;
         asleep_ = false;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
@@ -77,7 +77,7 @@ public:
                 const double dt = (sync_time_ - time_) / steps;
                 step_liquid(dt);
                 time_ = steps == 1.0 ? sync_time_ : time_ + dt;
-                watch_motion();
+                watch_motion(dt);
                 if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
             }
             time_ = sync_time_;
@@ -151,7 +151,7 @@ private:
     void step_liquid(double dt);
     void give_to_segments(double dt);
     double capillary_time(double volume) const;
-    void watch_motion();
+    void watch_motion(double dt);
     bool asleep();
     void fit_grid();
     void sort_particles();
@@ -177,9 +177,10 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
-    double landing_ = 0;    ///< s, when the last drop released meets the cloth
-    double last_moved_ = 0; ///< s, when the free liquid was last seen to move
-    double settling_ = 0;   ///< s without motion after which it rests
+    double landing_ = 0;                          ///< s, when the last drop released meets the cloth
+    double roused_ = 0;                           ///< s, when the free liquid last landed or woke
+    double settling_ = 0;                         ///< s, that it takes to settle then
+    double mean_square_ = 0, largest_square_ = 0; ///< m2/s2, of speeds, over the last time of settling
     bool asleep_ = false;
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;

@@ -305,7 +305,7 @@ template <typename Executor> double Solver<Executor>::capillary_time(double volu
 }
 
 /// Whether the liquid has come to rest: it falls asleep, takes no steps and only drains.
-template <typename Executor> void Solver<Executor>::watch_motion()
+template <typename Executor> void Solver<Executor>::watch_motion(double dt)
 {
     if (scene_.settle_share <= 0 || count_ == 0) return;
     sums_.write(1, 0);
@@ -319,10 +319,13 @@ template <typename Executor> void Solver<Executor>::watch_motion()
         int bits;
     } most;
     most.bits = maxima_.read(2);
-    const bool moves = square > resting_speed * resting_speed * unit ||
-                       static_cast<double>(most.square) > fastest_resting_speed * fastest_resting_speed * unit;
-    if (moves || time_ < landing_) last_moved_ = time_;
-    asleep_ = time_ - last_moved_ >= settling_;
+    const double share = std::min(1.0, dt / std::max(settling_, dt)); // means over the time of settling: a kick is no motion
+    mean_square_ += share * (square - mean_square_);
+    largest_square_ += share * (static_cast<double>(most.square) - largest_square_);
+    if (time_ < landing_) roused_ = time_;
+    const bool moves =
+        mean_square_ > resting_speed * resting_speed * unit || largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;
+    asleep_ = !moves && time_ - roused_ >= settling_;
     if (asleep_) sums_.write(2, 0);
 }
 
@@ -334,7 +337,7 @@ template <typename Executor> bool Solver<Executor>::asleep()
     const auto emptied = static_cast<double>(sums_.read(2));
     if (emptied < 1.0 || emptied < scene_.settle_share * count_) return true;
     asleep_ = false;
-    last_moved_ = time_;
+    roused_ = time_;
     settling_ = capillary_time(emptied * static_cast<double>(particle_mass_) / scene_.climate.density);
     return false;
 }
