@@ -278,7 +278,8 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     }
     choose_network_step(dt);
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
-    if (next_event() <= time_ + 1e-12) begin_anew();
+    const auto changes_now = [this](const ScenePool& pool) { return pool.start == time_ || pool.end == time_; };
+    if (std::any_of(scene_.pools.begin(), scene_.pools.end(), changes_now)) begin_anew(); // courses of climate have no jumps
 }
 
 template <typename Executor> double Solver<Executor>::water_at_stake() const { return std::max(1e-30, water_scale_ + delivered_); }
