@@ -61,6 +61,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
+    drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
     const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
     beads_ = beads.view;
@@ -128,7 +129,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 {
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
         SceneDroplet drop = scene_.droplets[next_droplet_++];
-        if (count_ == 0) begin_anew();
+        if (count_ == 0 || asleep_) begin_anew();
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
