@@ -126,10 +126,12 @@ private:
         network_dt_ = std::min(first_step, step_limit());
         exchange_dt_ = scene_.step_error > 0 ? std::min(first_step, exchange_limit()) : exchange_limit();
     }
-    double step_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
+    /// Whether free liquid may soon come to the yarns: not while it sleeps on cloth that does not drink.
+    bool drops_about() const { return count_ > 0 && !(asleep_ && !drinks_); }
+    double step_limit() const { return drops_about() || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
     double exchange_limit() const
     {
-        return count_ > 0 || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
+        return drops_about() || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
     }
     void supply(double dt);
     void drink(double dt);
@@ -182,6 +184,7 @@ private:
     double settling_ = 0;                         ///< s, that it takes to settle then
     double mean_square_ = 0, largest_square_ = 0; ///< m2/s2, of speeds, over the last time of settling
     bool asleep_ = false;
+    bool drinks_ = false; ///< whether any yarn takes up liquid from drops
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;

@@ -69,6 +69,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     distant_.resize(capacity * most_distant);
     for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
     moved_.resize(6);
+    drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
     const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
     beads_ = beads.view;
@@ -135,7 +136,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 {
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
         SceneDroplet drop = scene_.droplets[next_droplet_++];
-        if (count_ == 0) begin_anew();
+        if (count_ == 0 || asleep_) begin_anew();
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));

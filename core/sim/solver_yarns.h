@@ -288,7 +288,7 @@ template <typename Executor> double Solver<Executor>::water_at_stake() const { r
 template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
 {
     const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
-    const bool watched = scene_.step_error > 0 && count_ == 0;
+    const bool watched = scene_.step_error > 0 && !drops_about();
     double grow = 1.5;
     if (watched && scene_.wicking) {
         supply_.write(2, 0);
