@@ -46,6 +46,8 @@ public:
         listed_for_ = 0;
         delivered_ = landing_ = roused_ = settling_ = mean_square_ = largest_square_ = 0;
         asleep_ = false;
+        thirst_ = 0;
+        thirsty_steps_ = 0;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
         load_segments();
@@ -70,13 +72,14 @@ public:
             }
             while (time_ < sync_time_ && count_ > 0) {
                 if (asleep()) {
-                    give_to_segments(sync_time_ - time_);
+                    drink_drops(sync_time_ - time_, true);
                     break;
                 }
                 const double steps = steps_to(sync_time_, liquid_dt_);
                 const double dt = (sync_time_ - time_) / steps;
                 step_liquid(dt);
                 time_ = steps == 1.0 ? sync_time_ : time_ + dt;
+                drink_drops(dt, steps == 1.0);
                 watch_motion(dt);
                 if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
             }
@@ -151,6 +154,7 @@ private:
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
     void step_liquid(double dt);
+    void drink_drops(double dt, bool now);
     void give_to_segments(double dt);
     double capillary_time(double volume) const;
     void watch_motion(double dt);
@@ -179,6 +183,8 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
     long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
+    double thirst_ = 0;                           ///< s since yarns last drank from drops
+    int thirsty_steps_ = 0;                       ///< of the liquid since then
     double landing_ = 0;                          ///< s, when the last drop released meets the cloth
     double roused_ = 0;                           ///< s, when the free liquid last landed or woke
     double settling_ = 0;                         ///< s, that it takes to settle then
@@ -223,7 +229,7 @@ private:
     Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_; ///< dripped quanta, squares of speeds, particles emptied since the liquid last moved
+    Buffer<std::int64_t> sums_; ///< dripped quanta, squares of speeds, quanta drunk since the liquid last moved
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
     Buffer<int> maxima_;          ///< fastest, largest change of saturation, square of the fastest past the cloth
@@ -231,6 +237,7 @@ private:
     Buffer<int> box_;   ///< see FindBox
     Buffer<int> moved_; ///< see BeginStep
     Buffer<ClothField> cloth_;
+    Buffer<ClothExpansion> cloth_from_;
     Buffer<Quad> bead_;
     Buffer<BeadType> bead_types_;
     Beads beads_; ///< their counts; the pointers come with beads()

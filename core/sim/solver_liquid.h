@@ -19,6 +19,7 @@ constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are list
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
 constexpr double resting_speed = 0.05;         // root of the mean square
 constexpr double fastest_resting_speed = 0.25; // of any particle: a drip gets faster
+constexpr int steps_between_drinks = 8;          // of the liquid; no segment drinks as much as a particle in them
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
@@ -71,6 +72,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     moved_.resize(6);
     drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
+    cloth_from_.resize(capacity);
     const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
     beads_ = beads.view;
     bead_.upload(beads.beads);
@@ -274,7 +276,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     list_neighbours();
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
-    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
+    each_particle("cloth", FeelCloth{particle_views(), shape(), beads(), listed_for_ == 1});
     each_particle("surface", FindSurface{particle_views(), liquid(dt)});
     each_particle("forces", FindForces{particle_views(), liquid(dt)});
     correct_pressure(dt);
@@ -283,12 +285,21 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real half_spacing = Real(0.5) * spacing_;
     const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), reach_of_surface_, touching_in_spacings * spacing_,
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_, touching_in_spacings * spacing_,
                                            half_spacing, friction_coefficient, 1 / (1 + step * drag_rate),
                                            static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
-    give_to_segments(dt);
     choose_liquid_step();
     ++liquid_steps_;
+}
+
+/// Yarns drink from drops once in several steps, if any may be left out; and whenever now is set.
+template <typename Executor> void Solver<Executor>::drink_drops(double dt, bool now)
+{
+    thirst_ += dt;
+    if (!now && ++thirsty_steps_ < (scene_.settle_share > 0 ? steps_between_drinks : 1)) return;
+    give_to_segments(thirst_);
+    thirst_ = 0;
+    thirsty_steps_ = 0;
 }
 
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
@@ -330,16 +341,16 @@ template <typename Executor> void Solver<Executor>::watch_motion(double dt)
     if (asleep_) sums_.write(2, 0);
 }
 
-/// Wakes the liquid when so many particles were emptied since it fell asleep that its shape must change. What has changed is as large as
-/// they are, and so is the time in which it settles.
+/// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
+/// is the time in which it settles.
 template <typename Executor> bool Solver<Executor>::asleep()
 {
     if (!asleep_) return false;
-    const auto emptied = static_cast<double>(sums_.read(2));
-    if (emptied < 1.0 || emptied < scene_.settle_share * count_) return true;
+    const double drunk = static_cast<double>(sums_.read(2)) * water_quantum / static_cast<double>(particle_mass_);
+    if (drunk < 1.0 || drunk < scene_.settle_share * count_) return true;
     asleep_ = false;
     roused_ = time_;
-    settling_ = capillary_time(emptied * static_cast<double>(particle_mass_) / scene_.climate.density);
+    settling_ = capillary_time(drunk * static_cast<double>(particle_mass_) / scene_.climate.density);
     return false;
 }
 
@@ -361,6 +372,7 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     Particles p;
     p.count = count_;
     p.mass = particle_mass_;
+    p.per_quantum = static_cast<Real>(water_quantum / static_cast<double>(particle_mass_));
     p.support = support_;
     p.reach = reach_of_surface_;
     p.spacing = spacing_;
@@ -376,6 +388,7 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
     p.cloth = cloth_.data();
+    p.cloth_from = cloth_from_.data();
     p.content = content_.data();
     p.alive = alive_.data();
     p.near = near_.data();

@@ -7,6 +7,9 @@
 
 namespace hygroloom {
 
+using Packs = Vec3T<Pack>;
+HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
+
 /// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
 struct Unvisited {
     int ends_before = 0, ends_after = 0;
@@ -133,18 +136,37 @@ struct ClothField {
     Vec3 surface_slope;     ///< 1/m
     Real bend[6] = {};      ///< 1/m2, second slopes of surface_share: xx, yy, zz, xy, yz, zx
     Vec3 adhesion;          ///< N/m3
+};
 
-    HL_FN Vec3 bent(const Vec3& v) const
+/// What a particle had of the cloth where that was last summed up, and how it changes from there.
+struct ClothExpansion {
+    Vec3 at;
+    ClothField field;
+    Real slope_bend[6] = {};    ///< 1/m2, second slopes of share
+    Real adhesion_bend[6] = {}; ///< N/m4
+
+    HL_FN static Vec3 times(const Real (&m)[6], const Vec3& v)
     {
-        return {bend[0] * v.x + bend[3] * v.y + bend[5] * v.z, bend[3] * v.x + bend[1] * v.y + bend[4] * v.z,
-                bend[5] * v.x + bend[4] * v.y + bend[2] * v.z};
+        return {m[0] * v.x + m[3] * v.y + m[5] * v.z, m[3] * v.x + m[1] * v.y + m[4] * v.z, m[5] * v.x + m[4] * v.y + m[2] * v.z};
+    }
+    HL_FN ClothField near(const Vec3& way) const
+    {
+        ClothField f = field;
+        const Vec3 turned = times(slope_bend, way), surface_turned = times(field.bend, way);
+        f.share += dot(field.slope + Real(0.5) * turned, way);
+        f.slope += turned;
+        f.surface_share += dot(field.surface_slope + Real(0.5) * surface_turned, way);
+        f.surface_slope += surface_turned;
+        f.adhesion += times(adhesion_bend, way);
+        return f;
     }
 };
 
 /// One value per particle.
 struct Particles {
     int count = 0;
-    Real mass = 0;    ///< kg, of each
+    Real mass = 0;    ///< kg, of each that is full
+    Real per_quantum = 0; ///< of its mass
     Real support = 0; ///< m, of the kernel of pressure and viscosity
     Real reach = 0;   ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
     Real spacing = 0; ///< m
@@ -152,8 +174,8 @@ struct Particles {
     Vec3* velocity = nullptr;
     // What neighbours read; behind the last particle stands one that is far from all.
     Quad* place = nullptr;           ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
-    Quad* motion = nullptr;          ///< velocity
-    Quad* predicted = nullptr;       ///< position at the step's end, so far
+    Quad* motion = nullptr;          ///< velocity, and size
+    Quad* predicted = nullptr;       ///< position at the step's end, so far, and size
     Quad* surface = nullptr;         ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
@@ -163,6 +185,7 @@ struct Particles {
     Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
     Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     ClothField* cloth = nullptr;
+    ClothExpansion* cloth_from = nullptr;
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
     // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
@@ -176,6 +199,8 @@ struct Particles {
     Real* listed_y = nullptr;
     Real* listed_z = nullptr;
 
+    /// How full it is, and so how large: yarns drink from it, and it shrinks.
+    HL_FN Real size(int i) const { return static_cast<Real>(content[i]) * per_quantum; }
     /// Whether a vessel's wall is near.
     HL_FN bool at_wall(int i) const { return wall_segment[i] == -2; }
 };

@@ -177,6 +177,16 @@ struct MeetYarns {
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
+        if (x.z < lowest) {
+            p.alive[i] = 0;
+            atomic_add(dripped, p.content[i]);
+            return;
+        }
+        // No skin has come nearer than by the way.
+        if (const Real free = p.wall_distance[i] - length(x - start); free > half_spacing && !vessel.present) {
+            p.wall_distance[i] = free;
+            return;
+        }
         x = stopped(start, x, p.wall_distance[i]);
         NearestSkin skin = nearest_skin(textile, x, reach);
         if (skin.segment >= 0) {
@@ -203,10 +213,6 @@ struct MeetYarns {
         p.wall_distance[i] = skin.distance;
         p.wall_normal[i] = skin.normal;
         p.wall_segment[i] = skin.segment;
-        if (x.z < lowest) {
-            p.alive[i] = 0;
-            atomic_add(dripped, p.content[i]);
-        }
     }
     HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
@@ -276,7 +282,7 @@ struct TouchSegments {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
         for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { atomic_min(contact + segment, i); });
     }
 };
@@ -291,17 +297,15 @@ struct GiveToSegments {
     double density;
     double dt;
     Reach reach;
-    std::int64_t* emptied; ///< particles
+    std::int64_t* drunk; ///< quanta
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
         for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
             if (s.contact[segment] == i) give(i, segment);
         });
-        if (p.content[i] > 0) return;
-        p.alive[i] = 0;
-        atomic_add(emptied, 1);
+        if (p.content[i] == 0) p.alive[i] = 0;
     }
     HL_FN void give(int i, int segment) const
     {
@@ -309,12 +313,13 @@ struct GiveToSegments {
         const double capacity = density * s.pores[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
         if (room <= 0) return;
-        const double drunk = dt * yarn.intake_flux * yarn.face_area * room / capacity;
-        const double most = (drunk < room ? drunk : room) / water_quantum;
+        const double wanted = dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;
         s.absorbed[segment] += given;
         p.content[i] -= given;
+        atomic_add(drunk, given);
         reach.include(s, s.crossing_of(segment));
     }
 };
@@ -353,7 +358,7 @@ struct ForgetContact {
     int* contact;
     HL_FN void operator()(int i) const
     {
-        if (p.wall_segment[i] >= 0)
+        if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
                 if (contact[segment] == i) contact[segment] = no_particle;
             });

@@ -61,7 +61,8 @@ struct BeginStep {
         }
         const Vec3 &x = p.position[i], &v = p.velocity[i];
         p.place[i] = {x.x, x.y, x.z, kept_pressure * p.place[i].w};
-        p.motion[i] = {v.x, v.y, v.z, 0};
+        p.motion[i] = {v.x, v.y, v.z, p.size(i)};
+        p.predicted[i] = {x.x, x.y, x.z, p.size(i)};
         const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
         for (int k = 0; k < 3; ++k) {
             const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
@@ -153,8 +154,8 @@ struct Reorder {
         to.alive[i] = key[i] != dead_key;
         const Vec3 &x = position[from], &v = velocity[from];
         to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
-        to.motion[i] = {v.x, v.y, v.z, 0};
-        to.predicted[i] = to.place[i];
+        to.motion[i] = {v.x, v.y, v.z, to.size(i)};
+        to.predicted[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
         to.listed_x[i] = x.x;
         to.listed_y[i] = x.y;
         to.listed_z[i] = x.z;
@@ -247,9 +248,7 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
-using Packs = Vec3T<Pack>;
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
-HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
 
 /// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
 /// that follow.
@@ -265,14 +264,15 @@ struct FindSurface {
         Pack kernels{};
         Packs slopes{};
         const auto add = [&](const int* slots) {
-            const Packs d = between(own, gather(p.place, slots));
+            const Quads others = gather(p.predicted, slots); // as yet where they are
+            const Packs d = between(own, others);
             const Pack r = root(dot(d, d));
-            kernels += spline_kernel(r, p.reach);
-            slopes += spline_gradient_factor(r, p.reach) * d;
+            kernels += others.w * spline_kernel(r, p.reach);
+            slopes += others.w * spline_gradient_factor(r, p.reach) * d;
         };
         for_neighbours(p, i, add);
         for_distant_neighbours(p, i, add);
-        Real share = volume * (spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
+        Real share = volume * (p.size(i) * spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
         Vec3 slope = volume * sum_of(slopes) + p.cloth[i].surface_slope;
         if (p.at_wall(i)) {
             const Real of_liquid = wall_share(liquid.vessel.wetting);
@@ -284,7 +284,7 @@ struct FindSurface {
     }
 };
 
-/// Surface force of a pack of neighbours on a particle, over the square of their volume.
+/// Surface force of a pack of neighbours of full size on a particle, over the product of the volumes.
 HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, const int* slots)
 {
     const Quads theirs = gather(p.surface, slots);
@@ -301,7 +301,7 @@ HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, co
     p.pressure_force[i] = a;
     const Vec3 v = p.velocity[i] + liquid.dt * (p.force[i] + a);
     const Vec3 x = p.position[i] + liquid.dt * v;
-    p.predicted[i] = {x.x, x.y, x.z, 0};
+    p.predicted[i] = {x.x, x.y, x.z, p.motion[i].w};
 }
 
 /// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: eq. 5's cohesion
@@ -325,21 +325,24 @@ struct FindForces {
             const Quads others = gather(p.place, slots);
             const Packs d = between(place, others);
             const Pack r2 = dot(d, d), r = root(r2);
-            const Pack slope = spline_slope(r, p.support) * inverse_distance(r, p.reach);
+            const Quads motions = gather(p.motion, slots);
+            const Pack& sizes = motions.w;
+            const Pack slope = sizes * spline_slope(r, p.support) * inverse_distance(r, p.reach);
             store(slope_of(p, slots), slope);
-            kernels += spline_kernel(r, p.support);
+            kernels += sizes * spline_kernel(r, p.support);
             pressed += (place.w + others.w) * slope * d;
-            forces += surface_forces(p, surface, d, slots);
-            forces += drag * dot(between(motion, gather(p.motion, slots)), d) / (r2 + smallest) * slope * d;
+            forces += sizes * surface_forces(p, surface, d, slots);
+            forces += drag * dot(between(motion, motions), d) / (r2 + smallest) * slope * d;
         });
-        for_distant_neighbours(
-            p, i, [&](const int* slots) { forces += surface_forces(p, surface, between(place, gather(p.place, slots)), slots); });
+        for_distant_neighbours(p, i, [&](const int* slots) {
+            forces += gather(p.motion, slots).w * surface_forces(p, surface, between(place, gather(p.place, slots)), slots);
+        });
         Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
         const ClothField& cloth = p.cloth[i];
         a +=
-            (Real(1) / liquid.density) * (surface.w * cloth.surface_slope - cloth.bent({surface.x, surface.y, surface.z}) + cloth.adhesion);
-        Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
+            (Real(1) / liquid.density) * (surface.w * cloth.surface_slope - ClothExpansion::times(cloth.bend, {surface.x, surface.y, surface.z}) + cloth.adhesion);
+        Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
             excess += liquid.density * kernel_beyond_plane(distance, p.support);
@@ -370,11 +373,12 @@ struct CorrectPressure {
         const Quad own = p.predicted[i];
         Pack kernels{};
         for_neighbours(p, i, [&](const int* slots) {
-            const Packs d = between(own, gather(p.predicted, slots));
-            kernels += spline_kernel(root(dot(d, d)), p.support);
+            const Quads others = gather(p.predicted, slots);
+            const Packs d = between(own, others);
+            kernels += others.w * spline_kernel(root(dot(d, d)), p.support);
         });
         const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
-        Real density = p.mass * (spline_kernel(Real(0), p.support) + sum_of(kernels)) +
+        Real density = p.mass * (own.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) +
                        liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
         if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
@@ -415,7 +419,7 @@ struct FindStress {
         Pack sum{};
         const auto add_surface = [&](const int* slots) {
             const Packs d = between(own, gather(p.place, slots));
-            sum += dot(surface_forces(p, surface, d, slots), d);
+            sum += gather(p.motion, slots).w * dot(surface_forces(p, surface, d, slots), d);
         };
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
