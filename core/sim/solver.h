@@ -237,7 +237,7 @@ private:
     Buffer<int> box_;   ///< see FindBox
     Buffer<int> moved_; ///< see BeginStep
     Buffer<ClothField> cloth_;
-    Buffer<ClothExpansion> cloth_from_;
+    Buffer<ClothExpansion> cloth_from_, sorted_cloth_from_;
     Buffer<Quad> bead_;
     Buffer<BeadType> bead_types_;
     Beads beads_; ///< their counts; the pointers come with beads()

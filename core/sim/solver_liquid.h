@@ -72,7 +72,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     moved_.resize(6);
     drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
-    cloth_from_.resize(capacity);
+    for (auto* b : {&cloth_from_, &sorted_cloth_from_}) b->resize(capacity);
     const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
     beads_ = beads.view;
     bead_.upload(beads.beads);
@@ -111,6 +111,7 @@ template <typename Executor> void Solver<Executor>::load_particles()
     wall_normal_.write_range(0, std::vector<Vec3>(n));
     wall_distance_.write_range(0, std::vector<Real>(n, Real(0))); // not looked for yet
     wall_segment_.write_range(0, std::vector<int>(n, no_wall));
+    cloth_from_.write_range(0, std::vector<ClothExpansion>(n));
     content_.write_range(
         0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
     alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
@@ -156,6 +157,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         wall_normal_.write_range(at, std::vector<Vec3>(n));
         wall_distance_.write_range(at, std::vector<Real>(n, Real(0))); // not looked for yet
         wall_segment_.write_range(at, std::vector<int>(n, no_wall));
+        cloth_from_.write_range(at, std::vector<ClothExpansion>(n));
         // The drop's own water, shared out to the last quantum.
         const std::int64_t water = std::llround(drop.volume * scene_.climate.density / water_quantum);
         std::vector<std::int64_t> content(n, water / added);
@@ -211,17 +213,19 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.wall_distance = sorted_distance_.data();
     to.wall_segment = sorted_segment_.data();
     to.content = sorted_content_.data();
+    to.cloth_from = sorted_cloth_from_.data();
     to.place = sorted_place_.data();
     to.stress = sorted_stress_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
                                      wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
-                                     key_.data(), grid_.cells(), to});
+                                     cloth_from_.data(), key_.data(), grid_.cells(), to});
     position_.swap(sorted_position_);
     velocity_.swap(sorted_velocity_);
     wall_normal_.swap(sorted_normal_);
     wall_distance_.swap(sorted_distance_);
     wall_segment_.swap(sorted_segment_);
     content_.swap(sorted_content_);
+    cloth_from_.swap(sorted_cloth_from_);
     place_.swap(sorted_place_);
     stress_.swap(sorted_stress_);
     exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
@@ -276,7 +280,7 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     list_neighbours();
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
-    each_particle("cloth", FeelCloth{particle_views(), shape(), beads(), listed_for_ == 1});
+    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
     each_particle("surface", FindSurface{particle_views(), liquid(dt)});
     each_particle("forces", FindForces{particle_views(), liquid(dt)});
     correct_pressure(dt);

@@ -140,7 +140,7 @@ struct ClothField {
 
 /// What a particle had of the cloth where that was last summed up, and how it changes from there.
 struct ClothExpansion {
-    Vec3 at;
+    Vec3 at{Real(1e6), Real(1e6), Real(1e6)}; ///< far from all: not summed up yet
     ClothField field;
     Real slope_bend[6] = {};    ///< 1/m2, second slopes of share
     Real adhesion_bend[6] = {}; ///< N/m4

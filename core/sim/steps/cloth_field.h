@@ -31,7 +31,6 @@ struct FeelCloth {
     Particles p;
     TextileShape textile;
     Beads beads;
-    bool reordered; ///< particles have changed their places in memory
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
@@ -41,7 +40,7 @@ struct FeelCloth {
         ClothExpansion& from = p.cloth_from[i];
         const Vec3 way = x - from.at;
         const Real far = Real(0.1) * p.spacing;
-        if (reordered || dot(way, way) > far * far) {
+        if (!(dot(way, way) <= far * far)) {
             from = expansion(x);
             p.cloth[i] = from.field;
         } else {

@@ -183,8 +183,9 @@ struct MeetYarns {
             return;
         }
         // No skin has come nearer than by the way.
-        if (const Real free = p.wall_distance[i] - length(x - start); free > half_spacing && !vessel.present) {
+        if (const Real free = p.wall_distance[i] - length(x - start); free > touching && !vessel.present) {
             p.wall_distance[i] = free;
+            if (free < half_spacing) v = film_drag * v;
             return;
         }
         x = stopped(start, x, p.wall_distance[i]);

@@ -138,6 +138,7 @@ struct Reorder {
     const Quad* place;
     const Real* stress;
     const std::int64_t* content;
+    const ClothExpansion* cloth_from;
     const int* key;
     int dead_key;
     Particles to;
@@ -150,6 +151,7 @@ struct Reorder {
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
+        to.cloth_from[i] = cloth_from[from];
         if (stress) to.stress[i] = stress[from];
         to.alive[i] = key[i] != dead_key;
         const Vec3 &x = position[from], &v = velocity[from];
