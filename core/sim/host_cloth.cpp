@@ -44,8 +44,13 @@ double share_of_own_yarn(const CutSection& section, double bead_length, Real sup
 std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles)
 {
     std::vector<YarnShape> shapes;
+    float shift = 0;
+    for (float s : scene.shift) shift = std::max(shift, std::abs(s));
     for (const ContactShape& shape : scene.shapes) {
-        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<int>(profiles.size())});
+        float width = static_cast<float>(shape.half_width);
+        for (std::size_t k = 3; k < shape.profiles.size(); k += 4) width = std::max(width, shape.profiles[k]); // see ContactShape
+        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<Real>(width + shift),
+                          static_cast<int>(profiles.size())});
         profiles.insert(profiles.end(), shape.profiles.begin(), shape.profiles.end());
     }
     return shapes;

@@ -10,6 +10,7 @@ namespace hygroloom {
 struct YarnShape {
     Real half_height = 0; ///< at a crossing
     Real half_width = 0;
+    Real widest = 0;  ///< from its place to its farthest side, anywhere
     int profiles = 0; ///< where its own begin among TextileShape::profiles
 };
 
@@ -100,7 +101,7 @@ HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real
     const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
     const Real pitch = is_warp ? t.weft_pitch : t.warp_pitch; // from crossing to crossing
     const Real near = reach < nearest.distance ? reach : nearest.distance;
-    if (across > yarn.half_width + near + pitch || -across > yarn.half_width + near + pitch) return;
+    if (across > yarn.widest + near || -across > yarn.widest + near) return;
 
     const YarnPlace at = yarn_place(t, is_warp, end, pick, along / pitch);
     const Real side = t.is_warp_up(end, pick) == is_warp ? Real(1) : Real(-1);
@@ -136,7 +137,7 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     const int end = static_cast<int>(std::floor(u + Real(0.5)));
     const int pick = static_cast<int>(std::floor(v + Real(0.5)));
     if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
-    for (int beside = -1; beside <= 1; ++beside) {
+    for (int beside : {0, -1, 1}) { // the nearest first
         const int e = end + beside, k = pick + beside;
         if (e >= 0 && e < t.ends)
             try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft_pitch, (u - Real(e)) * t.warp_pitch, p.z, reach, nearest);
