@@ -180,8 +180,8 @@ struct Particles {
     Vec3* force = nullptr;           ///< acceleration by all but pressure
     Vec3* pressure_force = nullptr;  ///< acceleration
     Vec3* wall_normal = nullptr;     ///< out of the nearest yarn or the vessel
-    Real* wall_distance = nullptr;   ///< to its skin
-    int* wall_segment = nullptr;     ///< or no_wall, or vessel_wall
+    Real* wall_distance = nullptr;   ///< to its skin, at least
+    int* wall_segment = nullptr;     ///< within half a spacing, or no_wall, or vessel_wall
     Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
     Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     ClothField* cloth = nullptr;

@@ -183,10 +183,11 @@ struct MeetYarns {
             atomic_add(dripped, p.content[i]);
             return;
         }
+        const bool in_film = p.wall_segment[i] >= 0;
         // No skin has come nearer than by the way.
-        if (const Real free = p.wall_distance[i] - length(x - start); free > touching && !vessel.present) {
+        if (const Real free = p.wall_distance[i] - length(x - start); free > (in_film ? touching : half_spacing) && !vessel.present) {
             p.wall_distance[i] = free;
-            if (free < half_spacing) v = film_drag * v;
+            if (in_film) v = film_drag * v;
             return;
         }
         x = stopped(start, x, p.wall_distance[i]);
@@ -214,7 +215,7 @@ struct MeetYarns {
         }
         p.wall_distance[i] = skin.distance;
         p.wall_normal[i] = skin.normal;
-        p.wall_segment[i] = skin.segment;
+        p.wall_segment[i] = skin.segment == vessel_wall || skin.distance < half_spacing ? skin.segment : no_wall;
     }
     HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
