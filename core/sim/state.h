@@ -165,25 +165,25 @@ struct ClothExpansion {
 /// One value per particle.
 struct Particles {
     int count = 0;
-    Real mass = 0;    ///< kg, of each that is full
+    Real mass = 0;        ///< kg, of each that is full
     Real per_quantum = 0; ///< of its mass
-    Real support = 0; ///< m, of the kernel of pressure and viscosity
-    Real reach = 0;   ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
-    Real spacing = 0; ///< m
+    Real support = 0;     ///< m, of the kernel of pressure and viscosity
+    Real reach = 0;       ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
+    Real spacing = 0;     ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
     // What neighbours read; behind the last particle stands one that is far from all.
-    Quad* place = nullptr;           ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
-    Quad* motion = nullptr;          ///< velocity, and size
-    Quad* predicted = nullptr;       ///< position at the step's end, so far, and size
-    Quad* surface = nullptr;         ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
-    Vec3* force = nullptr;           ///< acceleration by all but pressure
-    Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn or the vessel
-    Real* wall_distance = nullptr;   ///< to its skin, at least
-    int* wall_segment = nullptr;     ///< within half a spacing, or no_wall, or vessel_wall
-    Real* allowed = nullptr;         ///< kg/m3 over the rest density that this step need not correct
-    Real* stress = nullptr;          ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
+    Quad* place = nullptr;          ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
+    Quad* motion = nullptr;         ///< velocity, and size
+    Quad* predicted = nullptr;      ///< position at the step's end, so far, and size
+    Quad* surface = nullptr;        ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
+    Vec3* force = nullptr;          ///< acceleration by all but pressure
+    Vec3* pressure_force = nullptr; ///< acceleration
+    Vec3* wall_normal = nullptr;    ///< out of the nearest yarn or the vessel
+    Real* wall_distance = nullptr;  ///< to its skin, at least
+    int* wall_segment = nullptr;    ///< within half a spacing, or no_wall, or vessel_wall
+    Real* allowed = nullptr;        ///< kg/m3 over the rest density that this step need not correct
+    Real* stress = nullptr;         ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     ClothField* cloth = nullptr;
     ClothExpansion* cloth_from = nullptr;
     std::int64_t* content = nullptr; ///< quanta of water it still holds

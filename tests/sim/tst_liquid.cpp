@@ -307,7 +307,8 @@ private Q_SLOTS:
         }
         const double fallen = scene.droplets[0].centre.z - middle.z;
         QCOMPARE(int(frames[1].positions.size()), 800);
-        QVERIFY2(std::abs(fallen - 0.5 * 9.80665 * 0.03 * 0.03) < 0.02 * fallen, qPrintable(QString("%1 m, %2 m/s").arg(fallen).arg(speed.z)));
+        QVERIFY2(std::abs(fallen - 0.5 * 9.80665 * 0.03 * 0.03) < 0.02 * fallen,
+                 qPrintable(QString("%1 m, %2 m/s").arg(fallen).arg(speed.z)));
         QVERIFY(std::abs(speed.z + 9.80665 * 0.03) < 0.01 * 9.80665 * 0.03);
         QVERIFY(std::hypot(speed.x, speed.y) < 1e-3);
     }

@@ -24,9 +24,10 @@ struct Beads {
     Real top = 0;    ///< m, over the middle plane or under it: no bead is farther
 };
 
-/// Sums over the beads near each particle, anew where it has moved by a tenth of its spacing; else by their slopes. A flat wall at the nearest skin's distance would not do: where yarns are thinner than the
-/// kernel its forces have no energy, and a drop on them heats up. A flat yarn acts as a wall does (wall_share(), wall_attraction()): its
-/// attraction's energy is as the surface kernel's integral over the skin.
+/// Sums over the beads near each particle, anew where it has moved by a tenth of its spacing; else by their slopes. A flat wall at the
+/// nearest skin's distance would not do: where yarns are thinner than the kernel its forces have no energy, and a drop on them heats up. A
+/// flat yarn acts as a wall does (wall_share(), wall_attraction()): its attraction's energy is as the surface kernel's integral over the
+/// skin.
 struct FeelCloth {
     Particles p;
     TextileShape textile;

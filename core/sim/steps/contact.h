@@ -291,7 +291,7 @@ struct TouchSegments {
 };
 
 /// The noted particle gives its segments what suction lets through their skins in this step, in whole quanta, never more than the
-/// pores hold. A segment drinks from one particle only, so nothing is given twice. A particle keeps its size until it is empty, and
+/// pores hold. A segment drinks from one particle only, so nothing is given twice. A particle shrinks until it is empty, and
 /// then is gone.
 struct GiveToSegments {
     Particles p;

@@ -342,8 +342,8 @@ struct FindForces {
         Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
         const ClothField& cloth = p.cloth[i];
-        a +=
-            (Real(1) / liquid.density) * (surface.w * cloth.surface_slope - ClothExpansion::times(cloth.bend, {surface.x, surface.y, surface.z}) + cloth.adhesion);
+        a += (Real(1) / liquid.density) *
+             (surface.w * cloth.surface_slope - ClothExpansion::times(cloth.bend, {surface.x, surface.y, surface.z}) + cloth.adhesion);
         Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
@@ -435,7 +435,7 @@ struct FindStress {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
             virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
-                                                                  tilt * curvature_virial_beyond_plane(distance, p.reach));
+                                                           tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
         p.stress[i] += dt * virial / Real(6);
     }
