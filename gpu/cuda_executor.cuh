@@ -8,6 +8,7 @@
 #include <cuda_runtime.h>
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,15 @@ template <typename Stage> __global__ void run_stage(int count, Stage stage)
 {
     const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     if (i < count) stage(i);
+}
+
+/// The same with a stage that returns something to be added up.
+template <typename Stage> __global__ void run_summed(int count, Stage stage, std::int64_t* sum)
+{
+    const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+    std::int64_t part = i < count ? stage(i) : 0;
+    for (int apart = 16; apart > 0; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
+    if (threadIdx.x % 32 == 0 && part != 0) atomic_add(sum, part);
 }
 
 template <typename T> struct FillStage {
@@ -57,7 +67,8 @@ public:
         }
         void fill(T value)
         {
-            if (size_ > 0) run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>(static_cast<int>(size_), FillStage<T>{data_, value});
+            if (size_ > 0)
+                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>(static_cast<int>(size_), FillStage<T>{data_, value});
             check_cuda(cudaGetLastError(), "filling memory");
         }
         void upload(const std::vector<T>& values)
@@ -100,12 +111,23 @@ public:
 
     void set_threads(int) {}
 
-    template <typename Stage> void for_each(const char* name, int count, const Stage& stage)
+    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything.
+    template <typename Stage> std::int64_t for_each(const char* name, int count, const Stage& stage)
     {
-        if (count <= 0) return;
+        if (count <= 0) return 0;
         constexpr int block = 128;
-        run_stage<<<static_cast<unsigned>((count + block - 1) / block), block>>>(count, stage);
-        check_cuda(cudaGetLastError(), name);
+        const auto blocks = static_cast<unsigned>((count + block - 1) / block);
+        if constexpr (std::is_void_v<decltype(stage(0))>) {
+            run_stage<<<blocks, block>>>(count, stage);
+            check_cuda(cudaGetLastError(), name);
+            return 0;
+        } else {
+            sum_.resize(1);
+            sum_.write(0, 0);
+            run_summed<<<blocks, block>>>(count, stage, sum_.data());
+            check_cuda(cudaGetLastError(), name);
+            return sum_.read(0);
+        }
     }
 
     /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
@@ -120,16 +142,20 @@ public:
         int bits = 1;
         while (bits < 31 && (largest >> bits) != 0) ++bits;
         std::size_t bytes = 0;
-        check_cuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
-                   "sorting");
+        check_cuda(
+            cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
+            "sorting");
         if (scratch_.size() < bytes) scratch_.resize(bytes);
-        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
+        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(),
+                                                   count, 0, bits),
                    "sorting");
-        check_cuda(cudaMemcpy(keys.data(), sorted_.data(), static_cast<std::size_t>(count) * sizeof(int), cudaMemcpyDeviceToDevice), "sorting");
+        check_cuda(cudaMemcpy(keys.data(), sorted_.data(), static_cast<std::size_t>(count) * sizeof(int), cudaMemcpyDeviceToDevice),
+                   "sorting");
     }
 
 private:
     Buffer<int> count_up_, sorted_;
+    Buffer<std::int64_t> sum_;
     Buffer<unsigned char> scratch_;
 };
 

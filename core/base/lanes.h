@@ -6,6 +6,9 @@
 #include "core/base/portable.h"
 
 #include <cmath>
+#ifdef __x86_64__
+#include <xmmintrin.h>
+#endif
 
 namespace hygroloom {
 
@@ -15,6 +18,21 @@ constexpr int lanes = HL_LANES;
 struct alignas(4 * sizeof(Real)) Quad {
     Real x = 0, y = 0, z = 0, w = 0;
 };
+
+/// Slots name places by their distance from the first, in bytes: nothing is left to multiply where they are gathered.
+HL_FN constexpr int slot_of(int index) { return index * static_cast<int>(sizeof(Quad)); }
+HL_FN const Quad* at_slot(const Quad* first, int slot)
+{
+    return reinterpret_cast<const Quad*>(reinterpret_cast<const char*>(first) + slot);
+}
+
+/// Has memory brought that is read soon.
+HL_FN void bring(const void* memory)
+{
+#ifndef __CUDA_ARCH__
+    __builtin_prefetch(memory);
+#endif
+}
 
 HL_FN Real root(Real value) { return std::sqrt(value); }
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
@@ -26,9 +44,21 @@ struct Quads {
     Pack x, y, z, w;
 };
 HL_FN Real sum_of(Pack pack) { return pack; }
-HL_FN Real lane_of(Pack pack, int) { return pack; }
-HL_FN Quads gather(const Quad* at, const int* slots) { return {at[*slots].x, at[*slots].y, at[*slots].z, at[*slots].w}; }
+HL_FN Quads gather(const Quad* at, const int* slots)
+{
+    const Quad& quad = *at_slot(at, *slots);
+    return {quad.x, quad.y, quad.z, quad.w};
+}
 HL_FN Quads load(const Quad* at) { return {at->x, at->y, at->z, at->w}; }
+HL_FN Pack load(const Real* at) { return *at; }
+HL_FN void store(Real* at, Pack pack) { *at = pack; }
+HL_FN bool lanes_below(int count) { return count > 0; }
+HL_FN bool lanes_but(int lane) { return lane != 0; }
+HL_FN int list_lanes(bool wanted, int first, int* slots)
+{
+    if (wanted) *slots = slot_of(first);
+    return wanted;
+}
 
 #else
 
@@ -36,8 +66,12 @@ using Pack = Real __attribute__((vector_size(lanes * sizeof(Real))));
 struct Quads {
     Pack x, y, z, w;
 };
-inline Real sum_of(const Pack& p) { return ((p[0] + p[4]) + (p[2] + p[6])) + ((p[1] + p[5]) + (p[3] + p[7])); }
-inline Real lane_of(const Pack& pack, int lane) { return pack[lane]; }
+inline Real sum_of(const Pack& p)
+{
+    const auto four = __builtin_shufflevector(p, p, 0, 1, 2, 3) + __builtin_shufflevector(p, p, 4, 5, 6, 7);
+    const auto two = four + __builtin_shufflevector(four, four, 2, 3, 2, 3);
+    return two[0] + two[1];
+}
 inline Pack root(const Pack& values)
 {
     Pack roots;
@@ -65,8 +99,8 @@ inline Quads transposed(const Quad* const (&at)[lanes])
 /// Of the places that the next slots name.
 inline Quads gather(const Quad* at, const int* slots)
 {
-    const Quad* const rows[lanes] = {at + slots[0], at + slots[1], at + slots[2], at + slots[3],
-                                     at + slots[4], at + slots[5], at + slots[6], at + slots[7]};
+    const Quad* const rows[lanes] = {at_slot(at, slots[0]), at_slot(at, slots[1]), at_slot(at, slots[2]), at_slot(at, slots[3]),
+                                     at_slot(at, slots[4]), at_slot(at, slots[5]), at_slot(at, slots[6]), at_slot(at, slots[7])};
     return transposed(rows);
 }
 /// Of places side by side.
@@ -74,6 +108,54 @@ inline Quads load(const Quad* at)
 {
     const Quad* const rows[lanes] = {at, at + 1, at + 2, at + 3, at + 4, at + 5, at + 6, at + 7};
     return transposed(rows);
+}
+using LoosePack = Real __attribute__((vector_size(lanes * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+inline Pack load(const Real* at) { return *reinterpret_cast<const LoosePack*>(at); }
+inline void store(Real* at, const Pack& pack) { *reinterpret_cast<LoosePack*>(at) = pack; }
+
+/// Which lanes are meant: all bits of a lane set, or none.
+using Mask = decltype(Pack{} < Pack{});
+using Slots = int __attribute__((vector_size(lanes * sizeof(int))));
+using LooseSlots = int __attribute__((vector_size(lanes * sizeof(int)), aligned(sizeof(int)), may_alias));
+constexpr Mask lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
+inline Mask lanes_below(int count) { return lane_numbers < count; }
+inline Mask lanes_but(int lane) { return lane_numbers != lane; }
+
+/// One bit per lane.
+inline unsigned bits_of(const Mask& mask)
+{
+#if defined(__x86_64__) && !defined(HYGROLOOM_DOUBLE)
+    const auto low = __builtin_shufflevector(mask, mask, 0, 1, 2, 3), high = __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(low)) | _mm_movemask_ps(reinterpret_cast<__m128>(high)) << 4);
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < lanes; ++lane) bits |= mask[lane] ? 1u << lane : 0u;
+    return bits;
+#endif
+}
+
+/// For all sets of lanes: their slots, side by side, and how many they are.
+struct LaneTable {
+    Slots slots[1 << lanes] = {};
+    std::uint8_t count[1 << lanes] = {};
+    constexpr LaneTable()
+    {
+        for (unsigned set = 0; set < 1u << lanes; ++set) {
+            int of_set[lanes] = {};
+            for (int lane = 0; lane < lanes; ++lane)
+                if (set >> lane & 1u) of_set[count[set]++] = slot_of(lane);
+            slots[set] = Slots{of_set[0], of_set[1], of_set[2], of_set[3], of_set[4], of_set[5], of_set[6], of_set[7]};
+        }
+    }
+};
+inline constexpr LaneTable lane_table;
+
+/// Writes the slot of first + lane for each wanted lane, side by side, and says how many; a whole pack of slots is written to.
+inline int list_lanes(const Mask& wanted, int first, int* slots)
+{
+    const unsigned set = bits_of(wanted);
+    *reinterpret_cast<LooseSlots*>(slots) = slot_of(first) + lane_table.slots[set];
+    return lane_table.count[set];
 }
 
 #endif

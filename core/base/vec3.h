@@ -9,7 +9,7 @@
 namespace hygroloom {
 
 template <typename T> struct Vec3T {
-    T x = 0, y = 0, z = 0;
+    T x{}, y{}, z{};
 
     HL_FN Vec3T& operator+=(const Vec3T& o)
     {

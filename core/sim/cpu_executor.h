@@ -3,6 +3,8 @@
 // cannot change a result.
 #pragma once
 
+#include "core/base/portable.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace hygroloom {
@@ -44,15 +47,19 @@ public:
         arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
     }
 
-    /// Calls stage(i) for 0 <= i < count; the name is for profilers.
-    template <typename Stage> void for_each(const char*, int count, const Stage& stage)
+    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything; the name is for profilers.
+    template <typename Stage> std::int64_t for_each(const char*, int count, const Stage& stage)
     {
         constexpr int grain = 64;
         if (count <= grain) return run_range(stage, 0, count);
+        std::int64_t sum = 0;
         arena_->execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain),
-                              [&](const tbb::blocked_range<int>& range) { run_range(stage, range.begin(), range.end()); });
+            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& range) {
+                const std::int64_t part = run_range(stage, range.begin(), range.end());
+                if (part != 0) atomic_add(&sum, part);
+            });
         });
+        return sum;
     }
 
     /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
@@ -71,7 +78,7 @@ public:
     }
 
 private:
-    template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
+    template <typename Stage> static std::int64_t run_range(const Stage& stage, int begin, int end)
     {
 #ifdef __x86_64__
         // Stages that work on packs say so; they run several times as fast with whole packs in a register, to the same last bit.
@@ -80,13 +87,25 @@ private:
             if (has_wide) return run_wide(stage, begin, end);
         }
 #endif
-        for (int i = begin; i < end; ++i) stage(i);
+        return run_all(stage, begin, end);
+    }
+    /// Works on a copy of the stage, which nothing else can change meanwhile.
+    template <typename Stage> static inline std::int64_t run_all(const Stage stage, int begin, int end)
+    {
+        std::int64_t sum = 0;
+        for (int i = begin; i < end; ++i) {
+            if constexpr (std::is_void_v<decltype(stage(i))>)
+                stage(i);
+            else
+                sum += stage(i);
+        }
+        return sum;
     }
 #ifdef __x86_64__
     template <typename Stage>
-    __attribute__((target("avx2"), flatten, noinline)) static void run_wide(const Stage& stage, int begin, int end)
+    __attribute__((target("avx2"), flatten, noinline)) static std::int64_t run_wide(const Stage& stage, int begin, int end)
     {
-        for (int i = begin; i < end; ++i) stage(i);
+        return run_all(stage, begin, end);
     }
 #endif
 

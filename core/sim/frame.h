@@ -42,6 +42,7 @@ struct Frame {
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s
+    std::vector<float> pressures; ///< Pa, mean since the last frame, by all forces between particles; empty unless the scene asks
     Ledger ledger;
     // Totals of each face, kg: water over the start in segments that lie on top and at the bottom.
     double water_top = 0;

@@ -26,7 +26,7 @@ struct Level {
     double saturation_change;
     double step_error;
     double density_tolerance;
-    int burst_steps;
+    double settle_share;
     double rest_tolerance; // of the air's humidity at the border of what is visited
     double neglected;      // part of the delivered water, or of the wicking rate, below which a part is left out
 };
@@ -34,9 +34,9 @@ struct Level {
 Level level_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 2e-3, 0.02, 20, 1e-3, 0.01};
-    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 5e-4, 0.01, 10, 1e-4, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0, 1e-6, 0.0};
+    case Fidelity::draft: return {500, 3, 20e-3, 0.2, 2e-3, 0.02, 0.03, 1e-3, 0.01};
+    case Fidelity::standard: return {2000, 6, 5e-3, 0.1, 5e-4, 0.01, 0.01, 1e-4, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0.0, 1e-6, 0.0};
     }
     return {};
 }
@@ -296,12 +296,16 @@ void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
     const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(b.drops);
     const double rests =
         std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
-    const double resting_steps = plan.burst_steps > 0 ? rests / plan.network_step_limit * plan.burst_steps : rests / liquid_step;
+    // Asleep but for the capillary time of every share that is drunk.
+    const double settles =
+        plan.on("wicking") && plan.settle_share > 0 ? std::sqrt(998.0 * plan.settle_share * volume / 0.0728) / plan.settle_share : 0.0;
+    const double resting_steps = (plan.settle_share > 0 ? std::min(rests, settles) : rests) / liquid_step;
     const double steps = std::min(moving_time, experiment.duration_s) / liquid_step + resting_steps;
     const double left = plan.on("wicking") ? 0.4 : 1.0; // of the particles, on average
     plan.expected_seconds = steps * particles * left * particle_step +
                             (plan.on("wicking") ? plan.segments * experiment.duration_s / plan.network_step_limit * segment_step : 0.0);
-    plan.expected_bytes = 40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (4.0 * largest_neighbour_count + 200.0);
+    plan.expected_bytes =
+        40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
     plan.expectation_source =
         fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
                     1e6 * b.delivered, resting_time);
@@ -374,14 +378,14 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.saturation_change = level.saturation_change;
     plan.step_error = level.step_error;
     plan.density_tolerance = level.density_tolerance;
-    plan.burst_steps = level.burst_steps;
+    plan.settle_share = level.settle_share;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
-    plan.resolution_reason =
-        fmt::format("{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
-                    "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
-                    name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit, plan.saturation_change,
-                    plan.burst_steps > 0 ? fmt::format("a puddle at rest moves {} steps in each of them", plan.burst_steps)
-                                         : std::string("a puddle at rest is never skipped"));
+    plan.resolution_reason = fmt::format(
+        "{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
+        "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
+        name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit, plan.saturation_change,
+        plan.settle_share > 0 ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.settle_share)
+                              : std::string("liquid at rest is never skipped"));
     expect(plan, bounds, experiment);
     return plan;
 }

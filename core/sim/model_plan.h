@@ -37,7 +37,7 @@ struct ModelPlan {
     double rest_tolerance = 0;     ///< see Scene; 0: all of the sample is visited
     double step_error = 0;         ///< of a step without drops: part of the water and heat at stake that it may misplace
     double density_tolerance = 0;  ///< of the pressure loop, fraction
-    int burst_steps = 0;           ///< liquid steps between two network steps once the liquid rests; 0: all
+    double settle_share = 0;       ///< of liquid at rest that yarns drink before it settles anew; 0: it never rests
     std::string resolution_reason;
     double expected_seconds = 0;
     double expected_bytes = 0;

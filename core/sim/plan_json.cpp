@@ -31,7 +31,7 @@ std::string plan_json(const ModelPlan& plan)
           {"saturation_change", plan.saturation_change},
           {"step_error", plan.step_error},
           {"density_tolerance", plan.density_tolerance},
-          {"burst_steps", plan.burst_steps},
+          {"settle_share", plan.settle_share},
           {"reason", plan.resolution_reason}}},
         {"expected", {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
     };
@@ -56,7 +56,7 @@ try {
     plan.saturation_change = resolution.at("saturation_change");
     plan.step_error = resolution.value("step_error", 0.0);
     plan.density_tolerance = resolution.at("density_tolerance");
-    plan.burst_steps = resolution.at("burst_steps");
+    plan.settle_share = resolution.value("settle_share", 0.0);
     plan.resolution_reason = resolution.at("reason");
     const Json& expected = json.at("expected");
     plan.expected_seconds = expected.at("time_s");

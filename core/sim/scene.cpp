@@ -345,7 +345,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.rest_tolerance = plan.rest_tolerance;
     scene.saturation_change = plan.saturation_change;
     scene.density_tolerance = plan.density_tolerance;
-    scene.burst_steps = plan.burst_steps;
+    scene.settle_share = plan.settle_share;
     scene.seed = seed;
     return scene;
 }

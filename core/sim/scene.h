@@ -2,9 +2,12 @@
 // Everything a backend ever sees of a run: plain numbers and flat arrays in SI units.
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/textile.h"
 #include "core/physics/sorption.h"
 #include "core/sim/model_plan.h"
+
+#include <optional>
 
 namespace hygroloom {
 
@@ -98,6 +101,19 @@ struct SceneDroplet {
     double speed = 0; ///< downwards
 };
 
+/// A smooth box, open at its top, with liquid inside; a plate if its sides are far away. It stands over the cloth.
+struct SceneVessel {
+    Vec3d low, high;
+    double adhesion = 0; ///< J/m2, work of adhesion
+};
+
+/// Free liquid that is there from the start.
+struct SceneLiquid {
+    std::vector<Vec3d> places;
+    std::vector<Vec3d> velocities;
+    double particle_volume = 0; ///< m3; drops that come later are made of the same
+};
+
 struct Scene {
     int ends = 0;
     int picks = 0;
@@ -116,9 +132,13 @@ struct Scene {
     std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
     ClimateParameters climate;
     std::vector<SceneDroplet> droplets; ///< in order of time
-    std::vector<SceneClimate> course;   ///< of the climate, the first at 0 s; empty: constant
-    std::vector<ScenePool> pools;       ///< in the middle of the sample
-    double sweat = 0;                   ///< m/s (m3 of liquid per m2 and s) fed to one face
+    SceneLiquid liquid;
+    std::optional<SceneVessel> vessel;
+    double gravity = gravity_acceleration; ///< m/s2, downwards, on the free liquid
+    bool shows_pressure = false;           ///< whether frames show the free liquid's pressure
+    std::vector<SceneClimate> course;      ///< of the climate, the first at 0 s; empty: constant
+    std::vector<ScenePool> pools;          ///< in the middle of the sample
+    double sweat = 0;                      ///< m/s (m3 of liquid per m2 and s) fed to one face
     bool sweat_on_top = false;
     std::vector<double> initial_liquid; ///< kg per segment; empty: dry
     double initial_bound = 0;           ///< kg of the fibres' water at the start that was added for the experiment
@@ -140,7 +160,7 @@ struct Scene {
     double step_error = 0;        ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0; ///< largest a step aims at, for the step's length
     double density_tolerance = 0.01;
-    int burst_steps = 0; ///< liquid steps between two network steps once the liquid rests; 0: all
+    double settle_share = 0; ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
     std::uint64_t seed = 1;
 
     int crossings() const { return ends * picks; }

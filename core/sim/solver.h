@@ -5,6 +5,8 @@
 
 #include "core/sim/droplet.h"
 #include "core/sim/frame.h"
+#include "core/sim/host_cloth.h"
+#include "core/sim/steps/cloth_field.h"
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/supply.h"
@@ -24,6 +26,9 @@ public:
 
     Executor& executor() { return exec_; }
     long liquid_steps() const { return liquid_steps_; }
+    long pressure_rounds() const { return pressure_rounds_; }
+    /// How often neighbours have been listed.
+    long listings() const { return listings_; }
     int particles() const { return count_; }
     /// Segments that steps go through now.
     int visited_segments() { return yarns().visited_segments(); }
@@ -37,16 +42,19 @@ public:
         wicking_watch_ = exchange_watch_ = {};
         next_droplet_ = 0;
         count_ = 0;
-        liquid_steps_ = 0;
-        delivered_ = calm_time_ = 0;
-        burst_ = 0;
+        liquid_steps_ = pressure_rounds_ = listings_ = 0;
+        listed_for_ = 0;
+        delivered_ = landing_ = roused_ = settling_ = mean_square_ = largest_square_ = 0;
+        asleep_ = false;
+        thirst_ = 0;
+        thirsty_steps_ = 0;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
         load_segments();
         load_liquid();
         const Ledger start = ledger();
         initial_ = start.water_bound + start.water_vapour - scene.initial_bound;
-        delivered_ = start.water_liquid + scene.initial_bound;
+        delivered_ = start.water_liquid + start.water_free + scene.initial_bound;
         initial_energy_ = start.energy_stored;
         begin_anew();
     }
@@ -63,20 +71,20 @@ public:
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
             while (time_ < sync_time_ && count_ > 0) {
-                if (scene_.burst_steps > 0 && time_ >= calm_time_ && fastest_ < calm_speed() && burst_ >= scene_.burst_steps) {
-                    give_to_segments(sync_time_ - time_); // the puddle rests: it only drains until the next burst
+                if (asleep()) {
+                    drink_drops(sync_time_ - time_, true);
                     break;
                 }
                 const double steps = steps_to(sync_time_, liquid_dt_);
                 const double dt = (sync_time_ - time_) / steps;
                 step_liquid(dt);
                 time_ = steps == 1.0 ? sync_time_ : time_ + dt;
-                ++burst_;
+                drink_drops(dt, steps == 1.0);
+                watch_motion(dt);
                 if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
             }
             time_ = sync_time_;
             sync_time_ = -1;
-            burst_ = 0;
             step_network(time_ - network_time_, time_ >= until);
             network_time_ = time_;
             if (elapsed(start) > wall_seconds) break;
@@ -91,12 +99,6 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    /// Below it the liquid counts as resting: twice the capillary speed of a particle, which the jitter of a thin film reaches (0.6 to
-    /// 1 m/s seen). It keeps a run or a splash from being skipped; a drip that falls slower than this falls too slowly in bursts.
-    double calm_speed() const
-    {
-        return 2.0 * std::sqrt(scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_)));
-    }
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
     template <typename Stage> void each_segment(const char* name, const Stage& stage)
@@ -108,7 +110,10 @@ private:
         exec_.for_each(name, yarns().visited_crossings(), stage);
     }
     template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
-    template <typename Stage> void each_particle(const char* name, const Stage& stage) { exec_.for_each(name, count_, stage); }
+    template <typename Stage> std::int64_t each_particle(const char* name, const Stage& stage)
+    {
+        return exec_.for_each(name, count_, stage);
+    }
 
     void load_segments();
     void note_start(std::vector<double>& regain);
@@ -124,10 +129,12 @@ private:
         network_dt_ = std::min(first_step, step_limit());
         exchange_dt_ = scene_.step_error > 0 ? std::min(first_step, exchange_limit()) : exchange_limit();
     }
-    double step_limit() const { return count_ > 0 || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
+    /// Whether free liquid may soon come to the yarns: not while it sleeps on cloth that does not drink.
+    bool drops_about() const { return count_ > 0 && !(asleep_ && !drinks_); }
+    double step_limit() const { return drops_about() || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
     double exchange_limit() const
     {
-        return count_ > 0 || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
+        return drops_about() || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
     }
     void supply(double dt);
     void drink(double dt);
@@ -142,14 +149,21 @@ private:
     void choose_exchange_step(double dt);
     double water_at_stake() const;
     void load_liquid();
+    void load_particles();
     void release_droplets();
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
     void step_liquid(double dt);
+    void drink_drops(double dt, bool now);
     void give_to_segments(double dt);
+    double capillary_time(double volume) const;
+    void watch_motion(double dt);
+    bool asleep();
     void fit_grid();
     void sort_particles();
-    void correct_pressure(Real dt);
+    bool neighbours_hold(std::int64_t dead);
+    void list_neighbours();
+    void correct_pressure(double dt);
     void choose_liquid_step();
     double advective_step(double speed) const;
     Ledger ledger();
@@ -160,16 +174,23 @@ private:
     Particles particle_views();
     CellGrid grid();
     TextileShape shape();
-    LiquidParameters liquid() const;
+    Beads beads();
+    Vessel vessel() const;
+    LiquidParameters liquid(double dt) const;
 
     Executor exec_;
     Scene scene_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
     double network_dt_ = 0, liquid_dt_ = 0;
-    long liquid_steps_ = 0;
-    int burst_ = 0;        ///< liquid steps since the last synchronisation
-    double calm_time_ = 0; ///< from which the free liquid has had time to settle
-    double fastest_ = 0;   ///< m/s, of the last liquid step
+    long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
+    double thirst_ = 0;                           ///< s since yarns last drank from drops
+    int thirsty_steps_ = 0;                       ///< of the liquid since then
+    double landing_ = 0;                          ///< s, when the last drop released meets the cloth
+    double roused_ = 0;                           ///< s, when the free liquid last landed or woke
+    double settling_ = 0;                         ///< s, that it takes to settle then
+    double mean_square_ = 0, largest_square_ = 0; ///< m2/s2, of speeds, over the last time of settling
+    bool asleep_ = false;
+    bool drinks_ = false; ///< whether any yarn takes up liquid from drops
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;
@@ -196,21 +217,30 @@ private:
 
     // Liquid.
     int count_ = 0;
-    Real particle_mass_ = 0, spacing_ = 0, support_ = 0;
-    double stiffness_ = 0; ///< delta x dt2
+    Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
+    Real skin_ = 0;           ///< m, by which neighbours are listed too far
+    int listed_for_ = 0;      ///< steps that have used the neighbours listed last; 0: list anew
+    double stress_since_ = 0; ///< s, when the stresses began to be summed
+    double stiffness_ = 0;    ///< delta x dt2
     double capillary_dt_ = 0;
-    Buffer<Quad> place_, predicted_;
+    Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
-    Buffer<Real> wall_distance_, sorted_distance_;
-    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, neighbours_, neighbour_count_;
+    Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
+    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_; ///< density error, dripped quanta
+    Buffer<std::int64_t> sums_; ///< dripped quanta, squares of speeds, quanta drunk since the liquid last moved
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> maxima_;          ///< fastest, largest change of saturation
+    Buffer<int> maxima_;          ///< fastest, largest change of saturation, square of the fastest past the cloth
     CellGrid grid_;
-    Buffer<int> box_; ///< see FindBox
+    Buffer<int> box_;   ///< see FindBox
+    Buffer<int> moved_; ///< see BeginStep
+    Buffer<ClothField> cloth_;
+    Buffer<ClothExpansion> cloth_from_, sorted_cloth_from_;
+    Buffer<Quad> bead_;
+    Buffer<BeadType> bead_types_;
+    Beads beads_; ///< their counts; the pointers come with beads()
 };
 
 } // namespace hygroloom

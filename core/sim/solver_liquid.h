@@ -9,24 +9,19 @@
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
+constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
 constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
-constexpr double grain_viscosity = 0.03;         // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
+constexpr double grain_viscosity = 0.015;        // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
 constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
+constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
+/// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
+constexpr double resting_speed = 0.05;         // root of the mean square
+constexpr double fastest_resting_speed = 0.25; // of any particle: a drip gets faster
+constexpr int steps_between_drinks = 8;        // of the liquid; no segment drinks as much as a particle in them
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
-
-/// Shapes of the scene's types of yarn; their profiles go to one array.
-inline std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles)
-{
-    std::vector<YarnShape> shapes;
-    for (const ContactShape& shape : scene.shapes) {
-        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<int>(profiles.size())});
-        profiles.insert(profiles.end(), shape.profiles.begin(), shape.profiles.end());
-    }
-    return shapes;
-}
 
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
@@ -36,40 +31,62 @@ template <typename Executor> void Solver<Executor>::load_liquid()
         smallest = std::min(smallest, d.volume);
         highest = std::max(highest, d.centre.z + std::cbrt(d.volume));
     }
-    const std::size_t drops = scene_.droplets.size();
-    if (drops == 0) return;
+    const std::size_t drops = scene_.droplets.size(), standing = scene_.liquid.places.size();
+    if (drops + standing == 0) return;
+    for (const Vec3d& place : scene_.liquid.places) highest = std::max(highest, place.z);
     std::vector<float> profiles;
     shapes_.upload(yarn_shapes(scene_, profiles));
     profiles_.upload(profiles);
     // All particles weigh the same; a drop's number of them goes with its volume.
-    const double particle_volume = volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
+    const double particle_volume = standing > 0 ? scene_.liquid.particle_volume
+                                                : volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
     particle_mass_ = static_cast<Real>(particle_volume * scene_.climate.density);
     const double spacing = std::cbrt(particle_volume);
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
+    reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
     stiffness_ = pressure_relaxation * pressure_stiffness(spacing, support_);
     capillary_dt_ =
         0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
     liquid_dt_ = capillary_dt_;
 
-    std::size_t capacity = 0;
+    std::size_t capacity = standing;
     for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
-    for (auto* b : {&place_, &predicted_}) {
+    for (auto* b : {&place_, &sorted_place_, &motion_, &predicted_, &surface_}) {
         b->resize(capacity + lanes); // whole packs are read
         b->fill(far_away());
     }
     for (auto* b :
          {&position_, &velocity_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
-    for (auto* b : {&wall_distance_, &sorted_distance_}) b->resize(capacity);
-    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &neighbour_count_}) b->resize(capacity);
+    for (auto* b : {&allowed_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
+    stress_.fill(0);
+    stress_since_ = 0;
+    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
-    neighbours_.resize(capacity * largest_neighbour_count);
+    near_.resize(capacity * most_near);
+    slope_.resize(capacity * most_near);
+    distant_.resize(capacity * most_distant);
+    for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
+    moved_.resize(6);
+    drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
+    cloth_.resize(capacity);
+    for (auto* b : {&cloth_from_, &sorted_cloth_from_}) b->resize(capacity);
+    const HostBeads beads = make_beads(scene_, spacing, static_cast<double>(support_), static_cast<double>(reach_of_surface_));
+    beads_ = beads.view;
+    bead_.upload(beads.beads);
+    bead_types_.upload(beads.types);
     alive_.resize(capacity);
 
-    const double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
-    const double lowest = -scene_.half_thickness - drip_distance;
-    const double size = std::max(static_cast<double>(support_), std::max({width, height, highest - lowest}) * 1e-5);
+    double width = scene_.ends * 1.0 * scene_.warp_pitch, height = scene_.picks * 1.0 * scene_.weft_pitch;
+    for (const Vec3d& place : scene_.liquid.places) {
+        width = std::max(width, 4 * std::abs(place.x)); // with room to spread
+        height = std::max(height, 4 * std::abs(place.y));
+    }
+    const double lowest = scene_.vessel && standing > 0 ? scene_.vessel->low.z : -scene_.half_thickness - drip_distance;
+    // Cells of half the reach.
+    const double size = std::max(0.5 * static_cast<double>(reach_of_surface_), std::max({width, height, highest - lowest}) * 1e-5);
     grid_.size = static_cast<Real>(size);
     grid_.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
     const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
@@ -77,6 +94,33 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     grid_.whole_y = cells(height);
     grid_.whole_z = cells(highest - lowest);
     box_.resize(6);
+    if (standing > 0) load_particles();
+}
+
+/// The liquid that is there from the start.
+template <typename Executor> void Solver<Executor>::load_particles()
+{
+    const auto single = [](const std::vector<Vec3d>& values) {
+        std::vector<Vec3> result;
+        for (const Vec3d& v : values) result.push_back({static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)});
+        return result;
+    };
+    const std::size_t n = scene_.liquid.places.size();
+    position_.write_range(0, single(scene_.liquid.places));
+    velocity_.write_range(0, single(scene_.liquid.velocities));
+    wall_normal_.write_range(0, std::vector<Vec3>(n));
+    wall_distance_.write_range(0, std::vector<Real>(n, Real(0))); // not looked for yet
+    wall_segment_.write_range(0, std::vector<int>(n, no_wall));
+    cloth_from_.write_range(0, std::vector<ClothExpansion>(n));
+    content_.write_range(
+        0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
+    alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
+    place_.write_range(0, std::vector<Quad>(n));
+    count_ = static_cast<int>(n);
+    landing_ = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
+    double fastest = 0;
+    for (const Vec3d& v : scene_.liquid.velocities) fastest = std::max(fastest, length(v));
+    liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
 }
 
 /// Where particles are that no yarn has taken up; the last step's dead are still among the count.
@@ -95,7 +139,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 {
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
         SceneDroplet drop = scene_.droplets[next_droplet_++];
-        if (count_ == 0) begin_anew();
+        if (count_ == 0 || asleep_) begin_anew();
         const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
         const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
@@ -111,21 +155,24 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         position_.write_range(at, x);
         velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
         wall_normal_.write_range(at, std::vector<Vec3>(n));
-        wall_distance_.write_range(at, std::vector<Real>(n, support_));
-        wall_segment_.write_range(at, std::vector<int>(n, -1));
+        wall_distance_.write_range(at, std::vector<Real>(n, Real(0))); // not looked for yet
+        wall_segment_.write_range(at, std::vector<int>(n, no_wall));
+        cloth_from_.write_range(at, std::vector<ClothExpansion>(n));
         // The drop's own water, shared out to the last quantum.
         const std::int64_t water = std::llround(drop.volume * scene_.climate.density / water_quantum);
         std::vector<std::int64_t> content(n, water / added);
         content.back() += water % added;
         content_.write_range(at, content);
+        place_.write_range(at, std::vector<Quad>(n));
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
         count_ += added;
-        // Till it has fallen, and ten of its capillary times for it to spread and settle.
+        listed_for_ = 0;
         const double fall = drop.centre.z - radius - scene_.half_thickness;
         const double landed =
             (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
-        const double capillary_time = std::sqrt(scene_.climate.density * drop.volume / scene_.climate.surface_tension);
-        calm_time_ = std::max(calm_time_, drop.time + landed + 10.0 * capillary_time);
+        landing_ = std::max(landing_, drop.time + landed);
+        settling_ = std::max(settling_, capillary_time(drop.volume));
+        asleep_ = false;
         delivered_ += static_cast<double>(water) * water_quantum;
         liquid_dt_ = std::min(next_droplet_ == 1 ? capillary_dt_ : liquid_dt_, advective_step(drop.speed));
     }
@@ -166,74 +213,162 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.wall_distance = sorted_distance_.data();
     to.wall_segment = sorted_segment_.data();
     to.content = sorted_content_.data();
+    to.cloth_from = sorted_cloth_from_.data();
+    to.place = sorted_place_.data();
+    to.stress = sorted_stress_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                                     wall_segment_.data(), content_.data(), key_.data(), grid_.cells(), to});
+                                     wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
+                                     cloth_from_.data(), key_.data(), grid_.cells(), to});
     position_.swap(sorted_position_);
     velocity_.swap(sorted_velocity_);
     wall_normal_.swap(sorted_normal_);
     wall_distance_.swap(sorted_distance_);
     wall_segment_.swap(sorted_segment_);
     content_.swap(sorted_content_);
+    cloth_from_.swap(sorted_cloth_from_);
+    place_.swap(sorted_place_);
+    stress_.swap(sorted_stress_);
     exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
     count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
 }
 
-template <typename Executor> void Solver<Executor>::correct_pressure(Real dt)
+/// Whether all that count are still listed: no two particles have come nearer to each other than by the skin, and few are dead.
+template <typename Executor> bool Solver<Executor>::neighbours_hold(std::int64_t dead)
 {
-    const Real stiffness = static_cast<Real>(stiffness_ / (static_cast<double>(dt) * static_cast<double>(dt)));
+    if (listed_for_ == 0) {
+        skin_ = skin_in_spacings * spacing_;
+        return false;
+    }
+    const std::vector<int> moved = moved_.download();
+    const auto middle = [&](std::size_t axis) {
+        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * spacing_;
+    };
+    maxima_.write(0, 0);
+    each_particle("farthest moved", FindFarthestMoved{particle_views(), {middle(0), middle(1), middle(2)}, maxima_.data()});
+    const double apart = 2.0 * std::sqrt(static_cast<double>(from_ordered_bits(maxima_.read(0)))) * static_cast<double>(spacing_);
+    if (apart < 0.999 * static_cast<double>(skin_) && 16 * dead < count_) return true;
+    skin_ = 2 * apart / listed_for_ < skin_in_spacings * spacing_ ? skin_in_spacings * spacing_ : Real(0); // none if it would not last
+    return false;
+}
+
+/// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
+template <typename Executor> void Solver<Executor>::list_neighbours()
+{
+    moved_.fill(std::numeric_limits<int>::min() / 2);
+    if (!neighbours_hold(each_particle("begin step", BeginStep{particle_views(), moved_.data()}))) {
+        sort_particles();
+        each_particle("neighbours", FindNeighbours{particle_views(), grid(), skin_});
+        listed_for_ = 0;
+        ++listings_;
+    }
+    ++listed_for_;
+}
+
+template <typename Executor> void Solver<Executor>::correct_pressure(double dt)
+{
+    const Real stiffness = static_cast<Real>(stiffness_ / (dt * dt));
     for (int round = 0; round < most_pressure_rounds; ++round) {
-        sums_.write(0, 0);
-        each_particle("predict", PredictPosition{particle_views(), dt});
-        each_particle("pressure", CorrectPressure{particle_views(), liquid(), stiffness, sums_.data()});
-        each_particle("pressure force", FindPressureForce{particle_views(), liquid()});
-        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(sums_.read(0)) * 1e-6 < scene_.density_tolerance * count_) break;
+        const std::int64_t error = each_particle("pressure", CorrectPressure{particle_views(), liquid(dt), stiffness});
+        each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
+        ++pressure_rounds_;
+        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(error) * 1e-6 < scene_.density_tolerance * count_) break;
     }
 }
 
 template <typename Executor> void Solver<Executor>::step_liquid(double dt)
 {
-    sort_particles();
+    list_neighbours();
     if (count_ == 0) return;
     const Real step = static_cast<Real>(dt);
-    each_particle("neighbours", FindNeighbours{particle_views(), grid()});
-    each_particle("forces", FindForces{particle_views(), liquid(), yarns()});
-    correct_pressure(step);
+    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
+    each_particle("surface", FindSurface{particle_views(), liquid(dt)});
+    each_particle("forces", FindForces{particle_views(), liquid(dt)});
+    correct_pressure(dt);
+    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt), step});
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
-    const Real touching = Real(0.5) * spacing_;
-    const Real drag_rate = 2 * liquid().kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), support_, touching, friction_coefficient, 1 / (1 + step * drag_rate),
-                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data() + 1});
-    give_to_segments(dt);
+    const Real half_spacing = Real(0.5) * spacing_;
+    const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
+    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_,
+                                          touching_in_spacings * spacing_, half_spacing, friction_coefficient, 1 / (1 + step * drag_rate),
+                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
     choose_liquid_step();
     ++liquid_steps_;
+}
+
+/// Yarns drink from drops once in several steps, if any may be left out; and whenever now is set.
+template <typename Executor> void Solver<Executor>::drink_drops(double dt, bool now)
+{
+    thirst_ += dt;
+    if (!now && ++thirsty_steps_ < (scene_.settle_share > 0 ? steps_between_drinks : 1)) return;
+    give_to_segments(thirst_);
+    thirst_ = 0;
+    thirsty_steps_ = 0;
 }
 
 template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
 {
     each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
-    each_particle("give", GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}});
+    each_particle("give",
+                  GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}, sums_.data() + 2});
     each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
-/// Capillary, advective and viscous limits; a step never carries a particle through a yarn.
+/// In which a volume of liquid finds its shape, s.
+template <typename Executor> double Solver<Executor>::capillary_time(double volume) const
+{
+    return std::sqrt(scene_.climate.density * volume / scene_.climate.surface_tension);
+}
+
+/// Whether the liquid has come to rest: it falls asleep, takes no steps and only drains.
+template <typename Executor> void Solver<Executor>::watch_motion(double dt)
+{
+    if (scene_.settle_share <= 0 || count_ == 0) return;
+    sums_.write(1, 0);
+    maxima_.write(2, 0);
+    const SumSpeeds sum{particle_views(), sums_.data() + 1, maxima_.data() + 2};
+    exec_.for_each("speeds", sum.parts(), sum);
+    const double square = static_cast<double>(sums_.read(1)) * SumSpeeds::quantum / count_;
+    const double unit = scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_));
+    union {
+        float square;
+        int bits;
+    } most;
+    most.bits = maxima_.read(2);
+    const double share = std::min(1.0, dt / std::max(settling_, dt)); // means over the time of settling: a kick is no motion
+    mean_square_ += share * (square - mean_square_);
+    largest_square_ += share * (static_cast<double>(most.square) - largest_square_);
+    if (time_ < landing_) roused_ = time_;
+    const bool moves =
+        mean_square_ > resting_speed * resting_speed * unit || largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;
+    asleep_ = !moves && time_ - roused_ >= settling_;
+    if (asleep_) sums_.write(2, 0);
+}
+
+/// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
+/// is the time in which it settles.
+template <typename Executor> bool Solver<Executor>::asleep()
+{
+    if (!asleep_) return false;
+    const double drunk = static_cast<double>(sums_.read(2)) * water_quantum / static_cast<double>(particle_mass_);
+    if (drunk < 1.0 || drunk < scene_.settle_share * count_) return true;
+    asleep_ = false;
+    roused_ = time_;
+    settling_ = capillary_time(drunk * static_cast<double>(particle_mass_) / scene_.climate.density);
+    return false;
+}
+
+/// Capillary, advective and viscous limits.
 template <typename Executor> void Solver<Executor>::choose_liquid_step()
 {
-    union {
-        float speed;
-        int bits;
-    } fast;
-    fast.bits = maxima_.read(0);
-    fastest_ = static_cast<double>(fast.speed);
+    const double fastest = static_cast<double>(from_ordered_bits(maxima_.read(0)));
     const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
-    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest_), viscous});
+    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest), viscous});
 }
 
 template <typename Executor> double Solver<Executor>::advective_step(double speed) const
 {
-    double thin = scene_.shapes[0].half_height;
-    for (const ContactShape& shape : scene_.shapes) thin = std::min(thin, shape.half_height);
-    return 0.4 * std::min(static_cast<double>(spacing_), thin) / std::max(1e-6, speed);
+    return 0.4 * static_cast<double>(spacing_) / std::max(1e-6, speed);
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()
@@ -241,21 +376,35 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     Particles p;
     p.count = count_;
     p.mass = particle_mass_;
+    p.per_quantum = static_cast<Real>(water_quantum / static_cast<double>(particle_mass_));
     p.support = support_;
+    p.reach = reach_of_surface_;
     p.spacing = spacing_;
     p.position = position_.data();
     p.velocity = velocity_.data();
     p.place = place_.data();
+    p.motion = motion_.data();
     p.predicted = predicted_.data();
+    p.surface = surface_.data();
     p.force = force_.data();
     p.pressure_force = pressure_force_.data();
     p.wall_normal = wall_normal_.data();
     p.wall_distance = wall_distance_.data();
     p.wall_segment = wall_segment_.data();
+    p.cloth = cloth_.data();
+    p.cloth_from = cloth_from_.data();
     p.content = content_.data();
     p.alive = alive_.data();
-    p.neighbours = neighbours_.data();
-    p.neighbour_count = neighbour_count_.data();
+    p.near = near_.data();
+    p.distant = distant_.data();
+    p.slope = slope_.data();
+    p.listed_x = listed_x_.data();
+    p.listed_y = listed_y_.data();
+    p.listed_z = listed_z_.data();
+    p.near_count = near_count_.data();
+    p.distant_count = distant_count_.data();
+    p.allowed = allowed_.data();
+    p.stress = scene_.shows_pressure ? stress_.data() : nullptr;
     return p;
 }
 
@@ -280,7 +429,23 @@ template <typename Executor> TextileShape Solver<Executor>::shape()
             shift_.data()};
 }
 
-template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
+template <typename Executor> Beads Solver<Executor>::beads()
+{
+    Beads b = beads_;
+    b.bead = bead_.data();
+    b.types = bead_types_.data();
+    return b;
+}
+
+template <typename Executor> Vessel Solver<Executor>::vessel() const
+{
+    if (!scene_.vessel) return {};
+    const auto single = [](const Vec3d& v) { return Vec3{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)}; };
+    return {true, single(scene_.vessel->low), single(scene_.vessel->high),
+            static_cast<Real>(scene_.vessel->adhesion / scene_.climate.surface_tension - 1.0)};
+}
+
+template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt) const
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
@@ -288,7 +453,11 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid() const
         scene_.climate.viscosity / scene_.climate.density +
         grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
-    l.gravity = static_cast<Real>(gravity_acceleration);
+    l.gravity = static_cast<Real>(scene_.gravity);
+    l.dt = static_cast<Real>(dt);
+    l.surface = surface_energy(l.surface_tension, spacing_);
+    l.vessel = vessel();
+    l.kept_excess = static_cast<Real>(std::max(0.0, 1.0 - dt / capillary_dt_));
     return l;
 }
 

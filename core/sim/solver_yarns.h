@@ -68,11 +68,11 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    sums_.resize(2);
+    sums_.resize(3);
     sums_.fill(0);
     supply_.resize(5);
     supply_.fill(0);
-    maxima_.resize(2);
+    maxima_.resize(3);
     maxima_.fill(0);
 
     std::vector<double> vapour(n), regain(n * shells), pores(n);
@@ -278,7 +278,8 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     }
     choose_network_step(dt);
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
-    if (next_event() <= time_ + 1e-12) begin_anew();
+    const auto changes_now = [this](const ScenePool& pool) { return pool.start == time_ || pool.end == time_; };
+    if (std::any_of(scene_.pools.begin(), scene_.pools.end(), changes_now)) begin_anew(); // courses of climate have no jumps
 }
 
 template <typename Executor> double Solver<Executor>::water_at_stake() const { return std::max(1e-30, water_scale_ + delivered_); }
@@ -287,7 +288,7 @@ template <typename Executor> double Solver<Executor>::water_at_stake() const { r
 template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
 {
     const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
-    const bool watched = scene_.step_error > 0 && count_ == 0;
+    const bool watched = scene_.step_error > 0 && !drops_about();
     double grow = 1.5;
     if (watched && scene_.wicking) {
         supply_.write(2, 0);
@@ -409,7 +410,10 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
     const std::vector<std::int64_t> content = content_.download();
     const std::int64_t standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
-    l.water_free = static_cast<double>(std::accumulate(content.begin(), content.begin() + count_, standing)) * water_quantum;
+    const std::vector<std::uint8_t> alive = alive_.download();
+    std::int64_t free = standing;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) free += alive[i] ? content[i] : 0;
+    l.water_free = static_cast<double>(free) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
@@ -421,7 +425,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(sums_.read(1) + ran_off_) * water_quantum;
+    l.water_dripped = static_cast<double>(sums_.read(0) + ran_off_) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());
@@ -431,7 +435,6 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
 
 template <typename Executor> Frame Solver<Executor>::frame()
 {
-    if (count_ > 0) sort_particles(); // drops the particles that were drunk since the last step
     Frame f;
     f.time = time_;
     f.ledger = ledger();
@@ -457,9 +460,18 @@ template <typename Executor> Frame Solver<Executor>::frame()
         (on_top ? f.water_top : f.water_bottom) += liquid[i] + bound - yarn.initial_regain * fibres;
     }
     const std::vector<Vec3> x = position_.download(), v = velocity_.download();
+    const std::vector<std::uint8_t> alive = alive_.download();
+    const std::vector<Real> impulse = stress_.download();
+    const double since = time_ - stress_since_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (!alive[i]) continue;
         f.positions.push_back({static_cast<float>(x[i].x), static_cast<float>(x[i].y), static_cast<float>(x[i].z)});
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
+        if (scene_.shows_pressure) f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
+    }
+    if (scene_.shows_pressure) {
+        stress_.fill(0);
+        stress_since_ = time_;
     }
     return f;
 }

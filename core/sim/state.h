@@ -7,6 +7,9 @@
 
 namespace hygroloom {
 
+using Packs = Vec3T<Pack>;
+HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
+
 /// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
 struct Unvisited {
     int ends_before = 0, ends_after = 0;
@@ -125,28 +128,94 @@ struct Reach {
 
 constexpr int no_particle = 0x7fffffff;
 
+/// What a particle has of the cloth round it: the share of the space that is yarn, as far as a kernel sees it, and how it changes.
+struct ClothField {
+    Real share = 0;         ///< with the kernel of pressure
+    Vec3 slope;             ///< 1/m
+    Real surface_share = 0; ///< with the surface's kernel
+    Vec3 surface_slope;     ///< 1/m
+    Real bend[6] = {};      ///< 1/m2, second slopes of surface_share: xx, yy, zz, xy, yz, zx
+    Vec3 adhesion;          ///< N/m3
+};
+
+/// What a particle had of the cloth where that was last summed up, and how it changes from there.
+struct ClothExpansion {
+    Vec3 at{Real(1e6), Real(1e6), Real(1e6)}; ///< far from all: not summed up yet
+    ClothField field;
+    Real slope_bend[6] = {};    ///< 1/m2, second slopes of share
+    Real adhesion_bend[6] = {}; ///< N/m4
+
+    HL_FN static Vec3 times(const Real (&m)[6], const Vec3& v)
+    {
+        return {m[0] * v.x + m[3] * v.y + m[5] * v.z, m[3] * v.x + m[1] * v.y + m[4] * v.z, m[5] * v.x + m[4] * v.y + m[2] * v.z};
+    }
+    HL_FN ClothField near(const Vec3& way) const
+    {
+        ClothField f = field;
+        const Vec3 turned = times(slope_bend, way), surface_turned = times(field.bend, way);
+        f.share += dot(field.slope + Real(0.5) * turned, way);
+        f.slope += turned;
+        f.surface_share += dot(field.surface_slope + Real(0.5) * surface_turned, way);
+        f.surface_slope += surface_turned;
+        f.adhesion += times(adhesion_bend, way);
+        return f;
+    }
+};
+
 /// One value per particle.
 struct Particles {
     int count = 0;
-    Real mass = 0;    ///< kg, of each
-    Real support = 0; ///< m, of the kernel
-    Real spacing = 0; ///< m
+    Real mass = 0;        ///< kg, of each that is full
+    Real per_quantum = 0; ///< of its mass
+    Real support = 0;     ///< m, of the kernel of pressure and viscosity
+    Real reach = 0;       ///< m, of the kernel of the surface; as far as neighbours are listed and walls are felt
+    Real spacing = 0;     ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
-    Quad* place = nullptr;           ///< position and pressure (Pa), as neighbours read them; one more at the end that is far from all
-    Quad* predicted = nullptr;       ///< position at the step's end, so far; one more at the end
-    Vec3* force = nullptr;           ///< acceleration by all but pressure
-    Vec3* pressure_force = nullptr;  ///< acceleration
-    Vec3* wall_normal = nullptr;     ///< out of the nearest yarn
-    Real* wall_distance = nullptr;   ///< to its skin
-    int* wall_segment = nullptr;     ///< or -1
+    // What neighbours read; behind the last particle stands one that is far from all.
+    Quad* place = nullptr;          ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
+    Quad* motion = nullptr;         ///< velocity, and size
+    Quad* predicted = nullptr;      ///< position at the step's end, so far, and size
+    Quad* surface = nullptr;        ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
+    Vec3* force = nullptr;          ///< acceleration by all but pressure
+    Vec3* pressure_force = nullptr; ///< acceleration
+    Vec3* wall_normal = nullptr;    ///< out of the nearest yarn or the vessel
+    Real* wall_distance = nullptr;  ///< to its skin, at least
+    int* wall_segment = nullptr;    ///< within half a spacing, or no_wall, or vessel_wall
+    Real* allowed = nullptr;        ///< kg/m3 over the rest density that this step need not correct
+    Real* stress = nullptr;         ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
+    ClothField* cloth = nullptr;
+    ClothExpansion* cloth_from = nullptr;
     std::int64_t* content = nullptr; ///< quanta of water it still holds
     std::uint8_t* alive = nullptr;
-    int* neighbours = nullptr; ///< largest_neighbour_count slots each, filled up to whole packs with the one that is far away
-    int* neighbour_count = nullptr;
+    // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
+    // whole packs, filled up with the one that is far away.
+    int* near = nullptr;          ///< most_near slots each: within the support and the skin
+    int* distant = nullptr;       ///< most_distant slots each: the others
+    int* near_count = nullptr;    ///< slots in use, whole packs
+    int* distant_count = nullptr; ///< slots in use, whole packs
+    Real* slope = nullptr;        ///< of near pairs, this step: see spline_gradient_factor()
+    Real* listed_x = nullptr;     ///< where particles were when neighbours were listed; axes apart, so packs are read as they lie
+    Real* listed_y = nullptr;
+    Real* listed_z = nullptr;
+
+    /// How full it is, and so how large: yarns drink from it, and it shrinks.
+    HL_FN Real size(int i) const { return static_cast<Real>(content[i]) * per_quantum; }
+    /// Whether a vessel's wall is near.
+    HL_FN bool at_wall(int i) const { return wall_segment[i] == -2; }
 };
 
-constexpr int largest_neighbour_count = 96;
+constexpr int usual_near = 64;                     // at most, at rest and with a skin
+constexpr int most_near = 128, most_distant = 160; // at rest 33 and 80 without a skin
+constexpr int no_wall = -1;
+constexpr int vessel_wall = -2;
+
+/// A box that holds liquid, wide open at its top; a plate if its sides are far away.
+struct Vessel {
+    bool present = false;
+    Vec3 low, high;
+    Real wetting = 0; ///< cosine of the contact angle
+};
 
 /// Cells of one kernel support, for finding neighbours: a box of them about the particles. What is outside the whole space that liquid may
 /// be in counts to its border.
@@ -165,6 +234,16 @@ struct CellGrid {
     {
         const Real cell = distance / size;
         return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0;
+    }
+    HL_FN int inside(int cell, int count) const { return cell < 0 ? 0 : cell < count ? cell : count - 1; }
+    /// How far from a cell a place is along an axis, seen from the whole space's origin; a little less, for roundings. A cell at the
+    /// border has no end there.
+    HL_FN Real gap(Real place, int cell, int whole_count) const
+    {
+        const int first = cell << shift, end = first + (1 << shift);
+        const Real below = first > 0 ? Real(first) * size - place : Real(0), above = end < whole_count ? place - Real(end) * size : Real(0);
+        const Real most = below > above ? below : above;
+        return positive(most - Real(0.01) * size);
     }
     HL_FN int cell_x(Real x) const { return (whole(x - origin.x, whole_x) >> shift) - first_x; }
     HL_FN int cell_y(Real y) const { return (whole(y - origin.y, whole_y) >> shift) - first_y; }

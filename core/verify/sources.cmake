@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/cloth_cases.cpp
   verify/convergence_cases.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
+  verify/liquid_cases.cpp
   verify/measured_cloth_cases.cpp
   verify/measured_fibre_cases.cpp
   verify/measured_wicking_cases.cpp

@@ -74,6 +74,8 @@ std::vector<VerifyCase> wicking_cases();
 std::vector<VerifyCase> moisture_cases();
 std::vector<VerifyCase> heat_cases();
 std::vector<VerifyCase> laboratory_cases();
+std::vector<VerifyCase> liquid_cases();
+std::vector<VerifyCase> cloth_cases();
 std::vector<VerifyCase> whole_run_cases();
 std::vector<VerifyCase> convergence_cases();
 std::vector<VerifyCase> measured_fibre_cases();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Properties every SPH kernel must have, and the surface forces built on it.
+#include "core/base/random.h"
 #include "core/physics/fluid_forces.h"
 #include "core/sim/droplet.h"
 
@@ -65,11 +66,122 @@ private Q_SLOTS:
         }
         QVERIFY(std::abs(energy - work) < 2e-3 * work);
     }
-    void pairForcePushesNearAndPullsFar()
+    void curvatureIsTheSlopeOfTheGradient()
     {
-        QVERIFY(pair_force_shape(Real(0.1), Real(1)) > 0);
-        QVERIFY(pair_force_shape(Real(0.6), Real(1)) < 0);
-        QVERIFY(std::abs(pair_force_shape(Real(1), Real(1))) < 1e-6);
+        for (double r : {0.1, 0.3, 0.45, 0.6, 0.9}) {
+            const double h = 1e-3;
+            const auto slope = [](double at) { return double(spline_gradient_factor(Real(at), Real(1))) * at; };
+            const double expected = (slope(r + h) - slope(r - h)) / (2 * h);
+            QVERIFY(std::abs(double(spline_curvature(Real(r), Real(1))) - expected) < 2e-2 * std::abs(expected) + 2e-2);
+        }
+    }
+    void whatLiesBeyondAPlaneIsTheKernelsIntegral()
+    {
+        QVERIFY(std::abs(kernel_beyond_plane(Real(0), Real(2)) - Real(0.5)) < Real(1e-5));
+        QCOMPARE(kernel_beyond_plane(Real(2), Real(2)), Real(0));
+        for (double d : {0.05, 0.3, 0.9, 1.2, 1.8}) { // of a support of 2
+            double in_plane = 0;
+            constexpr int n = 4000;
+            for (int i = 0; i < n; ++i) {
+                const double s = (i + 0.5) / n * 2;
+                in_plane += 2 * pi * s * double(spline_kernel(Real(std::hypot(s, d)), Real(2))) * 2 / n;
+            }
+            QVERIFY(std::abs(double(kernel_in_plane(Real(d), Real(2))) - in_plane) < 1e-3);
+            const double h = 1e-3;
+            const auto beyond = [](double at) { return double(kernel_beyond_plane(Real(at), Real(2))); };
+            const auto in = [](double at) { return double(kernel_in_plane(Real(at), Real(2))); };
+            QVERIFY(std::abs((beyond(d - h) - beyond(d + h)) / (2 * h) - in_plane) < 1e-3);
+            QVERIFY(std::abs((in(d + h) - in(d - h)) / (2 * h) - double(kernel_in_plane_slope(Real(d), Real(2)))) < 2e-3);
+        }
+    }
+    void virialsBeyondAPlaneAreTheKernelsIntegrals()
+    {
+        for (double distance : {0.05, 0.5, 1.1, 1.8}) { // of a support of 2
+            double slope = 0, curvature = 0;
+            constexpr int n = 600;
+            const double step = 2.0 / n;
+            for (int k = 0; k < n; ++k) {
+                const double z = distance + (k + 0.5) * step;
+                for (int i = 0; i < n; ++i) {
+                    const double s = (i + 0.5) * step, r = std::hypot(s, z);
+                    const double ring = 2 * pi * s * step * step;
+                    slope -= ring * r * r * double(spline_gradient_factor(Real(r), Real(2)));
+                    curvature += ring * z * double(spline_curvature(Real(r), Real(2)));
+                }
+            }
+            QVERIFY(std::abs(double(slope_virial_beyond_plane(Real(distance), Real(2))) - slope) < 2e-3);
+            QVERIFY(std::abs(double(curvature_virial_beyond_plane(Real(distance), Real(2))) - curvature) < 2e-3);
+        }
+    }
+    void wallsWetTheLessTheLargerTheAngle()
+    {
+        Real attraction = 2, share = 2;
+        for (double degree = 0; degree <= 180; degree += 1) {
+            const Real cosine = Real(std::cos(radian_from_degree(degree)));
+            QVERIFY(wall_attraction(cosine) <= attraction && wall_attraction(cosine) > 0);
+            QVERIFY(wall_share(cosine) <= share && wall_share(cosine) >= 0 && wall_share(cosine) <= 1);
+            attraction = wall_attraction(cosine);
+            share = wall_share(cosine);
+        }
+        QVERIFY(std::abs(wall_share(Real(-1e-6)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees
+    }
+    void surfaceForceIsTheSlopeOfTheSurfacesEnergy()
+    {
+        // A random heap, evenly spread so that no share reaches 1: the force on one of it against a difference of energies.
+        constexpr int n = 12;
+        std::vector<Vec3d> x;
+        for (std::uint64_t i = 0; i < n; ++i)
+            x.push_back({1.5 * random_uniform(7, 0, i), 1.5 * random_uniform(7, 1, i), 1.5 * random_uniform(7, 2, i)});
+        const SurfaceEnergy e = surface_energy(Real(1), Real(1));
+        const Real support = Real(surface_support_in_spacings);
+        const auto single = [](const Vec3d& v) { return Vec3{Real(v.x), Real(v.y), Real(v.z)}; };
+        struct Here {
+            double share;
+            Vec3 slope;
+        };
+        const auto at = [&](std::size_t i) {
+            Here here{double(spline_kernel(0, support)), {}};
+            for (std::size_t j = 0; j < n; ++j) {
+                if (j == i) continue;
+                const Vec3 d = single(x[i] - x[j]);
+                here.share += double(spline_kernel(length(d), support));
+                here.slope += spline_gradient_factor(length(d), support) * d;
+            }
+            return here;
+        };
+        const auto energy = [&] {
+            double sum = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                const Here here = at(i);
+                const double missing = std::max(0.0, 1 - here.share);
+                sum += double(e.well) * missing * missing + double(e.gradient) * double(dot(here.slope, here.slope));
+            }
+            return sum;
+        };
+        Vec3 force, total;
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < n; ++j) {
+                if (j == i) continue;
+                const Here a = at(i), b = at(j);
+                const Vec3 f = surface_force(e.pull(Real(a.share)) + e.pull(Real(b.share)), e.tilt(a.slope) - e.tilt(b.slope),
+                                             single(x[i] - x[j]), support);
+                total += f;
+                if (i == 0) force += f;
+            }
+        const double h = 1e-2, scale = double(length(force));
+        const double own[3] = {double(force.x), double(force.y), double(force.z)};
+        double* axes[3] = {&x[0].x, &x[0].y, &x[0].z};
+        for (int k = 0; k < 3; ++k) {
+            const double before = *axes[k];
+            *axes[k] = before + h;
+            const double above = energy();
+            *axes[k] = before - h;
+            const double below = energy();
+            *axes[k] = before;
+            QVERIFY2(std::abs(own[k] + (above - below) / (2 * h)) < 1e-2 * scale,
+                     qPrintable(QString("%1 against %2").arg(own[k]).arg(-(above - below) / (2 * h))));
+        }
+        QVERIFY(double(length(total)) < 1e-4 * scale);
     }
     void dropletLatticeIsABall()
     {

@@ -10,6 +10,7 @@ namespace hygroloom {
 struct YarnShape {
     Real half_height = 0; ///< at a crossing
     Real half_width = 0;
+    Real widest = 0;  ///< from its place to its farthest side, anywhere
     int profiles = 0; ///< where its own begin among TextileShape::profiles
 };
 
@@ -49,43 +50,64 @@ struct NearestSkin {
     int segment = -1;  ///< -1: none within reach
 };
 
+/// A yarn at one place along it.
+struct YarnPlace {
+    Real side = 0; ///< of its middle from the crossing's, across it
+    Real height = 0, slope = 0;
+    Real half_height = 0, half_width = 0;
+};
+
+/// The yarn of one system through a crossing, part_way (-1/2 to 1/2) along to the next.
+HL_FN YarnPlace yarn_place(const TextileShape& t, bool is_warp, int end, int pick, Real part_way)
+{
+    const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
+    const int segment = t.segment(is_warp, end, pick);
+    const bool up = t.is_warp_up(end, pick);
+    const int step = part_way < 0 ? -1 : 1;
+    part_way *= Real(step);
+    const int next_end = is_warp ? end : end + step, next_pick = is_warp ? pick + step : pick;
+    const bool inside = next_end >= 0 && next_end < t.ends && next_pick >= 0 && next_pick < t.picks;
+    const bool changes = inside && t.is_warp_up(next_end, next_pick) != up;
+    const Real shift = Real(t.shift[segment]), next_shift = inside ? Real(t.shift[t.segment(is_warp, next_end, next_pick)]) : shift;
+    const int crossed = is_warp ? t.type_of_pick(pick) - t.warp_types : t.type_of_end(end);
+    const int next_crossed = !inside ? crossed : is_warp ? t.type_of_pick(next_pick) - t.warp_types : t.type_of_end(next_end);
+
+    YarnPlace at;
+    at.side = shift + part_way * part_way * (3 - 2 * part_way) * (next_shift - shift);
+    at.half_height = yarn.half_height;
+    at.half_width = yarn.half_width;
+    if (!changes && next_crossed == crossed) { // it runs level
+        at.height = t.height(is_warp, end, pick);
+        return at;
+    }
+    const Real up_or_down = up == is_warp ? Real(1) : Real(-1);
+    const float* profile = t.profile(yarn, crossed, next_crossed, is_warp, changes);
+    const Real position = part_way * Real(t.samples - 1);
+    const int low = position >= Real(t.samples - 2) ? t.samples - 2 : static_cast<int>(position);
+    const Real part = position - Real(low);
+    const float* a = profile + 4 * low;
+    const float* b = a + 4;
+    at.height = up_or_down * (Real(a[0]) + part * (Real(b[0]) - Real(a[0])));
+    at.slope = up_or_down * Real(step) * (Real(a[1]) + part * (Real(b[1]) - Real(a[1])));
+    at.half_height = Real(a[2]) + part * (Real(b[2]) - Real(a[2]));
+    at.half_width = Real(a[3]) + part * (Real(b[3]) - Real(a[3]));
+    return at;
+}
+
 /// Tests one yarn at one of its crossings; keeps the nearer. along and across are measured from the crossing's middle.
 HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach,
                     NearestSkin& nearest)
 {
     const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
     const Real pitch = is_warp ? t.weft_pitch : t.warp_pitch; // from crossing to crossing
-    const int segment = t.segment(is_warp, end, pick);
     const Real near = reach < nearest.distance ? reach : nearest.distance;
-    if (across > yarn.half_width + near + pitch || -across > yarn.half_width + near + pitch) return;
+    if (across > yarn.widest + near || -across > yarn.widest + near) return;
 
-    const bool up = t.is_warp_up(end, pick);
-    const int step = along < 0 ? -1 : 1;
-    const int next_end = is_warp ? end : end + step, next_pick = is_warp ? pick + step : pick;
-    const bool inside = next_end >= 0 && next_end < t.ends && next_pick >= 0 && next_pick < t.picks;
-    const bool changes = inside && t.is_warp_up(next_end, next_pick) != up;
-    const Real side = up == is_warp ? Real(1) : Real(-1);
-    const Real part_way = step * along / pitch;
-    const Real shift = Real(t.shift[segment]), next_shift = inside ? Real(t.shift[t.segment(is_warp, next_end, next_pick)]) : shift;
-    across -= shift + part_way * part_way * (3 - 2 * part_way) * (next_shift - shift);
-
-    const int crossed = is_warp ? t.type_of_pick(pick) - t.warp_types : t.type_of_end(end);
-    const int next_crossed = !inside ? crossed : is_warp ? t.type_of_pick(next_pick) - t.warp_types : t.type_of_end(next_end);
-    Real height = 0, slope = 0, half_height = yarn.half_height, half_width = yarn.half_width;
-    if (!changes && next_crossed == crossed) { // it runs level
-        height = t.height(is_warp, end, pick);
-    } else {
-        const float* profile = t.profile(yarn, crossed, next_crossed, is_warp, changes);
-        const Real position = part_way * Real(t.samples - 1);
-        const int low = position >= Real(t.samples - 2) ? t.samples - 2 : static_cast<int>(position);
-        const Real part = position - Real(low);
-        const float* a = profile + 4 * low;
-        const float* b = a + 4;
-        height = side * (Real(a[0]) + part * (Real(b[0]) - Real(a[0])));
-        slope = side * Real(step) * (Real(a[1]) + part * (Real(b[1]) - Real(a[1])));
-        half_height = Real(a[2]) + part * (Real(b[2]) - Real(a[2]));
-        half_width = Real(a[3]) + part * (Real(b[3]) - Real(a[3]));
-    }
+    const YarnPlace at = yarn_place(t, is_warp, end, pick, along / pitch);
+    const Real side = t.is_warp_up(end, pick) == is_warp ? Real(1) : Real(-1);
+    const Real height = at.height, slope = at.slope, half_height = at.half_height, half_width = at.half_width;
+    const int segment = t.segment(is_warp, end, pick);
+    across -= at.side;
     const Real cosine = Real(1) / std::sqrt(Real(1) + slope * slope);
     const Real up_from_axis = (z - height) * cosine;
     const Real flat = half_width > half_height ? half_width - half_height : Real(0);
@@ -115,7 +137,7 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     const int end = static_cast<int>(std::floor(u + Real(0.5)));
     const int pick = static_cast<int>(std::floor(v + Real(0.5)));
     if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
-    for (int beside = -1; beside <= 1; ++beside) {
+    for (int beside : {0, -1, 1}) { // the nearest first
         const int e = end + beside, k = pick + beside;
         if (e >= 0 && e < t.ends)
             try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft_pitch, (u - Real(e)) * t.warp_pitch, p.z, reach, nearest);
@@ -125,13 +147,26 @@ HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
     return nearest;
 }
 
-/// Moves a particle that came too close back to the skin; it loses what it had towards the yarn and slides with friction, and the
-/// skin drags on it as on a film of its thickness.
+/// The nearest of a vessel's walls, if it is nearer than what was found.
+HL_FN void try_vessel(const Vessel& v, const Vec3& x, NearestSkin& nearest)
+{
+    if (!v.present) return;
+    const Real distance[5] = {x.z - v.low.z, x.x - v.low.x, v.high.x - x.x, x.y - v.low.y, v.high.y - x.y};
+    const Vec3 normal[5] = {{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+    for (int k = 0; k < 5; ++k)
+        if (distance[k] < nearest.distance) nearest = {distance[k], normal[k], vessel_wall};
+}
+
+/// Stops a particle on its way at the first skin it meets, whatever the way's length; a place under a skin is left by the shortest way.
+/// It loses what it had towards the yarn and slides with friction, and within half a spacing of the skin it is dragged on as a film of
+/// its thickness. A vessel is smooth, lets the liquid slip, and keeps it half a spacing off.
 struct MeetYarns {
     Particles p;
     TextileShape textile;
+    Vessel vessel;
     Real reach;    ///< how far the wall is felt
-    Real touching; ///< distance at which a particle rests on a skin
+    Real touching; ///< distance at which a particle rests on a skin; it never comes nearer than half of that, nor through such a hole
+    Real half_spacing;
     Real friction;
     Real film_drag;        ///< 1 / (1 + dt x rate), what is left of the speed along a skin
     Real lowest;           ///< below it a particle has dripped off
@@ -139,28 +174,76 @@ struct MeetYarns {
 
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
-        NearestSkin skin = nearest_skin(textile, x, reach);
-        if (skin.segment >= 0 && skin.distance < touching) {
-            const Real approach = dot(v, skin.normal);
-            if (approach < 0) {
-                v -= approach * skin.normal;
-                const Real slide = length(v);
-                const Real held = -friction * approach;
-                v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
-            }
-            v = film_drag * v;
-            x += (touching - skin.distance) * skin.normal;
-            skin.distance = touching;
-        }
-        p.wall_distance[i] = skin.distance;
-        p.wall_normal[i] = skin.normal;
-        p.wall_segment[i] = skin.segment;
+        const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
         if (x.z < lowest) {
             p.alive[i] = 0;
             atomic_add(dripped, p.content[i]);
+            return;
         }
+        const bool in_film = p.wall_segment[i] >= 0;
+        // No skin has come nearer than by the way.
+        if (const Real free = p.wall_distance[i] - length(x - start); free > (in_film ? touching : half_spacing) && !vessel.present) {
+            p.wall_distance[i] = free;
+            if (in_film) v = film_drag * v;
+            return;
+        }
+        x = stopped(start, x, p.wall_distance[i]);
+        NearestSkin skin = nearest_skin(textile, x, reach);
+        if (skin.segment >= 0) {
+            constexpr int most_ways_out = 4; // out of one yarn may be into the next
+            for (int k = 0; skin.distance < touching && k < most_ways_out; ++k) {
+                lose_approach(v, skin.normal, k == 0 ? friction : Real(0));
+                x += (touching - skin.distance) * skin.normal;
+                skin = nearest_skin(textile, x, reach);
+            }
+            if (skin.distance < Real(0.5) * touching) { // in a wedge between yarns
+                x = start;
+                v = {};
+                skin = nearest_skin(textile, x, reach);
+            }
+            if (skin.distance < half_spacing) v = film_drag * v;
+        }
+        try_vessel(vessel, x, skin);
+        if (skin.segment == vessel_wall && skin.distance < half_spacing) {
+            const Real approach = dot(v, skin.normal);
+            if (approach < 0) v -= approach * skin.normal;
+            x += (half_spacing - skin.distance) * skin.normal;
+            skin.distance = half_spacing;
+        }
+        p.wall_distance[i] = skin.distance;
+        p.wall_normal[i] = skin.normal;
+        p.wall_segment[i] = skin.segment == vessel_wall || skin.distance < half_spacing ? skin.segment : no_wall;
+    }
+    HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
+    {
+        const Real approach = dot(v, normal);
+        if (approach >= 0) return;
+        v -= approach * normal;
+        const Real slide = length(v);
+        const Real held = -coefficient * approach;
+        v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
+    }
+    /// Where a move ends: at the first place half as near to a skin as particles rest, so that they may slide. Goes on by what the
+    /// nearest skin leaves free, less a part since yarns bend.
+    HL_FN Vec3 stopped(const Vec3& start, const Vec3& end, Real free_at_start) const
+    {
+        const Real way = length(end - start);
+        if (way <= free_at_start - Real(0.5) * touching) return end;
+        const Real least = Real(0.1) * touching;
+        Real gone = 0;
+        constexpr int most_pieces = 200;
+        for (int k = 0; k < most_pieces; ++k) {
+            const Vec3 here = start + (gone / way) * (end - start);
+            const Real free = nearest_skin(textile, here, reach).distance - Real(0.5) * touching;
+            if (free < 0 && k > 0) return here;
+            const Real piece = Real(0.7) * free;
+            gone += piece > least ? piece : least;
+            if (gone >= way) return end;
+        }
+        return start + (gone / way) * (end - start);
     }
 };
 
@@ -202,13 +285,13 @@ struct TouchSegments {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
         for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { atomic_min(contact + segment, i); });
     }
 };
 
 /// The noted particle gives its segments what suction lets through their skins in this step, in whole quanta, never more than the
-/// pores hold. A segment drinks from one particle only, so nothing is given twice. A particle keeps its size until it is empty, and
+/// pores hold. A segment drinks from one particle only, so nothing is given twice. A particle shrinks until it is empty, and
 /// then is gone.
 struct GiveToSegments {
     Particles p;
@@ -217,10 +300,11 @@ struct GiveToSegments {
     double density;
     double dt;
     Reach reach;
+    std::int64_t* drunk; ///< quanta
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i] || p.wall_segment[i] < 0) return;
+        if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
         for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
             if (s.contact[segment] == i) give(i, segment);
         });
@@ -232,13 +316,42 @@ struct GiveToSegments {
         const double capacity = density * s.pores[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
         if (room <= 0) return;
-        const double drunk = dt * yarn.intake_flux * yarn.face_area * room / capacity;
-        const double most = (drunk < room ? drunk : room) / water_quantum;
+        const double wanted = dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;
         s.absorbed[segment] += given;
         p.content[i] -= given;
+        atomic_add(drunk, given);
         reach.include(s, s.crossing_of(segment));
+    }
+};
+
+/// Squares of the speeds that the cloth has left, part by part of the particles.
+struct SumSpeeds {
+    Particles p;
+    std::int64_t* sum; ///< in quanta
+    int* largest;      ///< bits of the largest; squares are positive, so their bits order like integers
+
+    static constexpr double quantum = 1e-12; ///< m2/s2
+    static constexpr int part = 256;
+    HL_FN int parts() const { return (p.count + part - 1) / part; }
+    HL_FN void operator()(int index) const
+    {
+        const int first = index * part, end = first + part < p.count ? first + part : p.count;
+        double squares = 0;
+        union {
+            float square;
+            int bits;
+        } most{0.0f};
+        for (int i = first; i < end; ++i) {
+            if (!p.alive[i]) continue;
+            const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
+            squares += static_cast<double>(square);
+            most.square = square > most.square ? square : most.square;
+        }
+        atomic_max(largest, most.bits);
+        atomic_add(sum, static_cast<std::int64_t>(squares / quantum));
     }
 };
 
@@ -248,7 +361,7 @@ struct ForgetContact {
     int* contact;
     HL_FN void operator()(int i) const
     {
-        if (p.wall_segment[i] >= 0)
+        if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
                 if (contact[segment] == i) contact[segment] = no_particle;
             });

@@ -8,15 +8,84 @@
 
 namespace hygroloom {
 
+/// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
+constexpr Real kept_pressure = Real(0.5);
+
 struct LiquidParameters {
     Real density = 0;             ///< kg/m3, at rest
     Real kinematic_viscosity = 0; ///< m2/s
     Real surface_tension = 0;     ///< N/m
     Real gravity = 0;             ///< m/s2, downwards
+    Real dt = 0;                  ///< s, of this step
+    SurfaceEnergy surface;
+    Vessel vessel;
+    Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
 };
+
+/// Bits of a positive number, which order like integers.
+HL_FN int ordered_bits(float positive)
+{
+    union {
+        float value;
+        int bits;
+    } both;
+    both.value = positive;
+    return both.bits;
+}
+HL_FN float from_ordered_bits(int bits)
+{
+    union {
+        int bits;
+        float value;
+    } both;
+    both.bits = bits;
+    return both.value;
+}
+
+/// Of a spacing, in which displacements are counted.
+constexpr int parts_of_spacing = 1 << 20;
 
 /// Where no particle is. Lists are filled up with a place that stands there.
 HL_FN Quad far_away() { return {Real(1e6), Real(1e6), Real(1e6), 0}; }
+
+/// What neighbours read, as a step finds it, and how far it is from where neighbours were listed. The dead count for nothing
+/// from here on; returns how many they are.
+struct BeginStep {
+    Particles p;
+    int* moved; ///< greatest displacements towards x, y, z, -x, -y and -z, in parts of the spacing
+    HL_FN std::int64_t operator()(int i) const
+    {
+        if (!p.alive[i]) {
+            p.place[i] = p.predicted[i] = far_away();
+            return 1;
+        }
+        const Vec3 &x = p.position[i], &v = p.velocity[i];
+        p.place[i] = {x.x, x.y, x.z, kept_pressure * p.place[i].w};
+        p.motion[i] = {v.x, v.y, v.z, p.size(i)};
+        p.predicted[i] = {x.x, x.y, x.z, p.size(i)};
+        const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
+        for (int k = 0; k < 3; ++k) {
+            const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
+            const int whole = static_cast<int>(parts > -most ? parts < most ? parts : most : -most);
+            atomic_max(moved + k, whole);
+            atomic_max(moved + 3 + k, -whole);
+        }
+        return 0;
+    }
+};
+
+/// The greatest displacement since neighbours were listed, relative to that of the middle.
+struct FindFarthestMoved {
+    Particles p;
+    Vec3 middle;
+    int* farthest; ///< bits of its square, in spacings; positive, so they order like integers
+    HL_FN void operator()(int i) const
+    {
+        if (!p.alive[i]) return;
+        const Vec3 way = (Real(1) / p.spacing) * (p.position[i] - Vec3{p.listed_x[i], p.listed_y[i], p.listed_z[i]} - middle);
+        atomic_max(farthest, ordered_bits(static_cast<float>(dot(way, way))));
+    }
+};
 
 struct FindCell {
     Particles p;
@@ -66,7 +135,10 @@ struct Reorder {
     const Vec3* wall_normal;
     const Real* wall_distance;
     const int* wall_segment;
+    const Quad* place;
+    const Real* stress;
     const std::int64_t* content;
+    const ClothExpansion* cloth_from;
     const int* key;
     int dead_key;
     Particles to;
@@ -79,9 +151,16 @@ struct Reorder {
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
+        to.cloth_from[i] = cloth_from[from];
+        if (stress) to.stress[i] = stress[from];
         to.alive[i] = key[i] != dead_key;
-        to.place[i] = to.alive[i] ? Quad{position[from].x, position[from].y, position[from].z, 0} : far_away();
-        to.predicted[i] = to.place[i];
+        const Vec3 &x = position[from], &v = velocity[from];
+        to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
+        to.motion[i] = {v.x, v.y, v.z, to.size(i)};
+        to.predicted[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
+        to.listed_x[i] = x.x;
+        to.listed_y[i] = x.y;
+        to.listed_z[i] = x.z;
     }
 };
 
@@ -89,115 +168,228 @@ struct Reorder {
 struct FindNeighbours {
     Particles p;
     CellGrid g;
+    Real skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
+    /// Particles side by side, from a row of cells.
+    struct Run {
+        int first, end;
+    };
+    static constexpr int most_runs = 64; // cells are no smaller than half the reach
     HL_FN void operator()(int i) const
     {
-        const Vec3 x = p.position[i];
-        const int cx = g.cell_x(x.x), cy = g.cell_y(x.y), cz = g.cell_z(x.z);
-        int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        int found = 0;
-        for (int z = cz > 0 ? cz - 1 : 0; z <= cz + 1 && z < g.nz; ++z)
-            for (int y = cy > 0 ? cy - 1 : 0; y <= cy + 1 && y < g.ny; ++y) {
-                const int row = (z * g.ny + y) * g.nx;
-                const int last = cx + 1 < g.nx ? cx + 1 : g.nx - 1;
-                // Cells along x lie side by side, and so do their particles.
-                found = append(i, x, g.start[row + (cx > 0 ? cx - 1 : 0)], g.start[row + last + 1], slots, found);
-            }
-        p.neighbour_count[i] = found;
-        for (; found % lanes != 0; ++found) slots[found] = p.count;
-    }
-    HL_FN int append(int i, const Vec3& x, int first, int end, int* slots, int found) const
-    {
-        const Real reach = p.support * p.support;
-        for (int j = first; j < end && found <= largest_neighbour_count - lanes; j += lanes) {
-            const Quads other = load(p.place + j);
-            const Pack dx = x.x - other.x, dy = x.y - other.y, dz = x.z - other.z;
+        const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
+        const Real reach = p.reach + skin, reach2 = reach * reach, support2 = (p.support + skin) * (p.support + skin);
+        Run runs[most_runs + 1];
+        const int run_count = find_runs(x, reach, runs);
+        int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
+        int near_count = 0, distant_count = 0, run = 0;
+        Run now = runs[0];
+        while (run < run_count) {
+            const int j = now.first;
+            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
             const Pack distance2 = dx * dx + dy * dy + dz * dz;
-            for (int l = 0; l < lanes; ++l) {
-                slots[found] = j + l; // stays if it is one
-                found += lane_of(distance2, l) < reach && j + l != i && j + l < end;
+            const auto others = lanes_below(now.end - j) & lanes_but(i - j) & (distance2 < reach2);
+            // What there is no room for is left out, which only happens where many are pressed together.
+            if (near_count <= most_near - lanes) near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count);
+            if (distant_count <= most_distant - lanes)
+                distant_count += list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count);
+            // Runs are short: without branches from one to the next.
+            const Run next = runs[run + 1];
+            const bool ends = j + lanes >= now.end;
+            run += ends;
+            now.first = ends ? next.first : j + lanes;
+            now.end = ends ? next.end : now.end;
+        }
+        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.count);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.count);
+        p.near_count[i] = near_count;
+        p.distant_count[i] = distant_count;
+    }
+    /// Of all cells that the reach may touch; behind them stands an empty one.
+    HL_FN int find_runs(const Vec3& x, Real reach, Run* runs) const
+    {
+        const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
+        const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
+        const int z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
+        int count = 0;
+        for (int z = z0; z <= z1; ++z) {
+            const Real gap_z = g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z);
+            for (int y = y0; y <= y1; ++y) {
+                const Real gap_y = g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y);
+                const int row = (z * g.ny + y) * g.nx; // cells along x lie side by side, and so do their particles
+                runs[count] = {g.start[row + x0], g.start[row + x1 + 1]};
+                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < reach * reach);
             }
         }
-        return found;
+        runs[count] = {0, 0};
+        return count;
     }
 };
 
-/// Calls add(x, y, z, w) with one pack of neighbours after the other: the vectors from them to i, and what else stands there.
-template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const Quad* at, const F& add)
+/// What near pairs keep as long as a step lasts.
+HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
+
+/// Calls visit(slots) with one pack after the other of the near neighbours of i.
+template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
-    const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-    const Quad own = at[i];
-    const int count = p.neighbour_count[i];
-    for (int k = 0; k < count; k += lanes) {
-        const Quads other = gather(at, slots + k);
-        add(own.x - other.x, own.y - other.y, own.z - other.z, other.w);
+    const int* slots = p.near + std::int64_t(i) * most_near;
+    const int count = p.near_count[i];
+    for (int k = 0; k < usual_near; k += 64 / int(sizeof(int))) { // the next particle's
+        bring(slots + most_near + k);
+        bring(slope_of(p, slots) + most_near + k);
     }
+    for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
-/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: surface tension
-/// comes from a pair force (Tartakovsky and Panchenko 2016) in place of eq. 5, whose cohesion presses a drop a hundred times harder
-/// than its surface tension does; a wall attracts with the potential whose depth is the work of adhesion.
-struct FindForces {
+/// The same with the distant neighbours of i.
+template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int i, const F& visit)
+{
+    const int* slots = p.distant + std::int64_t(i) * most_distant;
+    const int count = p.distant_count[i];
+    for (int k = 0; k < count; k += lanes) visit(slots + k);
+}
+
+HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
+
+/// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
+/// that follow.
+struct FindSurface {
     Particles p;
     LiquidParameters liquid;
-    Yarns yarns;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
         const Real volume = p.mass / liquid.density;
-        const Vec3 x = p.position[i], v = p.velocity[i];
-        const Real smallest = Real(0.01) * p.support * p.support;
-        const Real cohesion = pair_cohesion(liquid.surface_tension, p.spacing, p.support) / p.mass;
-        Vec3 a{0, 0, -liquid.gravity};
-        const int* slots = p.neighbours + static_cast<std::int64_t>(i) * largest_neighbour_count;
-        for (int k = 0; k < p.neighbour_count[i]; ++k) {
-            const int j = slots[k];
-            const Vec3 d = x - p.position[j];
-            const Real r2 = dot(d, d);
-            const Real r = std::sqrt(r2);
-            const Real drag = Real(10) * liquid.kinematic_viscosity * volume * dot(v - p.velocity[j], d) / (r2 + smallest) *
-                              spline_gradient_factor(r, p.support);
-            const Real push = r > 0 ? cohesion * pair_force_shape(r, p.support) / r : Real(0);
-            a += (drag + push) * d;
+        const Quad own = p.place[i];
+        Pack kernels{};
+        Packs slopes{};
+        const auto add = [&](const int* slots) {
+            const Quads others = gather(p.predicted, slots); // as yet where they are
+            const Packs d = between(own, others);
+            const Pack r = root(dot(d, d));
+            kernels += others.w * spline_kernel(r, p.reach);
+            slopes += others.w * spline_gradient_factor(r, p.reach) * d;
+        };
+        for_neighbours(p, i, add);
+        for_distant_neighbours(p, i, add);
+        Real share = volume * (p.size(i) * spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
+        Vec3 slope = volume * sum_of(slopes) + p.cloth[i].surface_slope;
+        if (p.at_wall(i)) {
+            const Real of_liquid = wall_share(liquid.vessel.wetting);
+            share += of_liquid * kernel_beyond_plane(p.wall_distance[i], p.reach);
+            slope -= of_liquid * kernel_in_plane(p.wall_distance[i], p.reach) * p.wall_normal[i];
         }
-        if (p.wall_segment[i] >= 0 && p.wall_distance[i] > 0)
-            a -= (wall_pull(static_cast<Real>(yarns.yarn_of(p.wall_segment[i]).adhesion), p.wall_distance[i], p.support) / liquid.density) *
-                 p.wall_normal[i];
-        p.force[i] = a;
-        p.pressure_force[i] = Vec3{};
+        const Vec3 tilt = liquid.surface.tilt(slope);
+        p.surface[i] = {tilt.x, tilt.y, tilt.z, liquid.surface.pull(share)};
     }
 };
 
-struct PredictPosition {
-    Particles p;
-    Real dt;
-    HL_FN void operator()(int i) const
-    {
-        const Vec3 v = p.velocity[i] + dt * (p.force[i] + p.pressure_force[i]);
-        const Vec3 x = p.position[i] + dt * v;
-        p.predicted[i] = {x.x, x.y, x.z, 0};
-    }
-};
+/// Surface force of a pack of neighbours of full size on a particle, over the product of the volumes.
+HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, const int* slots)
+{
+    const Quads theirs = gather(p.surface, slots);
+    return surface_force<Pack>(own.w + theirs.w, between(own, theirs), d, p.reach);
+}
 
-/// Density at the predicted places raises the pressure; errors are summed in millionths so that the sum has no order.
-struct CorrectPressure {
+/// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
+/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
+HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Packs& push)
+{
+    // The cloth only bounds the density: its own force is what does no work where the density stays.
+    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push) - (p.place[i].w / liquid.density) * p.cloth[i].slope;
+    if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+    p.pressure_force[i] = a;
+    const Vec3 v = p.velocity[i] + liquid.dt * (p.force[i] + a);
+    const Vec3 x = p.position[i] + liquid.dt * v;
+    p.predicted[i] = {x.x, x.y, x.z, p.motion[i].w};
+}
+
+/// Accelerations by gravity, viscosity (Monaghan's pair form), surface tension and adhesion. Departs from the paper: eq. 5's cohesion
+/// presses a drop a hundred times harder than its surface tension does. A wall counts as liquid, so that it attracts with what its work
+/// of adhesion is over the surface tension, or repels. And the acceleration by the pressure that is there already.
+struct FindForces {
     Particles p;
     LiquidParameters liquid;
-    Real stiffness;          ///< Pa per kg/m3, delta of the method
-    std::int64_t* error_sum; ///< millionths of the rest density
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
     {
-        Pack sum{};
-        for_neighbours(p, i, p.predicted,
-                       [&](Pack x, Pack y, Pack z, Pack) { sum += spline_kernel(root(x * x + y * y + z * z), p.support); });
-        const Real excess = p.mass * (spline_kernel(Real(0), p.support) + sum_of(sum)) - liquid.density;
-        p.place[i].w = positive(p.place[i].w + stiffness * excess);
-        if (excess > 0) atomic_add(error_sum, static_cast<std::int64_t>(excess / liquid.density * Real(1e6)));
+        if (!p.alive[i]) return;
+        const Real volume = p.mass / liquid.density;
+        const Real smallest = Real(0.01) * p.support * p.support;
+        const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
+        Pack kernels{};
+        const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density; // over that of the surface's forces
+        Packs forces{}, pressed{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.place, slots);
+            const Packs d = between(place, others);
+            const Pack r2 = dot(d, d), r = root(r2);
+            const Quads motions = gather(p.motion, slots);
+            const Pack& sizes = motions.w;
+            const Pack slope = sizes * spline_slope(r, p.support) * inverse_distance(r, p.reach);
+            store(slope_of(p, slots), slope);
+            kernels += sizes * spline_kernel(r, p.support);
+            pressed += (place.w + others.w) * slope * d;
+            forces += sizes * surface_forces(p, surface, d, slots);
+            forces += drag * dot(between(motion, motions), d) / (r2 + smallest) * slope * d;
+        });
+        for_distant_neighbours(p, i, [&](const int* slots) {
+            forces += gather(p.motion, slots).w * surface_forces(p, surface, between(place, gather(p.place, slots)), slots);
+        });
+        Vec3 a = (volume / liquid.density) * sum_of(forces);
+        a.z -= liquid.gravity;
+        const ClothField& cloth = p.cloth[i];
+        a += (Real(1) / liquid.density) *
+             (surface.w * cloth.surface_slope - ClothExpansion::times(cloth.bend, {surface.x, surface.y, surface.z}) + cloth.adhesion);
+        Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
+        if (p.at_wall(i)) {
+            const Real distance = p.wall_distance[i];
+            excess += liquid.density * kernel_beyond_plane(distance, p.support);
+            const Real cosine = liquid.vessel.wetting;
+            const Real push =
+                wall_share(cosine) *
+                    surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
+                wall_pull(wall_attraction(cosine) * liquid.surface_tension, distance, p.reach);
+            a += (push / liquid.density) * p.wall_normal[i];
+        }
+        p.force[i] = a;
+        p.allowed[i] = excess > 0 ? liquid.kept_excess * excess : Real(0);
+        predict(p, liquid, i, pressed);
     }
 };
 
+/// Density at the predicted places raises the pressure. What is new in a step is corrected in it; what was there before, over the
+/// longest step: a short one would throw particles apart that a wall or another of them has pushed together. Returns by how many
+/// millionths of the rest density it is too dense, whole ones so that their sum has no order.
+struct CorrectPressure {
+    Particles p;
+    LiquidParameters liquid;
+    Real stiffness; ///< Pa per kg/m3, delta of the method
+    static constexpr bool wide = true;
+
+    HL_FN std::int64_t operator()(int i) const
+    {
+        const Quad own = p.predicted[i];
+        Pack kernels{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.predicted, slots);
+            const Packs d = between(own, others);
+            kernels += others.w * spline_kernel(root(dot(d, d)), p.support);
+        });
+        const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
+        Real density = p.mass * (own.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) +
+                       liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
+        if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
+        const Real excess = density - liquid.density;
+        p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
+        return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
+    }
+};
+
+/// The acceleration by pressure, and where it takes a particle.
 struct FindPressureForce {
     Particles p;
     LiquidParameters liquid;
@@ -205,16 +397,47 @@ struct FindPressureForce {
 
     HL_FN void operator()(int i) const
     {
-        const Real own = p.place[i].w;
-        Pack ax{}, ay{}, az{};
-        for_neighbours(p, i, p.place, [&](Pack x, Pack y, Pack z, Pack pressure) {
-            const Pack push = (own + pressure) * spline_gradient_factor(root(x * x + y * y + z * z), p.support);
-            ax += push * x;
-            ay += push * y;
-            az += push * z;
+        if (!p.alive[i]) return;
+        const Quad own = p.place[i];
+        Packs push{};
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.place, slots);
+            push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
-        const Real scale = -p.mass / (liquid.density * liquid.density);
-        p.pressure_force[i] = {scale * sum_of(ax), scale * sum_of(ay), scale * sum_of(az)};
+        predict(p, liquid, i, push);
+    }
+};
+
+/// Pressure as a gauge would show it: the virial of surface and pressure forces between particles (Irving and Kirkwood 1950), half of
+/// each pair's to each, and the same with what a wall counts as; summed over time, for a single step says little.
+struct FindStress {
+    Particles p;
+    LiquidParameters liquid;
+    Real dt;
+    HL_FN void operator()(int i) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Quad own = p.place[i], surface = p.surface[i];
+        Pack sum{};
+        const auto add_surface = [&](const int* slots) {
+            const Packs d = between(own, gather(p.place, slots));
+            sum += gather(p.motion, slots).w * dot(surface_forces(p, surface, d, slots), d);
+        };
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.place, slots);
+            const Packs d = between(own, others);
+            sum -= (own.w + others.w) * load(slope_of(p, slots)) * dot(d, d);
+            add_surface(slots);
+        });
+        for_distant_neighbours(p, i, add_surface);
+        Real virial = volume * sum_of(sum);
+        if (p.at_wall(i)) {
+            const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
+            virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
+                      wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
+                                                           tilt * curvature_virial_beyond_plane(distance, p.reach));
+        }
+        p.stress[i] += dt * virial / Real(6);
     }
 };
 
@@ -224,14 +447,10 @@ struct MoveParticles {
     int* fastest; ///< bits of the greatest speed; speeds are positive, so their bits order like integers
     HL_FN void operator()(int i) const
     {
+        if (!p.alive[i]) return;
         p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += dt * p.velocity[i];
-        union {
-            float speed;
-            int bits;
-        } fast;
-        fast.speed = static_cast<float>(length(p.velocity[i]));
-        atomic_max(fastest, fast.bits);
+        atomic_max(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
     }
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The cloth of a scene on the host: its shape as stages see it, and the beads by which it acts on the free liquid.
+#pragma once
+
+#include "core/sim/steps/cloth_field.h"
+
+namespace hygroloom {
+
+/// Shapes of the scene's types of yarn; their profiles go to one array.
+std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles);
+
+/// The shape, and what it points to; the scene must outlive it.
+class HostCloth {
+public:
+    explicit HostCloth(const Scene& scene);
+    HostCloth(const HostCloth&) = delete;
+    HostCloth& operator=(const HostCloth&) = delete;
+    const TextileShape& shape() const { return shape_; }
+
+private:
+    std::vector<float> profiles_, shift_;
+    std::vector<YarnShape> shapes_;
+    TextileShape shape_;
+};
+
+struct HostBeads {
+    std::vector<Quad> beads;     ///< of each segment in turn, along the yarn; a pack more than there are
+    std::vector<BeadType> types; ///< as the scene's yarns
+    Beads view;                  ///< pointers not set
+};
+
+/// Cuts the yarns into beads about as large as the liquid's particles, or as the height of a thinner yarn. Supports of the liquid's two
+/// kernels, m.
+HostBeads make_beads(const Scene& scene, double spacing, double support, double reach);
+
+} // namespace hygroloom

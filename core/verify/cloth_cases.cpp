@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Whole drops on cloth: nothing gets through yarn, nothing is lost.
+#include "core/sim/host_cloth.h"
+#include "core/verify/set_ups.h"
+#include "core/verify/verify.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+constexpr double pitch = 3e-4; // m
+constexpr int threads = 80;    // each way
+
+double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
+
+/// Plain weave of yarns a sixth of the pitch high, which leave a gap of this share of the pitch between them and neither wick nor drink.
+Scene cloth_with_gaps(double gap)
+{
+    Scene scene = bare_scene(threads, threads, pitch, 293.15);
+    const double half_height = pitch / 6.0, half_width = 0.5 * (1.0 - gap) * pitch;
+    ContactShape shape{half_height, half_width, {}};
+    for (double rise : {half_height, half_height, half_height, -half_height}) // level, then from side to side
+        for (double v : {rise, 0.0, half_height, half_width}) shape.profiles.push_back(static_cast<float>(v));
+    scene.shapes.assign(2, shape);
+    scene.crossing = {{0, 0, 0, half_height, half_height}};
+    scene.half_thickness = 2.0 * half_height;
+    for (YarnParameters& yarn : scene.yarns) yarn.adhesion = scene.climate.surface_tension; // at 90 degrees
+    return scene;
+}
+
+std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend)
+{
+    const double speed = value(v, "speed_m_s"), gap = value(v, "gap_percent") / 100.0;
+    const double volume = cubic_metre_from_ul(value(v, "volume_ul")), radius = std::cbrt(3.0 * volume / (4.0 * pi));
+    const double spacing = std::cbrt(volume / value(v, "particles"));
+    Scene scene = cloth_with_gaps(gap);
+    scene.particles_per_droplet = static_cast<int>(value(v, "particles"));
+    scene.droplets = {{0, volume, {0, 0, scene.half_thickness + 1e-6 * value(v, "height_um") + radius}, speed}};
+    const HostCloth cloth(scene);
+    // Through the impact in moves of a tenth of the spacing, and on until the liquid has run apart.
+    const double impact = 2.0 * (1e-6 * value(v, "height_um") + 2.0 * radius) / std::max(speed, 0.1);
+    std::vector<double> times;
+    const int moments = std::clamp(static_cast<int>(10.0 * impact * speed / spacing), 20, 400);
+    for (int k = 1; k <= moments; ++k) times.push_back(impact * k / moments);
+    for (int k = 1; k <= 20; ++k) times.push_back(impact + 2e-4 * k);
+    double deepest = 0;
+    int through = 0;
+    for (const Frame& f : frames_at(backend, scene, times)) {
+        int under = 0;
+        for (const auto& x : f.positions) {
+            // What is thrown past the edge may cling to the other face.
+            if (static_cast<double>(std::max(std::abs(x[0]), std::abs(x[1]))) > 0.3 * threads * pitch) continue;
+            const NearestSkin skin = nearest_skin(cloth.shape(), {Real(x[0]), Real(x[1]), Real(x[2])}, static_cast<Real>(spacing));
+            deepest = std::max(deepest, -static_cast<double>(skin.distance) / spacing);
+            under += x[2] < 0;
+        }
+        through = std::max(through, under);
+    }
+    std::vector<VerifyResult> results{{"deepest_under_skin_spacings", deepest, 0, 0.01, Rule::at_most}};
+    if (gap * pitch < 0.1 * spacing) // closed to these particles
+        results.push_back({"particles_through", static_cast<double>(through), 0, 0, Rule::at_most});
+    return results;
+}
+
+std::vector<VerifyResult> drop_conservation(const VerifyValues& v, Backend& backend)
+{
+    const double duration = value(v, "time_s");
+    Design design = drop_on_cotton(value(v, "volume_ul"), duration, value(v, "contact_angle_deg"));
+    Experiment& experiment = design.experiments[0];
+    experiment.swelling = value(v, "swelling") != 0;
+    ModelPlan plan =
+        plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+    plan.particles_per_droplet = static_cast<int>(value(v, "particles"));
+    const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+    std::vector<double> times;
+    for (int k = 1; k <= 40; ++k) times.push_back(duration * k / 40.0);
+    double imbalance = 0, fullest = 0;
+    for (const Frame& f : frames_at(backend, scene, times)) {
+        imbalance = std::max(imbalance, std::abs(f.ledger.water_imbalance()) / (f.ledger.water_delivered + f.ledger.water_initial));
+        for (float s : f.saturation) fullest = std::max(fullest, static_cast<double>(s));
+    }
+    return {{"water_imbalance", imbalance, 0, 1e-12},
+            {"fullest_pores", fullest, 1, 1e-6, Rule::at_most}}; // saturations are shown in single precision
+}
+
+} // namespace
+
+std::vector<VerifyCase> cloth_cases()
+{
+    return {
+        {"no_penetration",
+         "A drop fired at cloth that does not drink: how far under a skin a particle's middle is found, and how many pass closed cloth.",
+         {{"speed_m_s", 5, 0, 20, ""},
+          {"gap_percent", 2, 1, 80, ""},
+          {"particles", 300, 10, 1e5, ""},
+          {"volume_ul", 1, 1e-3, 10, ""},
+          {"height_um", 50, 10, 1e4, ""}},
+         no_penetration},
+        {"drop_conservation",
+         "A drop on cotton: water in particles, yarns and air together, and pores that hold no more than they can.",
+         {{"volume_ul", 2, 0.1, 20, ""},
+          {"contact_angle_deg", 35, 0, 180, ""},
+          {"particles", 500, 10, 1e5, ""},
+          {"time_s", 0.4, 0.01, 100, ""},
+          {"swelling", 0, 0, 1, ""}},
+         drop_conservation},
+    };
+}
+
+} // namespace hygroloom
