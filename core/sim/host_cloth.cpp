@@ -84,7 +84,10 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
     for (const ContactShape& shape : scene.shapes)
         columns = std::max(columns, bounded(rows * shape.half_width / shape.half_height - 0.5, most_columns));
     const double longest = std::max(scene.warp_pitch, scene.weft_pitch);
-    const int along = bounded(longest / std::hypot(1.1 * spacing, thinnest / rows), most_along);
+    int along = bounded(longest / std::hypot(1.1 * spacing, thinnest / rows), most_along);
+    constexpr double most_beads = 1e7; // 160 MB; on a large cloth a small drop's particles meet coarser beads
+    while (rows * columns * along > 1 && static_cast<double>(scene.segments()) * rows * columns * along > most_beads)
+        --(along >= columns ? along : columns >= rows ? columns : rows);
 
     HostBeads result;
     result.view.per_segment = rows * columns * along;
