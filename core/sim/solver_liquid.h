@@ -19,7 +19,7 @@ constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are list
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
 constexpr double resting_speed = 0.05;         // root of the mean square
 constexpr double fastest_resting_speed = 0.25; // of any particle: a drip gets faster
-constexpr int steps_between_drinks = 8;        // of the liquid; no segment drinks as much as a particle in them
+constexpr int steps_between_drinks = 8;        // of the liquid
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 
@@ -330,14 +330,9 @@ template <typename Executor> void Solver<Executor>::watch_motion(double dt)
     exec_.for_each("speeds", sum.parts(), sum);
     const double square = static_cast<double>(sums_.read(1)) * SumSpeeds::quantum / count_;
     const double unit = scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_));
-    union {
-        float square;
-        int bits;
-    } most;
-    most.bits = maxima_.read(2);
     const double share = std::min(1.0, dt / std::max(settling_, dt)); // means over the time of settling: a kick is no motion
     mean_square_ += share * (square - mean_square_);
-    largest_square_ += share * (static_cast<double>(most.square) - largest_square_);
+    largest_square_ += share * (static_cast<double>(from_ordered_bits(maxima_.read(2))) - largest_square_);
     if (time_ < landing_) roused_ = time_;
     const bool moves =
         mean_square_ > resting_speed * resting_speed * unit || largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;

@@ -127,6 +127,8 @@ struct Reach {
 };
 
 constexpr int no_particle = 0x7fffffff;
+constexpr int no_wall = -1;
+constexpr int vessel_wall = -2;
 
 /// What a particle has of the cloth round it: the share of the space that is yarn, as far as a kernel sees it, and how it changes.
 struct ClothField {
@@ -202,13 +204,11 @@ struct Particles {
     /// How full it is, and so how large: yarns drink from it, and it shrinks.
     HL_FN Real size(int i) const { return static_cast<Real>(content[i]) * per_quantum; }
     /// Whether a vessel's wall is near.
-    HL_FN bool at_wall(int i) const { return wall_segment[i] == -2; }
+    HL_FN bool at_wall(int i) const { return wall_segment[i] == vessel_wall; }
 };
 
 constexpr int usual_near = 64;                     // at most, at rest and with a skin
 constexpr int most_near = 128, most_distant = 160; // at rest 33 and 80 without a skin
-constexpr int no_wall = -1;
-constexpr int vessel_wall = -2;
 
 /// A box that holds liquid, wide open at its top; a plate if its sides are far away.
 struct Vessel {
