@@ -18,7 +18,7 @@ constexpr int most_cells = 200000;               // of the grid that finds neigh
 constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
 constexpr double resting_speed = 0.05;         // root of the mean square
-constexpr double fastest_resting_speed = 0.25; // of any particle: a drip gets faster
+constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
 constexpr int steps_between_drinks = 8;        // of the liquid
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
@@ -288,9 +288,11 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     maxima_.write(0, 0);
     each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
     const Real half_spacing = Real(0.5) * spacing_;
-    const Real drag_rate = 2 * liquid(dt).kinematic_viscosity / (spacing_ * spacing_); // shear across half a spacing of a film one thick
+    double radius = scene_.shapes[0].half_height;
+    for (const ContactShape& shape : scene_.shapes) radius = std::min(radius, shape.half_height);
+    const double drag = 20.0 * scene_.climate.viscosity / scene_.climate.density * dt / (radius * radius);
     each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_,
-                                          touching_in_spacings * spacing_, half_spacing, friction_coefficient, 1 / (1 + step * drag_rate),
+                                          touching_in_spacings * spacing_, half_spacing, friction_coefficient, static_cast<Real>(drag),
                                           static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
     choose_liquid_step();
     ++liquid_steps_;

@@ -158,8 +158,9 @@ HL_FN void try_vessel(const Vessel& v, const Vec3& x, NearestSkin& nearest)
 }
 
 /// Stops a particle on its way at the first skin it meets, whatever the way's length; a place under a skin is left by the shortest way.
-/// It loses what it had towards the yarn and slides with friction, and within half a spacing of the skin it is dragged on as a film of
-/// its thickness. A vessel is smooth, lets the liquid slip, and keeps it half a spacing off.
+/// It loses what it had towards the yarn and slides with friction. Between yarns it is dragged on as a liquid in a bed of rods (Kozeny and
+/// Carman, constant 5, two over the radius of skin per volume): nu 20 s^2 / (r (1 - s))^2, s the share of the space that is yarn. A vessel
+/// is smooth, lets the liquid slip, and keeps it half a spacing off.
 struct MeetYarns {
     Particles p;
     TextileShape textile;
@@ -168,7 +169,7 @@ struct MeetYarns {
     Real touching; ///< distance at which a particle rests on a skin; it never comes nearer than half of that, nor through such a hole
     Real half_spacing;
     Real friction;
-    Real film_drag;        ///< 1 / (1 + dt x rate), what is left of the speed along a skin
+    Real drag;             ///< 20 nu dt / r^2
     Real lowest;           ///< below it a particle has dripped off
     std::int64_t* dripped; ///< quanta
 
@@ -183,11 +184,11 @@ struct MeetYarns {
             atomic_add(dripped, p.content[i]);
             return;
         }
-        const bool in_film = p.wall_segment[i] >= 0;
+        const Real yarn = p.cloth[i].share < Real(0.9) ? positive(p.cloth[i].share) : Real(0.9), open = Real(1) - yarn;
+        v = (open * open / (open * open + drag * yarn * yarn)) * v;
         // No skin has come nearer than by the way.
-        if (const Real free = p.wall_distance[i] - length(x - start); free > (in_film ? touching : half_spacing) && !vessel.present) {
+        if (const Real free = p.wall_distance[i] - length(x - start); free > touching && !vessel.present) {
             p.wall_distance[i] = free;
-            if (in_film) v = film_drag * v;
             return;
         }
         x = stopped(start, x, p.wall_distance[i]);
@@ -204,7 +205,6 @@ struct MeetYarns {
                 v = {};
                 skin = nearest_skin(textile, x, reach);
             }
-            if (skin.distance < half_spacing) v = film_drag * v;
         }
         try_vessel(vessel, x, skin);
         if (skin.segment == vessel_wall && skin.distance < half_spacing) {
@@ -215,7 +215,7 @@ struct MeetYarns {
         }
         p.wall_distance[i] = skin.distance;
         p.wall_normal[i] = skin.normal;
-        p.wall_segment[i] = skin.segment == vessel_wall || skin.distance < half_spacing ? skin.segment : no_wall;
+        p.wall_segment[i] = skin.segment;
     }
     HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
@@ -277,7 +277,18 @@ template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t,
     }
 }
 
-/// Every segment notes the first particle that touches it.
+constexpr int particle_numbers = 1 << 23;
+
+/// As what a segment notes a particle: the fullest comes first, then by number.
+HL_FN int note_of(const Particles& p, int i)
+{
+    constexpr int fullest = 255;
+    const int fullness = static_cast<int>(Real(fullest) * p.size(i));
+    return (fullness < fullest ? fullest - fullness : 0) * particle_numbers + i;
+}
+HL_FN bool notes(int note, int i) { return note % particle_numbers == i; }
+
+/// Every segment notes the fullest particle that touches it.
 struct TouchSegments {
     Particles p;
     TextileShape textile;
@@ -286,7 +297,8 @@ struct TouchSegments {
     HL_FN void operator()(int i) const
     {
         if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
-        for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { atomic_min(contact + segment, i); });
+        for_touched_segments(textile, p.position[i], p.spacing,
+                             [&, note = note_of(p, i)](int segment) { atomic_min(contact + segment, note); });
     }
 };
 
@@ -306,7 +318,7 @@ struct GiveToSegments {
     {
         if (!p.alive[i] || p.wall_distance[i] > p.spacing) return;
         for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
-            if (s.contact[segment] == i) give(i, segment);
+            if (notes(s.contact[segment], i)) give(i, segment);
         });
         if (p.content[i] == 0) p.alive[i] = 0;
     }
@@ -331,7 +343,7 @@ struct GiveToSegments {
 struct SumSpeeds {
     Particles p;
     std::int64_t* sum; ///< in quanta
-    int* largest;      ///< bits of the largest; squares are positive, so their bits order like integers
+    int* largest;      ///< bits of the largest away from the cloth; squares are positive, so their bits order like integers
 
     static constexpr double quantum = 1e-12; ///< m2/s2
     static constexpr int part = 256;
@@ -348,7 +360,8 @@ struct SumSpeeds {
             if (!p.alive[i]) continue;
             const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
             squares += static_cast<double>(square);
-            most.square = square > most.square ? square : most.square;
+            const bool aloof = p.cloth[i].surface_share <= Real(0);
+            most.square = aloof && square > most.square ? square : most.square;
         }
         atomic_max(largest, most.bits);
         atomic_add(sum, static_cast<std::int64_t>(squares / quantum));
@@ -363,7 +376,7 @@ struct ForgetContact {
     {
         if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
-                if (contact[segment] == i) contact[segment] = no_particle;
+                if (notes(contact[segment], i)) contact[segment] = no_particle;
             });
     }
 };
