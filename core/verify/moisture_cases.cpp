@@ -2,6 +2,7 @@
 // Fibres, vapour and heat of single segments against Crank, the wet bulb, the isotherm and IAPWS.
 #include "core/physics/air.h"
 #include "core/physics/sorption.h"
+#include "core/sim/steps/yarn_lines.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 
@@ -48,14 +49,14 @@ double crank_concentration(double fourier, double position)
 /// Between the middles of the shells of segment 0, and from the last one's to the skin.
 double regain_at(const Frame& frame, int shells, double skin, double position)
 {
-    const double place = std::max(0.0, position * shells - 0.5);
-    const auto inner = static_cast<std::size_t>(place);
-    if (inner + 1 >= static_cast<std::size_t>(shells)) {
-        const double last = frame.shells[static_cast<std::size_t>(shells - 1)];
-        return last + 2.0 * (place - (shells - 1)) * (skin - last);
-    }
-    const double share = place - static_cast<double>(inner), here = frame.shells[inner], next = frame.shells[inner + 1];
-    return here + share * (next - here);
+    const auto middle = [&](int k) { return 0.5 * (shell_start(k, shells) + shell_start(k + 1, shells)); };
+    int outer = 0;
+    while (outer < shells && middle(outer) < position) ++outer;
+    const auto at = [&](int k) { return static_cast<double>(frame.shells[static_cast<std::size_t>(k)]); };
+    if (outer == 0) return at(0);
+    const bool is_skin = outer == shells;
+    const double inner = middle(outer - 1), share = (position - inner) / ((is_skin ? 1.0 : middle(outer)) - inner);
+    return at(outer - 1) + share * ((is_skin ? skin : at(outer)) - at(outer - 1));
 }
 
 std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend)

@@ -163,7 +163,7 @@ struct ExchangeInSegment {
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }
 
-    /// Implicit Euler on cell-centred annuli with the skin held at a regain: two right-hand sides, one elimination.
+    /// Implicit Euler on shells (see shell_start()) with the skin held at a regain: two right-hand sides, one elimination.
     HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, double* base, double* response) const
     {
         const int n = s.shells;
@@ -175,21 +175,22 @@ struct ExchangeInSegment {
             return fibre;
         }
         const double temperature = climate.temperature + s.warmth[i];
-        const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius) * n * n;
+        const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius);
         const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
         const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
         double upper[largest_shell_count];
-        double inner = 0; // conductance of the annulus's inner face, in units of its volume share (2k + 1)
+        double inner = 0; // conductance of the shell's inner face
         for (int k = 0; k < n; ++k) {
-            const double at_face = k < n - 1 ? 0.5 * (regain[k] + regain[k + 1]) : regain[k];
+            const bool skin = k == n - 1;
+            const double at_face = skin ? regain[k] : 0.5 * (regain[k] + regain[k + 1]);
             const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, at_face, temperature);
-            // Flux through the face at (k + 1) dr is D (k + 1) x difference / distance; the skin is half a cell away.
-            const double outer = scale * diffusivity * 2.0 * (k + 1) * (k < n - 1 ? 1.0 : 2.0);
+            const double face = shell_start(k + 1, n), between = 0.5 * ((skin ? face : shell_start(k + 2, n)) - shell_start(k, n));
+            const double outer = scale * diffusivity * 2.0 * face / between, share = shell_share(k, n);
             const double lower = -inner;
-            const double pivot = (2 * k + 1) + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0);
-            upper[k] = k < n - 1 ? -outer / pivot : 0.0;
-            base[k] = ((2 * k + 1) * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) / pivot;
-            response[k] = ((k < n - 1 ? 0.0 : outer) - (k > 0 ? lower * response[k - 1] : 0.0)) / pivot;
+            const double pivot = share + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0);
+            upper[k] = skin ? 0.0 : -outer / pivot;
+            base[k] = (share * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) / pivot;
+            response[k] = ((skin ? outer : 0.0) - (k > 0 ? lower * response[k - 1] : 0.0)) / pivot;
             inner = outer;
         }
         for (int k = n - 2; k >= 0; --k) {
@@ -197,11 +198,11 @@ struct ExchangeInSegment {
             response[k] -= upper[k] * response[k + 1];
         }
         for (int k = 0; k < n; ++k) {
-            fibre.base += base[k] * (2 * k + 1);
-            fibre.slope += response[k] * (2 * k + 1);
+            fibre.base += base[k] * shell_share(k, n);
+            fibre.slope += response[k] * shell_share(k, n);
         }
-        fibre.base *= fibre.dry_mass / (n * n);
-        fibre.slope *= fibre.dry_mass / (n * n);
+        fibre.base *= fibre.dry_mass;
+        fibre.slope *= fibre.dry_mass;
         return fibre;
     }
 

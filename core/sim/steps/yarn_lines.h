@@ -141,12 +141,25 @@ HL_FN double heat_capacity(const YarnParameters& yarn, double length, double wat
     return length * yarn.fibre_area * yarn.fibre_density * yarn.fibre_specific_heat + water * water_specific_heat;
 }
 
+/// Radius over the fibre's at which shell k of n begins: thinner towards the skin, where water enters first.
+HL_FN double shell_start(int k, int n)
+{
+    const double inwards = 1.0 - static_cast<double>(k) / n;
+    return 1.0 - inwards * inwards * inwards;
+}
+/// Of the fibre's section, in shell k of n.
+HL_FN double shell_share(int k, int n)
+{
+    const double inner = shell_start(k, n), outer = shell_start(k + 1, n);
+    return (outer - inner) * (outer + inner);
+}
+
 /// Water bound in a segment's fibres, kg.
 HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segment)
 {
     double regain = 0;
-    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * (2 * k + 1);
-    return regain / (s.shells * s.shells) * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
+    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * shell_share(k, s.shells);
+    return regain * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
 }
 
 /// Heat along each yarn, by conduction and with the liquid that has just moved (flux).
