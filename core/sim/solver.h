@@ -46,6 +46,7 @@ public:
         listed_for_ = 0;
         delivered_ = landing_ = roused_ = settling_ = mean_square_ = largest_square_ = 0;
         asleep_ = false;
+        hurry_ = 1;
         thirst_ = 0;
         thirsty_steps_ = 0;
         pool_.assign(scene.pools.size(), 0);
@@ -190,7 +191,9 @@ private:
     double settling_ = 0;                         ///< s, that it takes to settle then
     double mean_square_ = 0, largest_square_ = 0; ///< m2/s2, of speeds, over the last time of settling
     bool asleep_ = false;
-    bool drinks_ = false; ///< whether any yarn takes up liquid from drops
+    double fell_asleep_ = 0; ///< s, when
+    double hurry_ = 1;       ///< by which liquid that was woken creeps faster, to make up for the time it slept
+    bool drinks_ = false;    ///< whether any yarn takes up liquid from drops
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;

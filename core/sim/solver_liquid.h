@@ -19,6 +19,7 @@ constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are list
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
 constexpr double resting_speed = 0.05;         // root of the mean square
 constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
+constexpr double most_hurry = 8;               // how much faster liquid creeps that was woken than it would have unasked
 constexpr int steps_between_drinks = 8;        // of the liquid
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
@@ -173,6 +174,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         landing_ = std::max(landing_, drop.time + landed);
         settling_ = std::max(settling_, capillary_time(drop.volume));
         asleep_ = false;
+        hurry_ = 1;
         delivered_ += static_cast<double>(water) * water_quantum;
         liquid_dt_ = std::min(next_droplet_ == 1 ? capillary_dt_ : liquid_dt_, advective_step(drop.speed));
     }
@@ -290,10 +292,11 @@ template <typename Executor> void Solver<Executor>::step_liquid(double dt)
     const Real half_spacing = Real(0.5) * spacing_;
     double radius = scene_.shapes[0].half_height;
     for (const ContactShape& shape : scene_.shapes) radius = std::min(radius, shape.half_height);
-    const double drag = 20.0 * scene_.climate.viscosity / scene_.climate.density * dt / (radius * radius);
-    each_particle("meet yarns", MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_,
-                                          touching_in_spacings * spacing_, half_spacing, friction_coefficient, static_cast<Real>(drag),
-                                          static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
+    const double drag = 20.0 * scene_.climate.viscosity / scene_.climate.density * dt / (radius * radius) / hurry_;
+    each_particle("meet yarns",
+                  MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_,
+                            touching_in_spacings * spacing_, half_spacing, static_cast<Real>(friction_coefficient / hurry_),
+                            static_cast<Real>(drag), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
     choose_liquid_step();
     ++liquid_steps_;
 }
@@ -336,10 +339,14 @@ template <typename Executor> void Solver<Executor>::watch_motion(double dt)
     mean_square_ += share * (square - mean_square_);
     largest_square_ += share * (static_cast<double>(from_ordered_bits(maxima_.read(2))) - largest_square_);
     if (time_ < landing_) roused_ = time_;
-    const bool moves =
-        mean_square_ > resting_speed * resting_speed * unit || largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;
+    const bool moves = mean_square_ > resting_speed * resting_speed * unit * hurry_ * hurry_ ||
+                       largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;
     asleep_ = !moves && time_ - roused_ >= settling_;
-    if (asleep_) sums_.write(2, 0);
+    if (asleep_) {
+        sums_.write(2, 0);
+        fell_asleep_ = time_;
+        hurry_ = 1;
+    }
 }
 
 /// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
@@ -352,6 +359,11 @@ template <typename Executor> bool Solver<Executor>::asleep()
     asleep_ = false;
     roused_ = time_;
     settling_ = capillary_time(drunk * static_cast<double>(particle_mass_) / scene_.climate.density);
+    // To move as far as it would have meanwhile, it is less dragged on. Beyond the time a whole drop needs, little is left to move.
+    const double slept = time_ - fell_asleep_,
+                 whole = capillary_time(count_ * static_cast<double>(particle_mass_) / scene_.climate.density);
+    settling_ = std::max(settling_, std::min(slept / (most_hurry - 1), whole));
+    hurry_ = std::min(most_hurry, 1 + slept / settling_);
     return false;
 }
 
