@@ -151,9 +151,11 @@ private:
     double water_at_stake() const;
     void load_liquid();
     void load_particles();
+    std::size_t particles_of(double volume) const;
     void release_droplets();
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
+    void swell();
     void step_liquid(double dt);
     void drink_drops(double dt, bool now);
     void give_to_segments(double dt);
@@ -207,6 +209,7 @@ private:
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
     Unvisited unvisited_;
+    Buffer<int> from_;  ///< segments that give back liquid
     Buffer<int> reach_; ///< see Reach: where liquid or vapour has come since the last step
     Buffer<double> pores_, supplied_, uptake_, liquid_rate_, bound_, bound_rate_, heat_, heat_rate_;
     Buffer<std::uint8_t> fed_;

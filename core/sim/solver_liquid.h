@@ -52,7 +52,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     liquid_dt_ = capillary_dt_;
 
     std::size_t capacity = standing;
-    for (const SceneDroplet& d : scene_.droplets) capacity += static_cast<std::size_t>(std::llround(d.volume / particle_volume)) + 1;
+    for (const SceneDroplet& d : scene_.droplets) capacity += particles_of(d.volume);
+    if (scene_.swelling > 0) capacity += capacity / 2; // for what swollen yarns give back
     for (auto* b : {&place_, &sorted_place_, &motion_, &predicted_, &surface_}) {
         b->resize(capacity + lanes); // whole packs are read
         b->fill(far_away());
@@ -124,6 +125,11 @@ template <typename Executor> void Solver<Executor>::load_particles()
     liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
 }
 
+template <typename Executor> std::size_t Solver<Executor>::particles_of(double volume) const
+{
+    return static_cast<std::size_t>(std::max(1LL, std::llround(volume / std::pow(static_cast<double>(spacing_), 3))));
+}
+
 /// Where particles are that no yarn has taken up; the last step's dead are still among the count.
 template <typename Places, typename Flags> std::vector<Vec3> living_particles(const Places& position, const Flags& alive, int count)
 {
@@ -141,8 +147,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
         SceneDroplet drop = scene_.droplets[next_droplet_++];
         if (count_ == 0 || asleep_) begin_anew();
-        const double particle_volume = std::pow(static_cast<double>(spacing_), 3);
-        const int added = std::max(1, static_cast<int>(std::llround(drop.volume / particle_volume)));
+        const auto added = static_cast<int>(particles_of(drop.volume));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
         const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
         drop.centre.z = height_clear_of(living_particles(position_, alive_, count_), drop.centre, radius, static_cast<double>(spacing_));

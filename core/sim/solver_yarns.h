@@ -335,13 +335,41 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     exchange_time_ = time_;
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
-    if (scene_.swelling > 0) each_segment("swell", Swell{segments(), climate.density, scene_.swelling});
+    if (scene_.swelling > 0) swell();
     if (scene_.vapour) {
         each_line("vapour", DiffuseVapourAlongYarn{segments(), climate, dt, scene_.cell_area, scene_.heat, scene_.face_only});
         each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true, scene_.cell_area, scene_.heat});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
     choose_exchange_step(dt);
+}
+
+/// Where there is free liquid, swollen yarns give back to it what they have no room for.
+template <typename Executor> void Solver<Executor>::swell()
+{
+    constexpr double least_part = 0.25; // of a particle
+    const double least = least_part * static_cast<double>(particle_mass_);
+    const Swell stage{segments(), scene_.climate.density, scene_.swelling, least};
+    const std::int64_t giving = exec_.for_each("swell", yarns().visited_segments(), stage);
+    if (giving == 0 || position_.size() == 0) return;
+    std::size_t kept = 0; // for drops to come
+    for (std::size_t k = next_droplet_; k < scene_.droplets.size(); ++k) kept += particles_of(scene_.droplets[k].volume);
+    const std::size_t room = position_.size() - static_cast<std::size_t>(count_) - kept;
+    const std::vector<double> surplus = work0_.download();
+    std::vector<int> from;
+    for (int k = 0; k < yarns().visited_segments() && from.size() < room; ++k)
+        if (const int i = yarns().visited_segment(k); surplus[static_cast<std::size_t>(i)] >= least) from.push_back(i);
+    from_.upload(from);
+    exec_.for_each("give back", static_cast<int>(from.size()),
+                   GiveBack{particle_views(), shape(), segments(), scene_.climate.density, from_.data(), count_,
+                            Real(1.1) * touching_in_spacings * spacing_});
+    if (count_ == 0 || asleep_) begin_anew();
+    count_ += static_cast<int>(from.size());
+    listed_for_ = 0;
+    asleep_ = false;
+    roused_ = time_;
+    settling_ = capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
+    liquid_dt_ = std::min(liquid_dt_, capillary_dt_);
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()

@@ -2,7 +2,10 @@
 // Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth drinks and a repellent one does not.
 #include "core/base/error.h"
 #include "core/sim/backend.h"
+#include "core/sim/model_plan.h"
 #include "core/sim/runner.h"
+#include "core/sim/scene.h"
+#include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
 
 #include <QElapsedTimer>
@@ -55,6 +58,33 @@ private Q_SLOTS:
         const Ledger& end = frames.back().ledger;
         if (angle >= 90) QCOMPARE(end.water_liquid, 0.0);
         if (angle < 60) QVERIFY(end.water_liquid > 0.2 * end.water_delivered);
+    }
+    void swollenYarnsGiveBackWhatTheyHaveNoRoomFor()
+    {
+        Design design = drop_design(35, 0.5);
+        Experiment& experiment = design.experiments[0];
+        ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"growth", false}});
+        plan.particles_per_droplet = 1000;
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        std::size_t least = 0;
+        for (bool swelling : {false, true}) {
+            experiment.swelling = swelling;
+            Scene scene = build_scene(design, textile, experiment, plan, 1);
+            for (YarnParameters& yarn : scene.yarns) yarn.diffusivity = {DiffusionLaw::constant, 1e-10, 0.0}; // fibres fill at once
+            for (int i = 0; i < scene.segments(); ++i)                                                        // full from the start
+                scene.initial_liquid.push_back(scene.climate.density * scene.yarns[i < scene.crossings() ? 0 : 1].pore_area *
+                                               scene.length[static_cast<std::size_t>(i)]);
+            const auto backend = make_cpu_backend();
+            std::size_t most = 0;
+            for (const Frame& f : frames_at(*backend, scene, {0.05, 0.1})) {
+                most = std::max(most, f.positions.size());
+                QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-12 * (f.ledger.water_initial + f.ledger.water_delivered));
+                QVERIFY(std::abs(f.ledger.energy_imbalance()) <= 1e-9 * std::abs(f.ledger.energy_released));
+                for (float s : f.saturation) QVERIFY(s >= 0 && s <= 1.000001f);
+            }
+            if (!swelling) least = most;
+            if (swelling) QVERIFY2(most > least, qPrintable(QString("%1 particles, %2 without swelling").arg(most).arg(least)));
+        }
     }
     void energyLedgerCloses()
     {

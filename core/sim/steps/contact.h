@@ -2,6 +2,7 @@
 // Where the liquid meets the yarns: the nearest skin through the box hierarchy (fabric, crossing, yarn), contact, and drinking.
 #pragma once
 
+#include "core/physics/water.h"
 #include "core/sim/state.h"
 
 namespace hygroloom {
@@ -336,6 +337,43 @@ struct GiveToSegments {
         p.content[i] -= given;
         atomic_add(drunk, given);
         reach.include(s, s.crossing_of(segment));
+    }
+};
+
+/// Segments whose pores have become too narrow for their liquid give some of it back, as a particle over or under their yarn.
+struct GiveBack {
+    Particles p;
+    TextileShape textile;
+    Segments s;
+    double density;
+    const int* from; ///< the segments, each of which gives to the particle at its own place behind the first
+    int first;
+    Real clear; ///< m, from a skin
+
+    HL_FN void operator()(int k) const
+    {
+        const int segment = from[k], i = first + k, crossing = s.crossing_of(segment);
+        const bool is_warp = s.is_warp(segment);
+        const int end = crossing / s.picks, pick = crossing % s.picks;
+        const double surplus = s.work0[segment], most = static_cast<double>(p.mass);
+        const auto given = static_cast<std::int64_t>((surplus < most ? surplus : most) / water_quantum);
+        const double mass = static_cast<double>(given) * water_quantum;
+        s.liquid[segment] -= mass;
+        s.pores[segment] -= mass / density;
+        s.lost[segment] += mass * water_specific_heat * s.warmth[segment];
+
+        const YarnShape& yarn = is_warp ? textile.warp_shape(end) : textile.weft_shape(pick);
+        const Real side = textile.is_warp_up(end, pick) == is_warp ? Real(1) : Real(-1), shift = Real(textile.shift[segment]);
+        p.position[i] = {(Real(end) - Real(0.5) * Real(textile.ends - 1)) * textile.warp_pitch + (is_warp ? shift : Real(0)),
+                         (Real(pick) - Real(0.5) * Real(textile.picks - 1)) * textile.weft_pitch + (is_warp ? Real(0) : shift),
+                         textile.height(is_warp, end, pick) + side * (yarn.half_height + clear)};
+        p.velocity[i] = p.wall_normal[i] = {};
+        p.wall_distance[i] = 0; // not looked for yet
+        p.wall_segment[i] = no_wall;
+        p.cloth_from[i] = {};
+        p.place[i] = {};
+        p.content[i] = given;
+        p.alive[i] = 1;
     }
 };
 

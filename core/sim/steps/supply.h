@@ -84,21 +84,25 @@ struct TakeFromPool {
     }
 };
 
-/// Fibres that bound water narrow the pores; never below the liquid in them, nor below a twentieth.
+/// Fibres that bound water narrow the pores; never below a twentieth, nor below the liquid in them, of which GiveBack takes what is too
+/// much. Returns 1 where that is more than the least given back.
 struct Swell {
     Segments s;
     double density;
-    double swelling; ///< m3 per kg
+    double swelling;      ///< m3 per kg
+    double least_surplus; ///< kg
 
-    HL_FN void operator()(int index) const
+    HL_FN std::int64_t operator()(int index) const
     {
         const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
         const double dry = yarn.pore_area * s.length[i];
         double pores = dry - swelling * bound_water(s, yarn, i);
         if (pores < 0.05 * dry) pores = 0.05 * dry;
+        s.work0[i] = s.liquid[i] - density * pores;
         if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
         s.pores[i] = pores;
+        return s.work0[i] >= least_surplus;
     }
 };
 
