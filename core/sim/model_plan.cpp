@@ -166,13 +166,16 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     return b;
 }
 
-/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show.
+/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Nor, below `reference`, as
+/// many where no yarn drinks: how finely the drop meets the pores then changes no water.
 int particles_for(const Level& level, const Experiment& experiment, const Bounds& b)
 {
     const double finest = 0.1 * b.finest;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, b.drops));
-    return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, static_cast<double>(level.particles)));
+    constexpr double share_without_drinking = 0.25;
+    const double most = level.particles * (b.wicks || level.settle_share <= 0 ? 1.0 : share_without_drinking);
+    return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, most));
 }
 
 PlannedPart decide(const char* name, bool on, std::string reason, const ForcedParts& forced)

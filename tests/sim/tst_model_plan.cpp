@@ -165,9 +165,9 @@ private Q_SLOTS:
         QVERIFY2(reason.starts_with("20 drops of 10 ul bring "), reason.c_str());
         QVERIFY2(std::abs(number_after(reason, "bring") / (200 * find_liquid(design, "saline")->density_kg_m3 * 1e-3) - 1) < 1e-3,
                  reason.c_str());
-        QCOMPARE(drops.particles_per_droplet, 2000);
+        QCOMPARE(drops.particles_per_droplet, 8000);
         QVERIFY(drops.expected_seconds > pool.expected_seconds);
-        QVERIFY(drops.expected_bytes - pool.expected_bytes > 20.0 * 2000 * 200); // all 40 000 particles
+        QVERIFY(drops.expected_bytes - pool.expected_bytes > 20.0 * 8000 * 200); // all 160 000 particles
         design.experiments[0].drop_ul = 200;
         QVERIFY(plan_of(design).parts[0].reason.starts_with("One drop of 200 ul brings "));
         QVERIFY(!plan_of(design, Fidelity::draft, {{"liquid", false}}).on("wicking")); // nothing else wets it
