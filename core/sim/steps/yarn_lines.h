@@ -145,7 +145,7 @@ HL_FN double heat_capacity(const YarnParameters& yarn, double length, double wat
 HL_FN double shell_start(int k, int n)
 {
     const double inwards = 1.0 - static_cast<double>(k) / n;
-    return 1.0 - inwards * inwards * inwards;
+    return 1.0 - inwards * inwards;
 }
 /// Of the fibre's section, in shell k of n.
 HL_FN double shell_share(int k, int n)
