@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Runs stages on a GPU: each stage is one kernel over its elements. The simplest form; the host waits only where it reads.
+// Runs stages on a GPU: each stage is one kernel over its elements; the host waits only where it reads. A sequence of stages is recorded
+// once as a CUDA graph, with its loops and branches as conditional nodes, and replayed.
 #pragma once
 
 #include "core/base/error.h"
+#include "core/sim/order.h"
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cuda_runtime.h>
@@ -19,19 +21,41 @@ inline void check_cuda(cudaError_t result, const char* what)
     if (result != cudaSuccess) throw DeviceError(std::string("The GPU failed (") + what + "): " + cudaGetErrorString(result) + ".");
 }
 
-template <typename Stage> __global__ void run_stage(int count, Stage stage)
+/// Threads that share an element.
+template <typename Stage> constexpr int threads_each()
 {
-    const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-    if (i < count) stage(i);
+    if constexpr (requires { Stage::wide; })
+        return lanes;
+    else
+        return 1;
 }
 
-/// The same with a stage that returns something to be added up.
-template <typename Stage> __global__ void run_summed(int count, Stage stage, std::int64_t* sum)
+/// Whether this is the last block of a kernel to come here: what all others did can be seen then.
+__device__ inline bool is_last_block(unsigned* came)
 {
-    const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
-    std::int64_t part = i < count ? stage(i) : 0;
-    for (int apart = 16; apart > 0; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
-    if (threadIdx.x % 32 == 0 && part != 0) atomic_add(sum, part);
+    __syncthreads();
+    if (threadIdx.x != 0) return false;
+    __threadfence();
+    if (atomicAdd(came, 1u) + 1 < gridDim.x) return false;
+    *came = 0;
+    __threadfence();
+    return true;
+}
+
+template <typename Stage, typename Next> __global__ void run_stage(Counted counted, Stage stage, Next next, unsigned* came)
+{
+    constexpr int each = threads_each<Stage>();
+    const int i = static_cast<int>((blockIdx.x * blockDim.x + threadIdx.x) / each);
+    const bool meant = i < (counted.count ? *counted.count : counted.most);
+    if constexpr (std::is_void_v<decltype(stage(0))>) {
+        if (meant) stage(i);
+    } else {
+        std::int64_t part = meant ? stage(i) : 0;
+        for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
+        if (threadIdx.x % 32 == 0 && part != 0) atomic_add(stage.total, part);
+    }
+    if constexpr (!std::is_same_v<Next, Nothing>)
+        if (is_last_block(came)) next(0);
 }
 
 template <typename T> struct FillStage {
@@ -40,9 +64,26 @@ template <typename T> struct FillStage {
     HL_FN void operator()(int i) const { values[i] = value; }
 };
 
-struct CountUpStage {
-    int* values;
-    HL_FN void operator()(int i) const { values[i] = i; }
+template <typename T> struct CopyStage {
+    T* to;
+    const T* from; ///< null: nothing to copy
+    HL_FN void operator()(int i) const
+    {
+        if (from != nullptr) to[i] = from[i];
+    }
+};
+
+/// Numbers places before they are sorted; keys that are not meant sort last.
+struct PrepareKeys {
+    const int* count;
+    int* places;
+    int* keys;
+    int beyond;
+    HL_FN void operator()(int i) const
+    {
+        places[i] = i;
+        if (i >= *count) keys[i] = beyond;
+    }
 };
 
 class CudaExecutor {
@@ -68,7 +109,8 @@ public:
         void fill(T value)
         {
             if (size_ > 0)
-                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>(static_cast<int>(size_), FillStage<T>{data_, value});
+                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>({nullptr, static_cast<int>(size_)},
+                                                                               FillStage<T>{data_, value}, Nothing{}, nullptr);
             check_cuda(cudaGetLastError(), "filling memory");
         }
         void upload(const std::vector<T>& values)
@@ -109,53 +151,160 @@ public:
         std::size_t size_ = 0;
     };
 
+    CudaExecutor()
+    {
+        for (cudaStream_t& stream : streams_) check_cuda(cudaStreamCreate(&stream), "making a stream");
+        came_.resize(1);
+    }
+    ~CudaExecutor()
+    {
+        for (cudaStream_t stream : streams_) cudaStreamDestroy(stream);
+    }
+    CudaExecutor(const CudaExecutor&) = delete;
+    CudaExecutor& operator=(const CudaExecutor&) = delete;
+
     void set_threads(int) {}
 
-    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything.
-    template <typename Stage> std::int64_t for_each(const char* name, int count, const Stage& stage)
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0).
+    template <typename Stage, typename Next = Nothing>
+    void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
     {
-        if (count <= 0) return 0;
-        constexpr int block = 128;
-        const auto blocks = static_cast<unsigned>((count + block - 1) / block);
-        if constexpr (std::is_void_v<decltype(stage(0))>) {
-            run_stage<<<blocks, block>>>(count, stage);
-            check_cuda(cudaGetLastError(), name);
-            return 0;
-        } else {
-            sum_.resize(1);
-            sum_.write(0, 0);
-            run_summed<<<blocks, block>>>(count, stage, sum_.data());
-            check_cuda(cudaGetLastError(), name);
-            return sum_.read(0);
-        }
+        if (counted.most <= 0) return;
+        constexpr int each = threads_each<Stage>(), few = 1 << 16;
+        const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
+        const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
+        run_stage<<<blocks, static_cast<unsigned>(block), 0, stream()>>>(counted, stage, next, came_.data());
+        check_cuda(cudaGetLastError(), name);
+    }
+    template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
+    {
+        for_each(name, Counted{nullptr, count}, stage, next);
     }
 
-    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
-    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, int count, int largest)
-    {
-        if (count <= 0) return;
-        if (count_up_.size() < static_cast<std::size_t>(count)) {
-            count_up_.resize(keys.size());
-            sorted_.resize(keys.size());
+    /// Stages in an order that never changes but by loop() and when().
+    class Sequence {
+    public:
+        Sequence() = default;
+        ~Sequence() { forget(); }
+        Sequence(const Sequence&) = delete;
+        Sequence& operator=(const Sequence&) = delete;
+        void forget()
+        {
+            if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
+            graph_ = nullptr;
         }
-        for_each("count up", count, CountUpStage{count_up_.data()});
-        int bits = 1;
-        while (bits < 31 && (largest >> bits) != 0) ++bits;
+
+    private:
+        friend class CudaExecutor;
+        cudaGraphExec_t graph_ = nullptr;
+    };
+    /// Does what the body does, which is gone through only the first time.
+    template <typename Body> void run(Sequence& sequence, const Body& body)
+    {
+        if (sequence.graph_ == nullptr) record(sequence, body);
+        check_cuda(cudaGraphLaunch(sequence.graph_, stream()), "starting the liquid's steps");
+    }
+    /// Within a sequence: goes through the body as long as the flag is set.
+    template <typename Body> void loop(Flag* flag, const Body& body) { add_condition(flag, cudaGraphCondTypeWhile, body); }
+    /// Within a sequence: goes through the body if the flag is set.
+    template <typename Body> void when(Flag* flag, const Body& body) { add_condition(flag, cudaGraphCondTypeIf, body); }
+
+    /// The first of each two buffers gets the values of the second, which is left with anything.
+    template <typename... Buffers> void take_over(const Counted& counted, Buffers&... buffers)
+    {
+        for_each("take over", counted, copies(buffers...));
+    }
+
+    /// Before the first sort of so many keys.
+    void prepare_sort(int count, int largest)
+    {
+        key_bits_ = 1;
+        while (key_bits_ < 31 && ((largest + 1) >> key_bits_) != 0) ++key_bits_;
+        places_.resize(static_cast<std::size_t>(count));
+        sorted_.resize(static_cast<std::size_t>(count));
         std::size_t bytes = 0;
-        check_cuda(
-            cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(), count, 0, bits),
-            "sorting");
-        if (scratch_.size() < bytes) scratch_.resize(bytes);
-        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), count_up_.data(), order.data(),
-                                                   count, 0, bits),
+        check_cuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, sorted_.data(), sorted_.data(), places_.data(), places_.data(), count, 0,
+                                                   key_bits_),
                    "sorting");
-        check_cuda(cudaMemcpy(keys.data(), sorted_.data(), static_cast<std::size_t>(count) * sizeof(int), cudaMemcpyDeviceToDevice),
+        scratch_.resize(bytes);
+    }
+    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
+    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int*)
+    {
+        const Counted all{nullptr, counted.most};
+        for_each("number places", all, PrepareKeys{counted.count, places_.data(), keys.data(), (1 << key_bits_) - 1});
+        std::size_t bytes = scratch_.size();
+        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), places_.data(), order.data(),
+                                                   counted.most, 0, key_bits_, stream()),
                    "sorting");
+        for_each("sorted keys", all, CopyStage<int>{keys.data(), sorted_.data()});
     }
 
 private:
-    Buffer<int> count_up_, sorted_;
-    Buffer<std::int64_t> sum_;
+    /// A condition that a graph asks for, and where stages find it.
+    struct Condition {
+        Flag* flag;
+        cudaGraphConditionalHandle handle;
+    };
+
+    cudaStream_t stream() const { return streams_[depth_]; }
+
+    template <typename Body> void record(Sequence& sequence, const Body& body)
+    {
+        conditions_.clear();
+        cudaGraph_t graph = nullptr;
+        check_cuda(cudaStreamBeginCapture(stream(), cudaStreamCaptureModeRelaxed), "recording");
+        body();
+        check_cuda(cudaStreamEndCapture(stream(), &graph), "recording");
+        check_cuda(cudaGraphInstantiate(&sequence.graph_, graph, 0), "preparing what was recorded");
+        check_cuda(cudaGraphDestroy(graph), "recording");
+        for (const Condition& condition : conditions_)
+            check_cuda(cudaMemcpy(&condition.flag->handle, &condition.handle, sizeof condition.handle, cudaMemcpyHostToDevice),
+                       "copying to the GPU");
+    }
+    /// Puts a condition behind what was recorded last, and records its body in a stream of its own.
+    template <typename Body> void add_condition(Flag* flag, cudaGraphConditionalNodeType type, const Body& body)
+    {
+        cudaStreamCaptureStatus status;
+        cudaGraph_t graph = nullptr, inside = nullptr;
+        const cudaGraphNode_t* before = nullptr;
+        const cudaGraphEdgeData* edges = nullptr;
+        std::size_t count = 0;
+        check_cuda(cudaStreamGetCaptureInfo(stream(), &status, nullptr, &graph, &before, &edges, &count), "recording");
+        cudaGraphNodeParams parameters{};
+        parameters.type = cudaGraphNodeTypeConditional;
+        parameters.conditional.type = type;
+        parameters.conditional.size = 1;
+        check_cuda(cudaGraphConditionalHandleCreate(&parameters.conditional.handle, graph), "recording a condition");
+        cudaGraphNode_t node = nullptr;
+        check_cuda(cudaGraphAddNode(&node, graph, before, edges, count, &parameters), "recording a condition");
+        check_cuda(cudaStreamUpdateCaptureDependencies(stream(), &node, nullptr, 1, cudaStreamSetCaptureDependencies), "recording");
+        conditions_.push_back({flag, parameters.conditional.handle});
+        ++depth_;
+        check_cuda(cudaStreamBeginCaptureToGraph(stream(), parameters.conditional.phGraph_out[0], nullptr, nullptr, 0,
+                                                 cudaStreamCaptureModeRelaxed),
+                   "recording");
+        body();
+        check_cuda(cudaStreamEndCapture(stream(), &inside), "recording");
+        --depth_;
+    }
+
+    template <typename T, typename... Others> static auto copies(Buffer<T>& to, Buffer<T>& from, Others&... others)
+    {
+        const CopyStage<T> first{to.data(), from.data()};
+        if constexpr (sizeof...(others) == 0)
+            return first;
+        else
+            return InTurn<CopyStage<T>, decltype(copies(others...))>{first, copies(others...)};
+    }
+
+    static constexpr int most_depth = 4;
+    cudaStream_t streams_[most_depth] = {}; ///< one for each depth of loops and branches
+    int depth_ = 0;
+    std::vector<Condition> conditions_;
+    Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()
+    int key_bits_ = 1;
+    Buffer<int> places_, sorted_;
     Buffer<unsigned char> scratch_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Packs of numbers for sums over neighbours: eight at once on a CPU, one after the other in a thread of a GPU. The lanes of a pack are
-// added in one order, so a sum does not depend on the processor's width.
+// Packs of numbers for sums over neighbours: eight at once on a CPU, in eight threads side by side on a GPU. The lanes of a pack are
+// added in one order, so a sum depends neither on the processor's width nor on the machine.
 #pragma once
 
 #include "core/base/portable.h"
@@ -11,8 +11,6 @@
 #endif
 
 namespace hygroloom {
-
-constexpr int lanes = HL_LANES;
 
 /// Four numbers that are fetched together: a place and what is known there.
 struct alignas(4 * sizeof(Real)) Quad {
@@ -37,27 +35,37 @@ HL_FN void bring(const void* memory)
 HL_FN Real root(Real value) { return std::sqrt(value); }
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
 
-#if HL_LANES == 1
+#if HL_LANE_IS_THREAD
 
-using Pack = Real;
+using Pack = Real; // of which each thread has its lane
 struct Quads {
     Pack x, y, z, w;
 };
-HL_FN Real sum_of(Pack pack) { return pack; }
-HL_FN Quads gather(const Quad* at, const int* slots)
+HL_FN Real sum_of(Pack pack)
 {
-    const Quad& quad = *at_slot(at, *slots);
+    for (int bit = lanes / 2; bit > 0; bit /= 2) pack += of_other_lane(pack, bit);
+    return pack;
+}
+HL_FN Quads load(const Quad* at)
+{
+    const Quad quad = at[own_lane()];
     return {quad.x, quad.y, quad.z, quad.w};
 }
-HL_FN Quads load(const Quad* at) { return {at->x, at->y, at->z, at->w}; }
-HL_FN Pack load(const Real* at) { return *at; }
-HL_FN void store(Real* at, Pack pack) { *at = pack; }
-HL_FN bool lanes_below(int count) { return count > 0; }
-HL_FN bool lanes_but(int lane) { return lane != 0; }
+HL_FN Quads gather(const Quad* at, const int* slots)
+{
+    const Quad quad = *at_slot(at, slots[own_lane()]);
+    return {quad.x, quad.y, quad.z, quad.w};
+}
+HL_FN Pack load(const Real* at) { return at[own_lane()]; }
+HL_FN void store(Real* at, Pack pack) { at[own_lane()] = pack; }
+HL_FN bool lanes_below(int count) { return own_lane() < count; }
+HL_FN bool lanes_but(int lane) { return own_lane() != lane; }
+HL_FN Pack first_lanes(int count) { return own_lane() < count ? Real(1) : Real(0); }
 HL_FN int list_lanes(bool wanted, int first, int* slots)
 {
-    if (wanted) *slots = slot_of(first);
-    return wanted;
+    const unsigned set = lanes_where(wanted), before = (1u << own_lane()) - 1;
+    if (wanted) slots[bits_in(set & before)] = slot_of(first + own_lane());
+    return bits_in(set);
 }
 
 #else
@@ -120,6 +128,14 @@ using LooseSlots = int __attribute__((vector_size(lanes * sizeof(int)), aligned(
 constexpr Mask lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
 inline Mask lanes_below(int count) { return lane_numbers < count; }
 inline Mask lanes_but(int lane) { return lane_numbers != lane; }
+
+/// Ones in so many lanes, zeros in the others.
+inline Pack first_lanes(int count)
+{
+    Pack ones{};
+    for (int lane = 0; lane < lanes; ++lane) ones[lane] = lane < count ? Real(1) : Real(0);
+    return ones;
+}
 
 /// One bit per lane.
 inline unsigned bits_of(const Mask& mask)

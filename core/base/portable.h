@@ -6,10 +6,10 @@
 
 #ifdef __CUDACC__
 #define HL_FN __host__ __device__ inline
-#define HL_LANES 1
+#define HL_LANE_IS_THREAD 1
 #else
 #define HL_FN inline
-#define HL_LANES 8
+#define HL_LANE_IS_THREAD 0
 #endif
 
 namespace hygroloom {
@@ -44,7 +44,7 @@ HL_FN void atomic_add(int* target, int value)
 HL_FN void atomic_max(int* target, int value)
 {
 #ifdef __CUDA_ARCH__
-    atomicMax(target, value);
+    if (value > *static_cast<volatile int*>(target)) atomicMax(target, value); // most come too late to matter
 #else
     int seen = __atomic_load_n(target, __ATOMIC_RELAXED);
     while (value > seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
@@ -61,5 +61,74 @@ HL_FN void atomic_min(int* target, int value)
     while (value < seen && !__atomic_compare_exchange_n(target, &seen, value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 #endif
 }
+
+/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each.
+constexpr int lanes = 8;
+
+HL_FN int own_lane()
+{
+#ifdef __CUDA_ARCH__
+    return static_cast<int>(threadIdx.x % lanes);
+#else
+    return 0;
+#endif
+}
+
+#if HL_LANE_IS_THREAD
+
+/// The threads of a warp that share the element of this one.
+HL_FN unsigned sharing_threads()
+{
+#ifdef __CUDA_ARCH__
+    return 0xffu << (threadIdx.x % 32 / lanes * lanes);
+#else
+    return 1;
+#endif
+}
+
+/// What the lane has whose number differs in the given bit.
+template <typename T> HL_FN T of_other_lane(T value, int bit)
+{
+#ifdef __CUDA_ARCH__
+    return __shfl_xor_sync(sharing_threads(), value, bit);
+#else
+    return bit > 0 ? value : T{};
+#endif
+}
+
+/// One bit per lane.
+HL_FN unsigned lanes_where(bool condition)
+{
+#ifdef __CUDA_ARCH__
+    return __ballot_sync(sharing_threads(), condition) >> (threadIdx.x % 32 / lanes * lanes) & 0xffu;
+#else
+    return condition ? 1u : 0u;
+#endif
+}
+
+HL_FN int bits_in(unsigned bits)
+{
+#ifdef __CUDA_ARCH__
+    return __popc(bits);
+#else
+    return __builtin_popcount(bits);
+#endif
+}
+
+#endif
+
+/// What a stage decides and a loop or a branch in the order of stages obeys.
+struct Flag {
+    int on = 0;
+    unsigned long long handle = 0; ///< of the condition in a GPU's graph; 0: none
+
+    HL_FN void set(bool value)
+    {
+        on = value ? 1 : 0;
+#ifdef __CUDA_ARCH__
+        if (handle != 0) cudaGraphSetConditional(handle, value ? 1u : 0u);
+#endif
+    }
+};
 
 } // namespace hygroloom

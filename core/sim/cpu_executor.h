@@ -3,7 +3,7 @@
 // cannot change a result.
 #pragma once
 
-#include "core/base/portable.h"
+#include "core/sim/order.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -47,25 +47,55 @@ public:
         arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
     }
 
-    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything; the name is for profilers.
-    template <typename Stage> std::int64_t for_each(const char*, int count, const Stage& stage)
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0). The name is for profilers.
+    template <typename Stage, typename Next = Nothing> void for_each(const char*, int count, const Stage& stage, const Next& next = {})
     {
         constexpr int grain = 64;
-        if (count <= grain) return run_range(stage, 0, count);
-        std::int64_t sum = 0;
-        arena_->execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& range) {
-                const std::int64_t part = run_range(stage, range.begin(), range.end());
-                if (part != 0) atomic_add(&sum, part);
+        if (count <= grain)
+            run_range(stage, 0, count);
+        else
+            arena_->execute([&] {
+                tbb::parallel_for(tbb::blocked_range<int>(0, count, grain),
+                                  [&](const tbb::blocked_range<int>& range) { run_range(stage, range.begin(), range.end()); });
             });
-        });
-        return sum;
+        next(0);
+    }
+    template <typename Stage, typename Next = Nothing>
+    void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
+    {
+        for_each(name, *counted.count, stage, next);
     }
 
-    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
-    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, int count, int largest)
+    /// Goes through the body as long as the flag is set.
+    template <typename Body> void loop(Flag* flag, const Body& body)
     {
-        places_.assign(static_cast<std::size_t>(largest) + 2, 0);
+        while (flag->on) body();
+    }
+    /// Goes through the body if the flag is set.
+    template <typename Body> void when(Flag* flag, const Body& body)
+    {
+        if (flag->on) body();
+    }
+    /// Stages in an order that never changes but by loop() and when().
+    struct Sequence {
+        void forget() {}
+    };
+    template <typename Body> void run(Sequence&, const Body& body) { body(); }
+
+    /// The first of each two buffers gets the values of the second, which is left with anything.
+    template <typename T, typename... Others> void take_over(const Counted& counted, Buffer<T>& to, Buffer<T>& from, Others&... others)
+    {
+        to.swap(from);
+        if constexpr (sizeof...(others) > 0) take_over(counted, others...);
+    }
+
+    /// Before the first sort of so many keys.
+    void prepare_sort(int, int) {}
+    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
+    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int* largest)
+    {
+        const int count = *counted.count;
+        places_.assign(static_cast<std::size_t>(*largest) + 2, 0);
         for (int i = 0; i < count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
         std::partial_sum(places_.begin(), places_.end(), places_.begin());
         sorted_.resize(static_cast<std::size_t>(count));
@@ -78,7 +108,14 @@ public:
     }
 
 private:
-    template <typename Stage> static std::int64_t run_range(const Stage& stage, int begin, int end)
+    template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
+    {
+        if constexpr (std::is_void_v<decltype(stage(0))>)
+            sum_range(stage, begin, end);
+        else if (const std::int64_t part = sum_range(stage, begin, end); part != 0)
+            atomic_add(stage.total, part);
+    }
+    template <typename Stage> static std::int64_t sum_range(const Stage& stage, int begin, int end)
     {
 #ifdef __x86_64__
         // Stages that work on packs say so; they run several times as fast with whole packs in a register, to the same last bit.

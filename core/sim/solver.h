@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each and sort_by_key.
+// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, sort_by_key, and for what
+// stages decide themselves loop and when.
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
 #include "core/sim/droplet.h"
 #include "core/sim/frame.h"
 #include "core/sim/host_cloth.h"
+#include "core/sim/order.h"
 #include "core/sim/steps/cloth_field.h"
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
+#include "core/sim/steps/liquid_control.h"
 #include "core/sim/steps/supply.h"
 
 #include <algorithm>
@@ -25,11 +28,11 @@ public:
     template <typename T> using Buffer = typename Executor::template Buffer<T>;
 
     Executor& executor() { return exec_; }
-    long liquid_steps() const { return liquid_steps_; }
-    long pressure_rounds() const { return pressure_rounds_; }
+    long liquid_steps() const { return static_cast<long>(flow_.steps); }
+    long pressure_rounds() const { return static_cast<long>(flow_.rounds); }
     /// How often neighbours have been listed.
-    long listings() const { return listings_; }
-    int particles() const { return count_; }
+    long listings() const { return static_cast<long>(flow_.listings); }
+    int particles() const { return flow_.count; }
     /// Segments that steps go through now.
     int visited_segments() { return yarns().visited_segments(); }
 
@@ -41,14 +44,10 @@ public:
         exchange_time_ = 0;
         wicking_watch_ = exchange_watch_ = {};
         next_droplet_ = 0;
-        count_ = 0;
-        liquid_steps_ = pressure_rounds_ = listings_ = 0;
-        listed_for_ = 0;
-        delivered_ = landing_ = roused_ = settling_ = mean_square_ = largest_square_ = 0;
-        asleep_ = false;
-        hurry_ = 1;
-        thirst_ = 0;
-        thirsty_steps_ = 0;
+        flow_ = {};
+        rules_ = {};
+        flow_sequence_.forget();
+        delivered_ = 0;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
         load_segments();
@@ -68,22 +67,11 @@ public:
             if (sync_time_ < 0) {
                 release_droplets();
                 const double target = std::min(until, next_event());
-                const double steps = steps_to(target, std::min(network_dt_, exchange_dt_));
+                const double steps = LiquidRules::steps_to(target - time_, std::min(network_dt_, exchange_dt_));
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
-            while (time_ < sync_time_ && count_ > 0) {
-                if (asleep()) {
-                    drink_drops(sync_time_ - time_, true);
-                    break;
-                }
-                const double steps = steps_to(sync_time_, liquid_dt_);
-                const double dt = (sync_time_ - time_) / steps;
-                step_liquid(dt);
-                time_ = steps == 1.0 ? sync_time_ : time_ + dt;
-                drink_drops(dt, steps == 1.0);
-                watch_motion(dt);
-                if (elapsed(start) > wall_seconds && time_ < sync_time_) return time_;
-            }
+            while (!flow(wall_seconds))
+                if (elapsed(start) > wall_seconds) return time_;
             time_ = sync_time_;
             sync_time_ = -1;
             step_network(time_ - network_time_, time_ >= until);
@@ -100,8 +88,6 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
-    double steps_to(double moment, double dt) const { return std::max(1.0, std::ceil((moment - time_) / dt - 1e-6)); }
     template <typename Stage> void each_segment(const char* name, const Stage& stage)
     {
         exec_.for_each(name, yarns().visited_segments(), stage);
@@ -111,9 +97,10 @@ private:
         exec_.for_each(name, yarns().visited_crossings(), stage);
     }
     template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
-    template <typename Stage> std::int64_t each_particle(const char* name, const Stage& stage)
+    Counted all_particles() { return {&control_.data()->count, room_}; }
+    template <typename Stage, typename Next = Nothing> void each_particle(const char* name, const Stage& stage, const Next& next = {})
     {
-        return exec_.for_each(name, count_, stage);
+        exec_.for_each(name, all_particles(), stage, next);
     }
 
     void load_segments();
@@ -131,7 +118,7 @@ private:
         exchange_dt_ = scene_.step_error > 0 ? std::min(first_step, exchange_limit()) : exchange_limit();
     }
     /// Whether free liquid may soon come to the yarns: not while it sleeps on cloth that does not drink.
-    bool drops_about() const { return count_ > 0 && !(asleep_ && !drinks_); }
+    bool drops_about() const { return flow_.count > 0 && !(flow_.asleep && !drinks_); }
     double step_limit() const { return drops_about() || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
     double exchange_limit() const
     {
@@ -151,51 +138,35 @@ private:
     double water_at_stake() const;
     void load_liquid();
     void load_particles();
+    void set_rules(double spacing);
     std::size_t particles_of(double volume) const;
     void release_droplets();
     void step_network(double dt, bool frame_due);
     void exchange(double dt);
     void swell();
-    void step_liquid(double dt);
-    void drink_drops(double dt, bool now);
-    void give_to_segments(double dt);
-    double capillary_time(double volume) const;
-    void watch_motion(double dt);
-    bool asleep();
-    void fit_grid();
+    bool flow(double wall_seconds);
+    void flow_on();
+    void step_liquid();
+    void give_to_segments();
     void sort_particles();
-    bool neighbours_hold(std::int64_t dead);
     void list_neighbours();
-    void correct_pressure(double dt);
-    void choose_liquid_step();
-    double advective_step(double speed) const;
+    void correct_pressure();
     Ledger ledger();
     Yarns yarns();
     Yarns yarns_on_host() const;
     Segments segments();
     Segments fibres_on_host(std::vector<double>& regain) const;
     Particles particle_views();
-    CellGrid grid();
     TextileShape shape();
     Beads beads();
     Vessel vessel() const;
-    LiquidParameters liquid(double dt) const;
+    LiquidParameters liquid();
 
     Executor exec_;
     Scene scene_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0, exchange_time_ = 0;
-    double network_dt_ = 0, liquid_dt_ = 0;
-    long liquid_steps_ = 0, pressure_rounds_ = 0, listings_ = 0;
-    double thirst_ = 0;                           ///< s since yarns last drank from drops
-    int thirsty_steps_ = 0;                       ///< of the liquid since then
-    double landing_ = 0;                          ///< s, when the last drop released meets the cloth
-    double roused_ = 0;                           ///< s, when the free liquid last landed or woke
-    double settling_ = 0;                         ///< s, that it takes to settle then
-    double mean_square_ = 0, largest_square_ = 0; ///< m2/s2, of speeds, over the last time of settling
-    bool asleep_ = false;
-    double fell_asleep_ = 0; ///< s, when
-    double hurry_ = 1;       ///< by which liquid that was woken creeps faster, to make up for the time it slept
-    bool drinks_ = false;    ///< whether any yarn takes up liquid from drops
+    double network_dt_ = 0;
+    bool drinks_ = false; ///< whether any yarn takes up liquid from drops
     std::size_t next_droplet_ = 0;
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0;
     double exchange_dt_ = 0;
@@ -222,26 +193,23 @@ private:
     Buffer<float> profiles_, shift_;
 
     // Liquid.
-    int count_ = 0;
+    LiquidControl flow_;            ///< as it was when last looked at
+    Buffer<LiquidControl> control_; ///< where stages change it
+    LiquidRules rules_;
+    typename Executor::Sequence flow_sequence_; ///< see flow_on()
+    double wall_per_step_ = 0;                  ///< s
+    int room_ = 0;                              ///< for so many particles
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
-    Real skin_ = 0;           ///< m, by which neighbours are listed too far
-    int listed_for_ = 0;      ///< steps that have used the neighbours listed last; 0: list anew
     double stress_since_ = 0; ///< s, when the stresses began to be summed
-    double stiffness_ = 0;    ///< delta x dt2
-    double capillary_dt_ = 0;
     Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
     Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
-    Buffer<std::int64_t> sums_; ///< dripped quanta, squares of speeds, quanta drunk since the liquid last moved
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> maxima_;          ///< fastest, largest change of saturation, square of the fastest past the cloth
-    CellGrid grid_;
-    Buffer<int> box_;   ///< see FindBox
-    Buffer<int> moved_; ///< see BeginStep
+    Buffer<int> largest_change_;  ///< of saturation: see TrackChange
     Buffer<ClothField> cloth_;
     Buffer<ClothExpansion> cloth_from_, sorted_cloth_from_;
     Buffer<Quad> bead_;

@@ -9,20 +9,10 @@
 namespace hygroloom {
 
 constexpr Real support_in_spacings = Real(2.0);
-constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
-constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
-constexpr double grain_viscosity = 0.015;        // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
-constexpr double drip_distance = 5e-3;           // m below the fabric at which a particle counts as dripped off
-constexpr double pressure_relaxation = 0.5;      // of a pressure correction; whole ones overshoot between close particles
-constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
-constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
-/// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
-constexpr double resting_speed = 0.05;         // root of the mean square
-constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
-constexpr double most_hurry = 8;               // how much faster liquid creeps that was woken than it would have unasked
-constexpr int steps_between_drinks = 8;        // of the liquid
-constexpr int fewest_pressure_rounds = 3;
-constexpr int most_pressure_rounds = 8;
+constexpr double grain_viscosity = 0.015;   // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
+constexpr double drip_distance = 5e-3;      // m below the fabric at which a particle counts as dripped off
+constexpr double pressure_relaxation = 0.5; // of a pressure correction; whole ones overshoot between close particles
+constexpr int most_flow_steps = 1000;       // without a look at the clock
 
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
@@ -46,14 +36,13 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     spacing_ = static_cast<Real>(spacing);
     support_ = support_in_spacings * spacing_;
     reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
-    stiffness_ = pressure_relaxation * pressure_stiffness(spacing, support_);
-    capillary_dt_ =
-        0.25 * std::sqrt(scene_.climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * scene_.climate.surface_tension));
-    liquid_dt_ = capillary_dt_;
+    set_rules(spacing);
+    flow_.longest_dt = rules_.capillary_dt;
 
     std::size_t capacity = standing;
     for (const SceneDroplet& d : scene_.droplets) capacity += particles_of(d.volume);
     if (scene_.swelling > 0) capacity += capacity / 2; // for what swollen yarns give back
+    room_ = static_cast<int>(capacity);
     for (auto* b : {&place_, &sorted_place_, &motion_, &predicted_, &surface_}) {
         b->resize(capacity + lanes); // whole packs are read
         b->fill(far_away());
@@ -71,7 +60,6 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     slope_.resize(capacity * most_near);
     distant_.resize(capacity * most_distant);
     for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
-    moved_.resize(6);
     drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
     for (auto* b : {&cloth_from_, &sorted_cloth_from_}) b->resize(capacity);
@@ -89,14 +77,39 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     const double lowest = scene_.vessel && standing > 0 ? scene_.vessel->low.z : -scene_.half_thickness - drip_distance;
     // Cells of half the reach.
     const double size = std::max(0.5 * static_cast<double>(reach_of_surface_), std::max({width, height, highest - lowest}) * 1e-5);
-    grid_.size = static_cast<Real>(size);
-    grid_.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
+    CellGrid& grid = flow_.grid;
+    grid.size = static_cast<Real>(size);
+    grid.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
     const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
-    grid_.whole_x = cells(width);
-    grid_.whole_y = cells(height);
-    grid_.whole_z = cells(highest - lowest);
-    box_.resize(6);
+    grid.whole_x = cells(width);
+    grid.whole_y = cells(height);
+    grid.whole_z = cells(highest - lowest);
+    const int most = std::max(most_cells, 2 * room_);
+    cell_start_.resize(static_cast<std::size_t>(most) + 2);
+    grid.key = key_.data();
+    grid.start = cell_start_.data();
+    exec_.prepare_sort(room_, most);
+    control_.resize(1);
     if (standing > 0) load_particles();
+}
+
+/// What stays the same for the liquid's steps.
+template <typename Executor> void Solver<Executor>::set_rules(double spacing)
+{
+    const ClimateParameters& climate = scene_.climate;
+    rules_.spacing = spacing_;
+    rules_.particle_mass = static_cast<double>(particle_mass_);
+    rules_.density = climate.density;
+    rules_.surface_tension = climate.surface_tension;
+    rules_.capillary_dt =
+        0.25 * std::sqrt(climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * climate.surface_tension));
+    rules_.viscous_dt = 0.125 * static_cast<double>(support_ * support_) * climate.density / climate.viscosity;
+    rules_.stiffness = pressure_relaxation * pressure_stiffness(spacing, support_);
+    rules_.settle_share = scene_.settle_share;
+    rules_.drag = 20.0 * climate.viscosity / climate.density;
+    double thinnest = scene_.shapes[0].half_height;
+    for (const ContactShape& shape : scene_.shapes) thinnest = std::min(thinnest, shape.half_height);
+    rules_.thinnest2 = thinnest * thinnest;
 }
 
 /// The liquid that is there from the start.
@@ -118,11 +131,11 @@ template <typename Executor> void Solver<Executor>::load_particles()
         0, std::vector<std::int64_t>(n, std::llround(scene_.liquid.particle_volume * scene_.climate.density / water_quantum)));
     alive_.write_range(0, std::vector<std::uint8_t>(n, 1));
     place_.write_range(0, std::vector<Quad>(n));
-    count_ = static_cast<int>(n);
-    landing_ = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
+    flow_.count = static_cast<int>(n);
+    flow_.landing = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
     double fastest = 0;
     for (const Vec3d& v : scene_.liquid.velocities) fastest = std::max(fastest, length(v));
-    liquid_dt_ = std::min(capillary_dt_, advective_step(fastest));
+    flow_.longest_dt = std::min(rules_.capillary_dt, rules_.advective_step(fastest));
 }
 
 template <typename Executor> std::size_t Solver<Executor>::particles_of(double volume) const
@@ -146,17 +159,18 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 {
     while (next_droplet_ < scene_.droplets.size() && scene_.droplets[next_droplet_].time <= time_) {
         SceneDroplet drop = scene_.droplets[next_droplet_++];
-        if (count_ == 0 || asleep_) begin_anew();
+        if (flow_.count == 0 || flow_.asleep) begin_anew();
         const auto added = static_cast<int>(particles_of(drop.volume));
         const std::vector<Vec3d> places = droplet_lattice(added, static_cast<double>(spacing_));
         const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
-        drop.centre.z = height_clear_of(living_particles(position_, alive_, count_), drop.centre, radius, static_cast<double>(spacing_));
+        drop.centre.z =
+            height_clear_of(living_particles(position_, alive_, flow_.count), drop.centre, radius, static_cast<double>(spacing_));
         std::vector<Vec3> x;
         for (const Vec3d& place : places) {
             const Vec3d p = drop.centre + place;
             x.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
         }
-        const auto at = static_cast<std::size_t>(count_);
+        const auto at = static_cast<std::size_t>(flow_.count);
         const auto n = static_cast<std::size_t>(added);
         position_.write_range(at, x);
         velocity_.write_range(at, std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}));
@@ -171,48 +185,27 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         content_.write_range(at, content);
         place_.write_range(at, std::vector<Quad>(n));
         alive_.write_range(at, std::vector<std::uint8_t>(n, 1));
-        count_ += added;
-        listed_for_ = 0;
+        flow_.count += added;
+        flow_.listed_for = 0;
         const double fall = drop.centre.z - radius - scene_.half_thickness;
         const double landed =
             (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
-        landing_ = std::max(landing_, drop.time + landed);
-        settling_ = std::max(settling_, capillary_time(drop.volume));
-        asleep_ = false;
-        hurry_ = 1;
+        flow_.landing = std::max(flow_.landing, drop.time + landed);
+        flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
+        flow_.asleep = 0;
+        flow_.hurry = 1;
         delivered_ += static_cast<double>(water) * water_quantum;
-        liquid_dt_ = std::min(next_droplet_ == 1 ? capillary_dt_ : liquid_dt_, advective_step(drop.speed));
+        flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.capillary_dt : flow_.longest_dt, rules_.advective_step(drop.speed));
     }
-}
-
-/// The grid's box about the particles there are; wider cells where they lie so far apart that going through the cells would cost more.
-template <typename Executor> void Solver<Executor>::fit_grid()
-{
-    constexpr int nothing = std::numeric_limits<int>::min();
-    box_.fill(nothing);
-    each_particle("find box", FindBox{particle_views(), grid(), box_.data()});
-    const std::vector<int> box = box_.download();
-    const auto lowest = [&](int axis) { return box[static_cast<std::size_t>(axis)] == nothing ? 0 : -box[static_cast<std::size_t>(axis)]; };
-    const auto highest = [&](int axis) { return std::max(0, box[static_cast<std::size_t>(axis) + 3]); };
-    const auto cells = [&](int axis) { return std::int64_t((highest(axis) >> grid_.shift) - (lowest(axis) >> grid_.shift) + 1); };
-    const std::int64_t most = std::max(most_cells, 2 * count_);
-    grid_.shift = 0;
-    while (cells(0) * cells(1) * cells(2) > most) ++grid_.shift;
-    grid_.first_x = lowest(0) >> grid_.shift;
-    grid_.first_y = lowest(1) >> grid_.shift;
-    grid_.first_z = lowest(2) >> grid_.shift;
-    grid_.nx = static_cast<int>(cells(0));
-    grid_.ny = static_cast<int>(cells(1));
-    grid_.nz = static_cast<int>(cells(2));
-    if (const auto needed = static_cast<std::size_t>(grid_.cells()) + 2; cell_start_.size() < needed)
-        cell_start_.resize(needed + needed / 2);
 }
 
 template <typename Executor> void Solver<Executor>::sort_particles()
 {
-    fit_grid();
-    each_particle("find cell", FindCell{particle_views(), grid()});
-    exec_.sort_by_key(key_, order_, count_, grid_.cells());
+    LiquidControl* control = control_.data();
+    const CellGrid* grid = &control->grid;
+    each_particle("find box", FindBox{particle_views(), grid, control->box}, FitGrid{control});
+    each_particle("find cell", FindCell{particle_views(), grid});
+    exec_.sort_by_key(key_, order_, all_particles(), &control->dead_key);
     Particles to = particle_views();
     to.position = sorted_position_.data();
     to.velocity = sorted_velocity_.data();
@@ -225,170 +218,103 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.stress = sorted_stress_.data();
     each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
                                      wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
-                                     cloth_from_.data(), key_.data(), grid_.cells(), to});
-    position_.swap(sorted_position_);
-    velocity_.swap(sorted_velocity_);
-    wall_normal_.swap(sorted_normal_);
-    wall_distance_.swap(sorted_distance_);
-    wall_segment_.swap(sorted_segment_);
-    content_.swap(sorted_content_);
-    cloth_from_.swap(sorted_cloth_from_);
-    place_.swap(sorted_place_);
-    stress_.swap(sorted_stress_);
-    exec_.for_each("cell starts", count_ + 1, FindCellStarts{grid(), count_});
-    count_ = cell_start_.read(static_cast<std::size_t>(grid_.cells())); // the dead sort last
-}
-
-/// Whether all that count are still listed: no two particles have come nearer to each other than by the skin, and few are dead.
-template <typename Executor> bool Solver<Executor>::neighbours_hold(std::int64_t dead)
-{
-    if (listed_for_ == 0) {
-        skin_ = skin_in_spacings * spacing_;
-        return false;
-    }
-    const std::vector<int> moved = moved_.download();
-    const auto middle = [&](std::size_t axis) {
-        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * spacing_;
-    };
-    maxima_.write(0, 0);
-    each_particle("farthest moved", FindFarthestMoved{particle_views(), {middle(0), middle(1), middle(2)}, maxima_.data()});
-    const double apart = 2.0 * std::sqrt(static_cast<double>(from_ordered_bits(maxima_.read(0)))) * static_cast<double>(spacing_);
-    if (apart < 0.999 * static_cast<double>(skin_) && 16 * dead < count_) return true;
-    skin_ = 2 * apart / listed_for_ < skin_in_spacings * spacing_ ? skin_in_spacings * spacing_ : Real(0); // none if it would not last
-    return false;
+                                     cloth_from_.data(), key_.data(), &control->dead_key, to});
+    exec_.take_over(all_particles(), position_, sorted_position_, velocity_, sorted_velocity_, wall_normal_, sorted_normal_, wall_distance_,
+                    sorted_distance_, wall_segment_, sorted_segment_, content_, sorted_content_, cloth_from_, sorted_cloth_from_, place_,
+                    sorted_place_, stress_, sorted_stress_);
+    each_particle("cell starts", FindCellStarts{grid, &control->count}, LeaveDead{control});
 }
 
 /// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
 template <typename Executor> void Solver<Executor>::list_neighbours()
 {
-    moved_.fill(std::numeric_limits<int>::min() / 2);
-    if (!neighbours_hold(each_particle("begin step", BeginStep{particle_views(), moved_.data()}))) {
+    LiquidControl* control = control_.data();
+    each_particle("begin step", BeginStep{particle_views(), control->moved, &control->dead});
+    each_particle("farthest moved", FindFarthestMoved{particle_views(), control->moved, &control->farthest},
+                  DecideListing{control, rules_});
+    exec_.when(&control->lists, [&] {
         sort_particles();
-        each_particle("neighbours", FindNeighbours{particle_views(), grid(), skin_});
-        listed_for_ = 0;
-        ++listings_;
-    }
-    ++listed_for_;
+        each_particle("neighbours", FindNeighbours{particle_views(), &control->grid, &control->skin});
+    });
 }
 
-template <typename Executor> void Solver<Executor>::correct_pressure(double dt)
+template <typename Executor> void Solver<Executor>::correct_pressure()
 {
-    const Real stiffness = static_cast<Real>(stiffness_ / (dt * dt));
-    for (int round = 0; round < most_pressure_rounds; ++round) {
-        const std::int64_t error = each_particle("pressure", CorrectPressure{particle_views(), liquid(dt), stiffness});
-        each_particle("pressure force", FindPressureForce{particle_views(), liquid(dt)});
-        ++pressure_rounds_;
-        if (round + 1 >= fewest_pressure_rounds && static_cast<double>(error) * 1e-6 < scene_.density_tolerance * count_) break;
-    }
+    LiquidControl* control = control_.data();
+    const auto round = [&] {
+        each_particle("pressure", CorrectPressure{particle_views(), liquid(), &control->error});
+        each_particle("pressure force", FindPressureForce{particle_views(), liquid()}, EndRound{control, scene_.density_tolerance});
+    };
+    for (int k = 0; k < fewest_pressure_rounds; ++k) round();
+    exec_.loop(&control->presses, round);
 }
 
-template <typename Executor> void Solver<Executor>::step_liquid(double dt)
+template <typename Executor> void Solver<Executor>::step_liquid()
 {
+    LiquidControl* control = control_.data();
     list_neighbours();
-    if (count_ == 0) return;
-    const Real step = static_cast<Real>(dt);
     each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
-    each_particle("surface", FindSurface{particle_views(), liquid(dt)});
-    each_particle("forces", FindForces{particle_views(), liquid(dt)});
-    correct_pressure(dt);
-    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid(dt), step});
-    maxima_.write(0, 0);
-    each_particle("move", MoveParticles{particle_views(), step, maxima_.data()});
-    const Real half_spacing = Real(0.5) * spacing_;
-    double radius = scene_.shapes[0].half_height;
-    for (const ContactShape& shape : scene_.shapes) radius = std::min(radius, shape.half_height);
-    const double drag = 20.0 * scene_.climate.viscosity / scene_.climate.density * dt / (radius * radius) / hurry_;
-    each_particle("meet yarns",
-                  MeetYarns{particle_views(), shape(), vessel(), scene_.vessel ? reach_of_surface_ : 2 * spacing_,
-                            touching_in_spacings * spacing_, half_spacing, static_cast<Real>(friction_coefficient / hurry_),
-                            static_cast<Real>(drag), static_cast<Real>(-scene_.half_thickness - drip_distance), sums_.data()});
-    choose_liquid_step();
-    ++liquid_steps_;
+    each_particle("surface", FindSurface{particle_views(), liquid()});
+    each_particle("forces", FindForces{particle_views(), liquid()});
+    correct_pressure();
+    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid()});
+    const MoveParticles move{particle_views(), &control->step, &control->fastest};
+    const MeetYarns meet{particle_views(),
+                         shape(),
+                         vessel(),
+                         scene_.vessel ? reach_of_surface_ : 2 * spacing_,
+                         touching_in_spacings * spacing_,
+                         Real(0.5) * spacing_,
+                         &control->step,
+                         static_cast<Real>(-scene_.half_thickness - drip_distance),
+                         &control->dripped};
+    each_particle("move", InTurn<MoveParticles, MeetYarns>{move, meet}, EndStep{control, rules_});
+    exec_.when(&control->drinks, [&] { give_to_segments(); });
+    each_particle("speeds", SumSpeeds{particle_views(), &control->squares, &control->largest}, WatchMotion{control, rules_});
 }
 
-/// Yarns drink from drops once in several steps, if any may be left out; and whenever now is set.
-template <typename Executor> void Solver<Executor>::drink_drops(double dt, bool now)
+template <typename Executor> void Solver<Executor>::give_to_segments()
 {
-    thirst_ += dt;
-    if (!now && ++thirsty_steps_ < (scene_.settle_share > 0 ? steps_between_drinks : 1)) return;
-    give_to_segments(thirst_);
-    thirst_ = 0;
-    thirsty_steps_ = 0;
-}
-
-template <typename Executor> void Solver<Executor>::give_to_segments(double dt)
-{
+    LiquidControl* control = control_.data();
     each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
     each_particle("give",
-                  GiveToSegments{particle_views(), shape(), segments(), scene_.climate.density, dt, {reach_.data()}, sums_.data() + 2});
+                  GiveToSegments{
+                      particle_views(), shape(), segments(), scene_.climate.density, &control->drink_dt, {reach_.data()}, &control->drunk});
     each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
-/// In which a volume of liquid finds its shape, s.
-template <typename Executor> double Solver<Executor>::capillary_time(double volume) const
+/// The liquid's steps up to the moment when it meets the yarns, or until its budget is spent. Only what the control says may change from
+/// one time to the next: an executor may go through this once and then repeat what it was asked for.
+template <typename Executor> void Solver<Executor>::flow_on()
 {
-    return std::sqrt(scene_.climate.density * volume / scene_.climate.surface_tension);
+    LiquidControl* control = control_.data();
+    exec_.for_each("begin flow", 1, BeginFlow{control, rules_});
+    exec_.loop(&control->goes, [&] { step_liquid(); });
+    exec_.when(&control->drains, [&] { give_to_segments(); });
 }
 
-/// Whether the liquid has come to rest: it falls asleep, takes no steps and only drains.
-template <typename Executor> void Solver<Executor>::watch_motion(double dt)
+/// Takes the liquid towards the moment when it meets the yarns, for about the given wall time; whether it is there.
+template <typename Executor> bool Solver<Executor>::flow(double wall_seconds)
 {
-    if (scene_.settle_share <= 0 || count_ == 0) return;
-    sums_.write(1, 0);
-    maxima_.write(2, 0);
-    const SumSpeeds sum{particle_views(), sums_.data() + 1, maxima_.data() + 2};
-    exec_.for_each("speeds", sum.parts(), sum);
-    const double square = static_cast<double>(sums_.read(1)) * SumSpeeds::quantum / count_;
-    const double unit = scene_.climate.surface_tension / (scene_.climate.density * static_cast<double>(spacing_));
-    const double share = std::min(1.0, dt / std::max(settling_, dt)); // means over the time of settling: a kick is no motion
-    mean_square_ += share * (square - mean_square_);
-    largest_square_ += share * (static_cast<double>(from_ordered_bits(maxima_.read(2))) - largest_square_);
-    if (time_ < landing_) roused_ = time_;
-    const bool moves = mean_square_ > resting_speed * resting_speed * unit * hurry_ * hurry_ ||
-                       largest_square_ > fastest_resting_speed * fastest_resting_speed * unit;
-    asleep_ = !moves && time_ - roused_ >= settling_;
-    if (asleep_) {
-        sums_.write(2, 0);
-        fell_asleep_ = time_;
-        hurry_ = 1;
-    }
-}
-
-/// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
-/// is the time in which it settles.
-template <typename Executor> bool Solver<Executor>::asleep()
-{
-    if (!asleep_) return false;
-    const double drunk = static_cast<double>(sums_.read(2)) * water_quantum / static_cast<double>(particle_mass_);
-    if (drunk < 1.0 || drunk < scene_.settle_share * count_) return true;
-    asleep_ = false;
-    roused_ = time_;
-    settling_ = capillary_time(drunk * static_cast<double>(particle_mass_) / scene_.climate.density);
-    // To move as far as it would have meanwhile, it is less dragged on. Beyond the time a whole drop needs, little is left to move.
-    const double slept = time_ - fell_asleep_,
-                 whole = capillary_time(count_ * static_cast<double>(particle_mass_) / scene_.climate.density);
-    settling_ = std::max(settling_, std::min(slept / (most_hurry - 1), whole));
-    hurry_ = std::min(most_hurry, 1 + slept / settling_);
-    return false;
-}
-
-/// Capillary, advective and viscous limits.
-template <typename Executor> void Solver<Executor>::choose_liquid_step()
-{
-    const double fastest = static_cast<double>(from_ordered_bits(maxima_.read(0)));
-    const double viscous = 0.125 * static_cast<double>(support_ * support_) * scene_.climate.density / scene_.climate.viscosity;
-    liquid_dt_ = std::min({capillary_dt_, advective_step(fastest), viscous});
-}
-
-template <typename Executor> double Solver<Executor>::advective_step(double speed) const
-{
-    return 0.4 * static_cast<double>(spacing_) / std::max(1e-6, speed);
+    if (flow_.count == 0 || time_ >= sync_time_) return true;
+    const auto start = std::chrono::steady_clock::now();
+    flow_.time = time_;
+    flow_.sync_time = sync_time_;
+    const double budget = 0.25 * wall_seconds / std::max(1e-9, wall_per_step_);
+    flow_.budget = wall_per_step_ > 0 ? static_cast<int>(std::clamp(budget, 1.0, double(most_flow_steps))) : 1;
+    const std::int64_t steps = flow_.steps;
+    control_.write(0, flow_);
+    exec_.run(flow_sequence_, [this] { flow_on(); });
+    flow_ = control_.read(0);
+    time_ = flow_.time;
+    if (flow_.steps > steps) wall_per_step_ = elapsed(start) / static_cast<double>(flow_.steps - steps);
+    return time_ >= sync_time_ || flow_.count == 0 || flow_.drains.on;
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()
 {
     Particles p;
-    p.count = count_;
+    p.room = room_;
     p.mass = particle_mass_;
     p.per_quantum = static_cast<Real>(water_quantum / static_cast<double>(particle_mass_));
     p.support = support_;
@@ -422,14 +348,6 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     return p;
 }
 
-template <typename Executor> CellGrid Solver<Executor>::grid()
-{
-    CellGrid g = grid_;
-    g.key = key_.data();
-    g.start = cell_start_.data();
-    return g;
-}
-
 template <typename Executor> TextileShape Solver<Executor>::shape()
 {
     return {yarns(),
@@ -459,7 +377,7 @@ template <typename Executor> Vessel Solver<Executor>::vessel() const
             static_cast<Real>(scene_.vessel->adhesion / scene_.climate.surface_tension - 1.0)};
 }
 
-template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt) const
+template <typename Executor> LiquidParameters Solver<Executor>::liquid()
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
@@ -468,10 +386,9 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid(double dt
         grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(scene_.gravity);
-    l.dt = static_cast<Real>(dt);
     l.surface = surface_energy(l.surface_tension, spacing_);
     l.vessel = vessel();
-    l.kept_excess = static_cast<Real>(std::max(0.0, 1.0 - dt / capillary_dt_));
+    l.step = &control_.data()->step;
     return l;
 }
 

@@ -68,12 +68,10 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    sums_.resize(3);
-    sums_.fill(0);
     supply_.resize(5);
     supply_.fill(0);
-    maxima_.resize(3);
-    maxima_.fill(0);
+    largest_change_.resize(1);
+    largest_change_.fill(0);
 
     std::vector<double> vapour(n), regain(n * shells), pores(n);
     const ClimateParameters& climate = scene_.climate;
@@ -268,10 +266,10 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     visit_what_changed();
     const ClimateParameters& climate = scene_.climate;
     each_segment("take absorbed", TakeAbsorbed{segments()});
-    maxima_.write(1, 0);
-    each_segment("remember", TrackChange{segments(), climate.density, before_.data(), maxima_.data() + 1});
+    largest_change_.write(0, 0);
+    each_segment("remember", TrackChange{segments(), climate.density, before_.data(), largest_change_.data()});
     if (scene_.wicking || scene_.heat) {
-        maxima_.write(1, 0);
+        largest_change_.write(0, 0);
         if (scene_.wicking) each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
         if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
         each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false, 0, false});
@@ -299,12 +297,12 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
     }
     wicking_watch_ = {dt, watched};
     if (!watched || standing) {
-        each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), maxima_.data() + 1});
+        each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), largest_change_.data()});
         union {
             float value;
             int bits;
         } change;
-        change.bits = maxima_.read(1);
+        change.bits = largest_change_.read(0);
         const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
         grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
     }
@@ -349,27 +347,28 @@ template <typename Executor> void Solver<Executor>::swell()
 {
     constexpr double least_part = 0.25; // of a particle
     const double least = least_part * static_cast<double>(particle_mass_);
-    const Swell stage{segments(), scene_.climate.density, scene_.swelling, least};
-    const std::int64_t giving = exec_.for_each("swell", yarns().visited_segments(), stage);
-    if (giving == 0 || position_.size() == 0) return;
+    supply_.write(1, 0);
+    each_segment("swell", Swell{segments(), scene_.climate.density, scene_.swelling, least, supply_.data() + 1});
+    if (room_ == 0 || supply_.read(1) == 0) return;
     std::size_t kept = 0; // for drops to come
     for (std::size_t k = next_droplet_; k < scene_.droplets.size(); ++k) kept += particles_of(scene_.droplets[k].volume);
-    const std::size_t room = position_.size() - static_cast<std::size_t>(count_) - kept;
+    const std::size_t room = static_cast<std::size_t>(room_ - flow_.count) - kept;
     const std::vector<double> surplus = work0_.download();
     std::vector<int> from;
     for (int k = 0; k < yarns().visited_segments() && from.size() < room; ++k)
         if (const int i = yarns().visited_segment(k); surplus[static_cast<std::size_t>(i)] >= least) from.push_back(i);
+    if (from.empty()) return;
     from_.upload(from);
     exec_.for_each("give back", static_cast<int>(from.size()),
-                   GiveBack{particle_views(), shape(), segments(), scene_.climate.density, from_.data(), count_,
+                   GiveBack{particle_views(), shape(), segments(), scene_.climate.density, from_.data(), flow_.count,
                             Real(1.1) * touching_in_spacings * spacing_});
-    if (count_ == 0 || asleep_) begin_anew();
-    count_ += static_cast<int>(from.size());
-    listed_for_ = 0;
-    asleep_ = false;
-    roused_ = time_;
-    settling_ = capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
-    liquid_dt_ = std::min(liquid_dt_, capillary_dt_);
+    if (flow_.count == 0 || flow_.asleep) begin_anew();
+    flow_.count += static_cast<int>(from.size());
+    flow_.listed_for = 0;
+    flow_.asleep = 0;
+    flow_.roused = time_;
+    flow_.settling = rules_.capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
+    flow_.longest_dt = std::min(flow_.longest_dt, rules_.capillary_dt);
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()
@@ -440,7 +439,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     const std::int64_t standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
     const std::vector<std::uint8_t> alive = alive_.download();
     std::int64_t free = standing;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) free += alive[i] ? content[i] : 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
     l.water_free = static_cast<double>(free) * water_quantum;
     long double bound = 0, stored = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) {
@@ -453,7 +452,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger()
     l.water_bound = static_cast<double>(bound);
     l.water_vapour = sum(vapour_.download());
     l.water_evaporated = sum(evaporated_.download());
-    l.water_dripped = static_cast<double>(sums_.read(0) + ran_off_) * water_quantum;
+    l.water_dripped = static_cast<double>(flow_.dripped + ran_off_) * water_quantum;
     l.energy_stored = static_cast<double>(stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());
@@ -491,7 +490,7 @@ template <typename Executor> Frame Solver<Executor>::frame()
     const std::vector<std::uint8_t> alive = alive_.download();
     const std::vector<Real> impulse = stress_.download();
     const double since = time_ - stress_since_;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) {
         if (!alive[i]) continue;
         f.positions.push_back({static_cast<float>(x[i].x), static_cast<float>(x[i].y), static_cast<float>(x[i].z)});
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});

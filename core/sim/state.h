@@ -166,7 +166,7 @@ struct ClothExpansion {
 
 /// One value per particle.
 struct Particles {
-    int count = 0;
+    int room = 0;         ///< for so many; behind them is a place that is far from all
     Real mass = 0;        ///< kg, of each that is full
     Real per_quantum = 0; ///< of its mass
     Real support = 0;     ///< m, of the kernel of pressure and viscosity
@@ -174,7 +174,7 @@ struct Particles {
     Real spacing = 0;     ///< m
     Vec3* position = nullptr;
     Vec3* velocity = nullptr;
-    // What neighbours read; behind the last particle stands one that is far from all.
+    // What neighbours read.
     Quad* place = nullptr;          ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
     Quad* motion = nullptr;         ///< velocity, and size
     Quad* predicted = nullptr;      ///< position at the step's end, so far, and size

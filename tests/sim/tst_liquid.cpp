@@ -78,7 +78,7 @@ struct Listed {
 
     Listed(int count, int shift, Real skin)
     {
-        p.count = count;
+        p.room = count;
         p.mass = Real(2e-3);
         p.support = Real(0.15);
         p.reach = p.spacing = Real(0.2);
@@ -109,8 +109,9 @@ struct Listed {
         std::vector<int> start(static_cast<std::size_t>(grid.cells()) + 2);
         grid.key = key.data();
         grid.start = start.data();
-        exec.for_each("cell", p.count, FindCell{p, grid});
-        exec.sort_by_key(key, order, p.count, grid.cells());
+        exec.for_each("cell", p.room, FindCell{p, &grid});
+        const int dead_key = grid.cells();
+        exec.sort_by_key(key, order, {&p.room, p.room}, &dead_key);
         const auto sort = [&](auto& values) {
             const auto before = values;
             for (std::size_t i = 0; i < n; ++i) values[i] = before[std::size_t(order.read(i))];
@@ -122,13 +123,13 @@ struct Listed {
             lists_.at[axis].assign(n + lanes, 0);
             for (std::size_t i = 0; i < n; ++i) lists_.at[axis][i] = axis == 0 ? x[i].x : axis == 1 ? x[i].y : x[i].z;
         }
-        exec.for_each("starts", p.count + 1, FindCellStarts{grid, p.count});
+        exec.for_each("starts", p.room, FindCellStarts{&grid, &p.room});
         lists_.near.assign(n * most_near, 0);
         lists_.distant.assign(n * most_distant, 0);
         lists_.near_count.assign(n, 0);
         lists_.distant_count.assign(n, 0);
         view();
-        exec.for_each("neighbours", start[std::size_t(grid.cells())], FindNeighbours{p, grid, skin});
+        exec.for_each("neighbours", start[std::size_t(grid.cells())], FindNeighbours{p, &grid, &skin});
     }
     /// With the particles where they are now.
     void find_surface()
@@ -148,8 +149,9 @@ struct Listed {
         LiquidParameters liquid;
         liquid.density = 1;
         liquid.surface = {1, Real(1e-3)};
-        exec.for_each("begin step", p.count, BeginStep{p, moved.data()});
-        exec.for_each("surface", p.count, FindSurface{p, liquid});
+        std::int64_t dead = 0;
+        exec.for_each("begin step", p.room, BeginStep{p, moved.data(), &dead});
+        exec.for_each("surface", p.room, FindSurface{p, liquid});
     }
     const Quad& surface_of(int named) const { return surface_[std::size_t(std::find(name.begin(), name.end(), named) - name.begin())]; }
     int living() const { return int(std::count(alive_.begin(), alive_.end(), 1)); }
@@ -200,16 +202,16 @@ private Q_SLOTS:
         Listed listed(500, shift, Real(skin));
         const Particles& p = listed.p;
         const Real within = p.support + Real(skin), reach = p.reach + Real(skin);
-        for (int i = 0; i < p.count; ++i) {
+        for (int i = 0; i < p.room; ++i) {
             int expected_near = 0, expected = 0;
-            for (int j = 0; j < p.count; ++j) {
+            for (int j = 0; j < p.room; ++j) {
                 const Vec3 d = p.position[i] - p.position[j];
                 expected_near += j != i && dot(d, d) < within * within;
                 expected += j != i && dot(d, d) < reach * reach;
             }
             int near = 0, all = 0, filled = 0;
             const auto count = [&](const int* slots) {
-                for (int l = 0; l < lanes; ++l) (slots[l] == slot_of(p.count) ? filled : all) += slots[l] != slot_of(i);
+                for (int l = 0; l < lanes; ++l) (slots[l] == slot_of(p.room) ? filled : all) += slots[l] != slot_of(i);
             };
             for_neighbours(p, i, count);
             near = all;
@@ -223,7 +225,7 @@ private Q_SLOTS:
     {
         const Real skin = Real(0.03);
         Listed kept(500, 0, skin);
-        for (int i = 0; i < kept.p.count; ++i) { // all fall by more than the skin, and each moves by less than half of it
+        for (int i = 0; i < kept.p.room; ++i) { // all fall by more than the skin, and each moves by less than half of it
             Vec3& x = kept.p.position[i];
             const auto off = [&](std::uint64_t axis) { return Real(0.5) * skin * Real(random_uniform(2, axis, std::uint64_t(i)) - 0.5); };
             x += Vec3{off(0), off(1), off(2) - Real(0.05)};
@@ -232,7 +234,7 @@ private Q_SLOTS:
         fresh.list(0);
         kept.find_surface();
         fresh.find_surface();
-        for (int i = 0; i < kept.p.count; ++i) {
+        for (int i = 0; i < kept.p.room; ++i) {
             const Quad &a = kept.surface_of(kept.name[std::size_t(i)]), &b = fresh.surface_of(kept.name[std::size_t(i)]);
             for (Real difference : {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) QVERIFY(std::abs(difference) < 2e-4);
         }
@@ -240,13 +242,13 @@ private Q_SLOTS:
     void theDeadCountForNothing()
     {
         Listed with_dead(500, 0, 0);
-        for (int i = 0; i < with_dead.p.count; i += 7) with_dead.p.alive[i] = 0;
+        for (int i = 0; i < with_dead.p.room; i += 7) with_dead.p.alive[i] = 0;
         Listed without = with_dead;
         with_dead.find_surface();
         without.list(0);
         QCOMPARE(without.living(), 500 - 72);
         without.find_surface();
-        for (int i = 0; i < with_dead.p.count; ++i)
+        for (int i = 0; i < with_dead.p.room; ++i)
             if (with_dead.p.alive[i]) {
                 const Quad &a = with_dead.surface_of(with_dead.name[std::size_t(i)]),
                            &b = without.surface_of(with_dead.name[std::size_t(i)]);

@@ -143,16 +143,6 @@ private:
         s.surface_bend.add(surface_bend, type.share);
         s.adhesion_bend.add(surface_bend, type.pull);
     }
-    HL_FN static Pack first_lanes(int count)
-    {
-        Pack ones{};
-#if HL_LANES == 1
-        ones = count > 0 ? Real(1) : Real(0);
-#else
-        for (int l = 0; l < lanes; ++l) ones[l] = l < count ? Real(1) : Real(0);
-#endif
-        return ones;
-    }
 };
 
 } // namespace hygroloom

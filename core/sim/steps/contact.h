@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/physics/water.h"
-#include "core/sim/state.h"
+#include "core/sim/steps/liquid.h"
 
 namespace hygroloom {
 
@@ -169,8 +169,7 @@ struct MeetYarns {
     Real reach;    ///< how far the wall is felt
     Real touching; ///< distance at which a particle rests on a skin; it never comes nearer than half of that, nor through such a hole
     Real half_spacing;
-    Real friction;
-    Real drag;             ///< 20 nu dt / r^2
+    const StepNumbers* step;
     Real lowest;           ///< below it a particle has dripped off
     std::int64_t* dripped; ///< quanta
 
@@ -186,7 +185,7 @@ struct MeetYarns {
             return;
         }
         const Real yarn = p.cloth[i].share < Real(0.9) ? positive(p.cloth[i].share) : Real(0.9), open = Real(1) - yarn;
-        v = (open * open / (open * open + drag * yarn * yarn)) * v;
+        v = (open * open / (open * open + step->drag * yarn * yarn)) * v;
         // No skin has come nearer than by the way.
         if (const Real free = p.wall_distance[i] - length(x - start); free > touching && !vessel.present) {
             p.wall_distance[i] = free;
@@ -197,7 +196,7 @@ struct MeetYarns {
         if (skin.segment >= 0) {
             constexpr int most_ways_out = 4; // out of one yarn may be into the next
             for (int k = 0; skin.distance < touching && k < most_ways_out; ++k) {
-                lose_approach(v, skin.normal, k == 0 ? friction : Real(0));
+                lose_approach(v, skin.normal, k == 0 ? step->friction : Real(0));
                 x += (touching - skin.distance) * skin.normal;
                 skin = nearest_skin(textile, x, reach);
             }
@@ -311,7 +310,7 @@ struct GiveToSegments {
     TextileShape textile;
     Segments s;
     double density;
-    double dt;
+    const double* dt; ///< s, for which they drink
     Reach reach;
     std::int64_t* drunk; ///< quanta
 
@@ -329,7 +328,7 @@ struct GiveToSegments {
         const double capacity = density * s.pores[segment];
         const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
         if (room <= 0) return;
-        const double wanted = dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double wanted = *dt * yarn.intake_flux * yarn.face_area * room / capacity;
         const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;
@@ -377,32 +376,19 @@ struct GiveBack {
     }
 };
 
-/// Squares of the speeds that the cloth has left, part by part of the particles.
+/// Adds up squares of the speeds that the cloth has left.
 struct SumSpeeds {
     Particles p;
-    std::int64_t* sum; ///< in quanta
-    int* largest;      ///< bits of the largest away from the cloth; squares are positive, so their bits order like integers
+    std::int64_t* total; ///< quanta
+    int* largest;        ///< bits of the largest away from the cloth; squares are positive, so their bits order like integers
 
     static constexpr double quantum = 1e-12; ///< m2/s2
-    static constexpr int part = 256;
-    HL_FN int parts() const { return (p.count + part - 1) / part; }
-    HL_FN void operator()(int index) const
+    HL_FN std::int64_t operator()(int i) const
     {
-        const int first = index * part, end = first + part < p.count ? first + part : p.count;
-        double squares = 0;
-        union {
-            float square;
-            int bits;
-        } most{0.0f};
-        for (int i = first; i < end; ++i) {
-            if (!p.alive[i]) continue;
-            const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
-            squares += static_cast<double>(square);
-            const bool aloof = p.cloth[i].surface_share <= Real(0);
-            most.square = aloof && square > most.square ? square : most.square;
-        }
-        atomic_max(largest, most.bits);
-        atomic_add(sum, static_cast<std::int64_t>(squares / quantum));
+        if (!p.alive[i]) return 0;
+        const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
+        if (p.cloth[i].surface_share <= Real(0)) atomic_max(largest, ordered_bits(square));
+        return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
     }
 };
 

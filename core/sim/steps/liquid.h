@@ -11,15 +11,23 @@ namespace hygroloom {
 /// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
 constexpr Real kept_pressure = Real(0.5);
 
+/// How long a step is, and what follows from that.
+struct StepNumbers {
+    Real dt = 0;          ///< s
+    Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
+    Real stiffness = 0;   ///< Pa per kg/m3, delta of the method
+    Real friction = 0;    ///< of water that slides on yarn, per normal impulse
+    Real drag = 0;        ///< on water between yarns, 20 nu dt / r2
+};
+
 struct LiquidParameters {
     Real density = 0;             ///< kg/m3, at rest
     Real kinematic_viscosity = 0; ///< m2/s
     Real surface_tension = 0;     ///< N/m
     Real gravity = 0;             ///< m/s2, downwards
-    Real dt = 0;                  ///< s, of this step
     SurfaceEnergy surface;
     Vessel vessel;
-    Real kept_excess = 0; ///< part of the density that is too much at a step's start which may be left at its end
+    const StepNumbers* step = nullptr;
 };
 
 /// Bits of a positive number, which order like integers.
@@ -52,7 +60,8 @@ HL_FN Quad far_away() { return {Real(1e6), Real(1e6), Real(1e6), 0}; }
 /// from here on; returns how many they are.
 struct BeginStep {
     Particles p;
-    int* moved; ///< greatest displacements towards x, y, z, -x, -y and -z, in parts of the spacing
+    int* moved;          ///< greatest displacements towards x, y, z, -x, -y and -z, in parts of the spacing
+    std::int64_t* total; ///< dead
     HL_FN std::int64_t operator()(int i) const
     {
         if (!p.alive[i]) {
@@ -77,21 +86,27 @@ struct BeginStep {
 /// The greatest displacement since neighbours were listed, relative to that of the middle.
 struct FindFarthestMoved {
     Particles p;
-    Vec3 middle;
-    int* farthest; ///< bits of its square, in spacings; positive, so they order like integers
+    const int* moved; ///< see BeginStep
+    int* farthest;    ///< bits of its square, in spacings; positive, so they order like integers
     HL_FN void operator()(int i) const
     {
         if (!p.alive[i]) return;
+        const Vec3 middle{middle_moved(0), middle_moved(1), middle_moved(2)};
         const Vec3 way = (Real(1) / p.spacing) * (p.position[i] - Vec3{p.listed_x[i], p.listed_y[i], p.listed_z[i]} - middle);
         atomic_max(farthest, ordered_bits(static_cast<float>(dot(way, way))));
+    }
+    HL_FN Real middle_moved(int axis) const
+    {
+        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * p.spacing;
     }
 };
 
 struct FindCell {
     Particles p;
-    CellGrid g;
+    const CellGrid* grid;
     HL_FN void operator()(int i) const
     {
+        const CellGrid& g = *grid;
         const Vec3& x = p.position[i];
         g.key[i] = p.alive[i] ? (g.cell_z(x.z) * g.ny + g.cell_y(x.y)) * g.nx + g.cell_x(x.x) : g.cells();
     }
@@ -99,24 +114,27 @@ struct FindCell {
 
 /// After sorting by cell: the first particle of each cell, for every cell up to and including the dead's.
 struct FindCellStarts {
-    CellGrid g;
-    int count;
+    const CellGrid* grid;
+    const int* count;
     HL_FN void operator()(int i) const
     {
-        const int before = i == 0 ? -1 : g.key[i - 1];
-        const int own = i == count ? g.cells() : g.key[i];
+        const CellGrid g = *grid;
+        const int before = i == 0 ? -1 : g.key[i - 1], own = g.key[i];
         for (int cell = before + 1; cell <= own; ++cell) g.start[cell] = i;
+        if (i + 1 < *count) return;
+        for (int cell = own + 1; cell <= g.cells(); ++cell) g.start[cell] = i + 1;
     }
 };
 
 /// The cells between which particles are, as maxima: of minus x, y and z, and of x, y and z.
 struct FindBox {
     Particles p;
-    CellGrid g;
+    const CellGrid* grid;
     int* box;
     HL_FN void operator()(int i) const
     {
         if (!p.alive[i]) return;
+        const CellGrid& g = *grid;
         const Vec3& x = p.position[i];
         const int cell[3] = {g.whole(x.x - g.origin.x, g.whole_x), g.whole(x.y - g.origin.y, g.whole_y),
                              g.whole(x.z - g.origin.z, g.whole_z)};
@@ -140,7 +158,7 @@ struct Reorder {
     const std::int64_t* content;
     const ClothExpansion* cloth_from;
     const int* key;
-    int dead_key;
+    const int* dead_key;
     Particles to;
     HL_FN void operator()(int i) const
     {
@@ -153,7 +171,7 @@ struct Reorder {
         to.content[i] = content[from];
         to.cloth_from[i] = cloth_from[from];
         if (stress) to.stress[i] = stress[from];
-        to.alive[i] = key[i] != dead_key;
+        to.alive[i] = key[i] != *dead_key;
         const Vec3 &x = position[from], &v = velocity[from];
         to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, to.size(i)};
@@ -167,8 +185,8 @@ struct Reorder {
 /// Lists the neighbours of each particle; particles are in the order of cells.
 struct FindNeighbours {
     Particles p;
-    CellGrid g;
-    Real skin; ///< m, by which neighbours are listed beyond where they count
+    const CellGrid* grid;
+    const Real* skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
     /// Particles side by side, from a row of cells.
@@ -179,9 +197,9 @@ struct FindNeighbours {
     HL_FN void operator()(int i) const
     {
         const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
-        const Real reach = p.reach + skin, reach2 = reach * reach, support2 = (p.support + skin) * (p.support + skin);
+        const Real near_reach = p.support + *skin, reach = p.reach + *skin, reach2 = reach * reach, support2 = near_reach * near_reach;
         Run runs[most_runs + 1];
-        const int run_count = find_runs(x, reach, runs);
+        const int run_count = find_runs(*grid, x, reach, runs);
         int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
         int near_count = 0, distant_count = 0, run = 0;
         Run now = runs[0];
@@ -201,13 +219,13 @@ struct FindNeighbours {
             now.first = ends ? next.first : j + lanes;
             now.end = ends ? next.end : now.end;
         }
-        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.count);
-        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.count);
+        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.room);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.room);
         p.near_count[i] = near_count;
         p.distant_count[i] = distant_count;
     }
     /// Of all cells that the reach may touch; behind them stands an empty one.
-    HL_FN int find_runs(const Vec3& x, Real reach, Run* runs) const
+    HL_FN static int find_runs(const CellGrid g, const Vec3& x, Real reach, Run* runs)
     {
         const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
         const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
@@ -301,8 +319,9 @@ HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, co
     Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push) - (p.place[i].w / liquid.density) * p.cloth[i].slope;
     if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
     p.pressure_force[i] = a;
-    const Vec3 v = p.velocity[i] + liquid.dt * (p.force[i] + a);
-    const Vec3 x = p.position[i] + liquid.dt * v;
+    const Real dt = liquid.step->dt;
+    const Vec3 v = p.velocity[i] + dt * (p.force[i] + a);
+    const Vec3 x = p.position[i] + dt * v;
     p.predicted[i] = {x.x, x.y, x.z, p.motion[i].w};
 }
 
@@ -356,7 +375,7 @@ struct FindForces {
             a += (push / liquid.density) * p.wall_normal[i];
         }
         p.force[i] = a;
-        p.allowed[i] = excess > 0 ? liquid.kept_excess * excess : Real(0);
+        p.allowed[i] = excess > 0 ? liquid.step->kept_excess * excess : Real(0);
         predict(p, liquid, i, pressed);
     }
 };
@@ -367,7 +386,7 @@ struct FindForces {
 struct CorrectPressure {
     Particles p;
     LiquidParameters liquid;
-    Real stiffness; ///< Pa per kg/m3, delta of the method
+    std::int64_t* total; ///< too dense by, 1e-6 of the rest density
     static constexpr bool wide = true;
 
     HL_FN std::int64_t operator()(int i) const
@@ -384,7 +403,7 @@ struct CorrectPressure {
                        liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
         if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
-        p.place[i].w = positive(p.place[i].w + stiffness * (excess - p.allowed[i]));
+        p.place[i].w = positive(p.place[i].w + liquid.step->stiffness * (excess - p.allowed[i]));
         return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
     }
 };
@@ -413,7 +432,8 @@ struct FindPressureForce {
 struct FindStress {
     Particles p;
     LiquidParameters liquid;
-    Real dt;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
         const Real volume = p.mass / liquid.density;
@@ -437,19 +457,19 @@ struct FindStress {
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
-        p.stress[i] += dt * virial / Real(6);
+        p.stress[i] += liquid.step->dt * virial / Real(6);
     }
 };
 
 struct MoveParticles {
     Particles p;
-    Real dt;
+    const StepNumbers* step;
     int* fastest; ///< bits of the greatest speed; speeds are positive, so their bits order like integers
     HL_FN void operator()(int i) const
     {
         if (!p.alive[i]) return;
-        p.velocity[i] += dt * (p.force[i] + p.pressure_force[i]);
-        p.position[i] += dt * p.velocity[i];
+        p.velocity[i] += step->dt * (p.force[i] + p.pressure_force[i]);
+        p.position[i] += step->dt * p.velocity[i];
         atomic_max(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
     }
 };

@@ -85,12 +85,13 @@ struct TakeFromPool {
 };
 
 /// Fibres that bound water narrow the pores; never below a twentieth, nor below the liquid in them, of which GiveBack takes what is too
-/// much. Returns 1 where that is more than the least given back.
+/// much. Counts where that is the least given back or more.
 struct Swell {
     Segments s;
     double density;
     double swelling;      ///< m3 per kg
     double least_surplus; ///< kg
+    std::int64_t* total;  ///< of segments with so much
 
     HL_FN std::int64_t operator()(int index) const
     {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What every executor understands beside stages: numbers of elements that only stages know, and stages joined to one.
+#pragma once
+
+#include "core/base/portable.h"
+
+namespace hygroloom {
+
+/// So many elements as stages find there, at most so many.
+struct Counted {
+    const int* count;
+    int most;
+};
+
+/// A stage for executors that have nothing to do.
+struct Nothing {
+    HL_FN void operator()(int) const {}
+};
+
+/// One stage after the other on the same element.
+template <typename First, typename Second> struct InTurn {
+    First first;
+    Second second;
+    HL_FN void operator()(int i) const
+    {
+        first(i);
+        second(i);
+    }
+};
+
+} // namespace hygroloom
