@@ -22,13 +22,7 @@ inline void check_cuda(cudaError_t result, const char* what)
 }
 
 /// Threads that share an element.
-template <typename Stage> constexpr int threads_each()
-{
-    if constexpr (requires { Stage::wide; })
-        return lanes;
-    else
-        return 1;
-}
+template <typename Stage> constexpr int threads_each() { return is_wide<Stage> ? lanes : 1; }
 
 /// Whether this is the last block of a kernel to come here: what all others did can be seen then.
 __device__ inline bool is_last_block(unsigned* came)
@@ -83,6 +77,26 @@ struct PrepareKeys {
     {
         places[i] = i;
         if (i >= *count) keys[i] = beyond;
+    }
+};
+
+/// Finds the place of one key in the order of all by counting those before it: the quickest way for few keys, as nothing waits.
+struct FindOrder {
+    const int* keys;
+    const int* count;
+    int* order;
+    static constexpr bool wide = true;
+
+    HL_FN void operator()(int i) const
+    {
+        const int own = keys[i], end = *count;
+        int before = 0, j = own_lane();
+#pragma unroll 8
+        for (; j < i; j += lanes) before += keys[j] <= own ? 1 : 0;
+#pragma unroll 8
+        for (; j < end; j += lanes) before += keys[j] < own ? 1 : 0;
+        for (int bit = lanes / 2; bit > 0; bit /= 2) before += of_other_lane(before, bit);
+        order[before] = i;
     }
 };
 
@@ -228,16 +242,19 @@ public:
                    "sorting");
         scratch_.resize(bytes);
     }
-    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
+    /// The order in which keys (0 <= key <= largest) rise, equal ones as they stand: order[i] is the place of the i-th.
     void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int*)
     {
-        const Counted all{nullptr, counted.most};
-        for_each("number places", all, PrepareKeys{counted.count, places_.data(), keys.data(), (1 << key_bits_) - 1});
+        constexpr int few = 16384;
+        if (counted.most <= few) {
+            for_each("sort", counted, FindOrder{keys.data(), counted.count, order.data()});
+            return;
+        }
+        for_each("number places", counted.most, PrepareKeys{counted.count, places_.data(), keys.data(), (1 << key_bits_) - 1});
         std::size_t bytes = scratch_.size();
         check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), places_.data(), order.data(),
                                                    counted.most, 0, key_bits_, stream()),
                    "sorting");
-        for_each("sorted keys", all, CopyStage<int>{keys.data(), sorted_.data()});
     }
 
 private:

@@ -51,6 +51,18 @@ HL_FN void atomic_max(int* target, int value)
 #endif
 }
 
+/// The same, where all elements share the target.
+HL_FN void atomic_max_of_all(int* target, int value)
+{
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
+    const unsigned together = __activemask();
+    const int most = __reduce_max_sync(together, value);
+    if (static_cast<int>(threadIdx.x % 32) == __ffs(static_cast<int>(together)) - 1) atomic_max(target, most);
+#else
+    atomic_max(target, value);
+#endif
+}
+
 /// Lowers a shared value to the smallest one offered.
 HL_FN void atomic_min(int* target, int value)
 {
@@ -62,8 +74,10 @@ HL_FN void atomic_min(int* target, int value)
 #endif
 }
 
-/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each.
-constexpr int lanes = 8;
+/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each: more of them than a CPU has, so that
+/// some thousand particles are enough to hide how long each number takes.
+constexpr int lanes = HL_LANE_IS_THREAD ? 16 : 8;
+constexpr int most_lanes = 16; ///< on any machine
 
 HL_FN int own_lane()
 {
@@ -80,7 +94,7 @@ HL_FN int own_lane()
 HL_FN unsigned sharing_threads()
 {
 #ifdef __CUDA_ARCH__
-    return 0xffu << (threadIdx.x % 32 / lanes * lanes);
+    return ((1u << lanes) - 1u) << (threadIdx.x % 32 / lanes * lanes);
 #else
     return 1;
 #endif
@@ -96,11 +110,20 @@ template <typename T> HL_FN T of_other_lane(T value, int bit)
 #endif
 }
 
+HL_FN int of_lane(int value, int lane)
+{
+#ifdef __CUDA_ARCH__
+    return __shfl_sync(sharing_threads(), value, lane, lanes);
+#else
+    return lane >= 0 ? value : 0;
+#endif
+}
+
 /// One bit per lane.
 HL_FN unsigned lanes_where(bool condition)
 {
 #ifdef __CUDA_ARCH__
-    return __ballot_sync(sharing_threads(), condition) >> (threadIdx.x % 32 / lanes * lanes) & 0xffu;
+    return (__ballot_sync(sharing_threads(), condition) & sharing_threads()) >> (threadIdx.x % 32 / lanes * lanes);
 #else
     return condition ? 1u : 0u;
 #endif
@@ -112,6 +135,14 @@ HL_FN int bits_in(unsigned bits)
     return __popc(bits);
 #else
     return __builtin_popcount(bits);
+#endif
+}
+HL_FN int lowest_bit(unsigned bits)
+{
+#ifdef __CUDA_ARCH__
+    return __ffs(static_cast<int>(bits)) - 1;
+#else
+    return __builtin_ctz(bits);
 #endif
 }
 

@@ -91,20 +91,13 @@ public:
 
     /// Before the first sort of so many keys.
     void prepare_sort(int, int) {}
-    /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
+    /// The order in which keys (0 <= key <= largest) rise, equal ones as they stand: order[i] is the place of the i-th.
     void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int* largest)
     {
-        const int count = *counted.count;
         places_.assign(static_cast<std::size_t>(*largest) + 2, 0);
-        for (int i = 0; i < count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
+        for (int i = 0; i < *counted.count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
         std::partial_sum(places_.begin(), places_.end(), places_.begin());
-        sorted_.resize(static_cast<std::size_t>(count));
-        for (int i = 0; i < count; ++i) {
-            const int place = places_[static_cast<std::size_t>(keys.data()[i])]++;
-            order.data()[place] = i;
-            sorted_[static_cast<std::size_t>(place)] = keys.data()[i];
-        }
-        std::copy(sorted_.begin(), sorted_.end(), keys.data());
+        for (int i = 0; i < *counted.count; ++i) order.data()[places_[static_cast<std::size_t>(keys.data()[i])]++] = i;
     }
 
 private:
@@ -119,7 +112,7 @@ private:
     {
 #ifdef __x86_64__
         // Stages that work on packs say so; they run several times as fast with whole packs in a register, to the same last bit.
-        if constexpr (requires { Stage::wide; }) {
+        if constexpr (is_wide<Stage>) {
             static const bool has_wide = __builtin_cpu_supports("avx2");
             if (has_wide) return run_wide(stage, begin, end);
         }
@@ -147,7 +140,7 @@ private:
 #endif
 
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
-    std::vector<int> places_, sorted_;
+    std::vector<int> places_;
 };
 
 } // namespace hygroloom

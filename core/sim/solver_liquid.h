@@ -222,7 +222,7 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     exec_.take_over(all_particles(), position_, sorted_position_, velocity_, sorted_velocity_, wall_normal_, sorted_normal_, wall_distance_,
                     sorted_distance_, wall_segment_, sorted_segment_, content_, sorted_content_, cloth_from_, sorted_cloth_from_, place_,
                     sorted_place_, stress_, sorted_stress_);
-    each_particle("cell starts", FindCellStarts{grid, &control->count}, LeaveDead{control});
+    each_particle("cell starts", FindCellStarts{grid, order_.data(), &control->count}, LeaveDead{control});
 }
 
 /// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
@@ -241,20 +241,20 @@ template <typename Executor> void Solver<Executor>::list_neighbours()
 template <typename Executor> void Solver<Executor>::correct_pressure()
 {
     LiquidControl* control = control_.data();
-    const auto round = [&] {
-        each_particle("pressure", CorrectPressure{particle_views(), liquid(), &control->error});
-        each_particle("pressure force", FindPressureForce{particle_views(), liquid()}, EndRound{control, scene_.density_tolerance});
+    const auto round = [&](std::int64_t* error, const auto& end) {
+        each_particle("pressure", CorrectPressure{particle_views(), liquid(), error});
+        each_particle("pressure force", FindPressureForce{particle_views(), liquid()}, end);
     };
-    for (int k = 0; k < fewest_pressure_rounds; ++k) round();
-    exec_.loop(&control->presses, round);
+    for (int k = 1; k < fewest_pressure_rounds; ++k) round(&control->unheeded, Nothing{});
+    round(&control->error, EndRound{control, scene_.density_tolerance, fewest_pressure_rounds});
+    exec_.loop(&control->presses, [&] { round(&control->error, EndRound{control, scene_.density_tolerance, 1}); });
 }
 
 template <typename Executor> void Solver<Executor>::step_liquid()
 {
     LiquidControl* control = control_.data();
     list_neighbours();
-    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
-    each_particle("surface", FindSurface{particle_views(), liquid()});
+    each_particle("surface", InTurn<FeelCloth, FindSurface>{{particle_views(), shape(), beads()}, {particle_views(), liquid()}});
     each_particle("forces", FindForces{particle_views(), liquid()});
     correct_pressure();
     if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid()});
@@ -269,7 +269,7 @@ template <typename Executor> void Solver<Executor>::step_liquid()
                          static_cast<Real>(-scene_.half_thickness - drip_distance),
                          &control->dripped};
     each_particle("move", InTurn<MoveParticles, MeetYarns>{move, meet}, EndStep{control, rules_});
-    exec_.when(&control->drinks, [&] { give_to_segments(); });
+    if (drinks_) exec_.when(&control->drinks, [&] { give_to_segments(); });
     each_particle("speeds", SumSpeeds{particle_views(), &control->squares, &control->largest}, WatchMotion{control, rules_});
 }
 
@@ -290,7 +290,7 @@ template <typename Executor> void Solver<Executor>::flow_on()
     LiquidControl* control = control_.data();
     exec_.for_each("begin flow", 1, BeginFlow{control, rules_});
     exec_.loop(&control->goes, [&] { step_liquid(); });
-    exec_.when(&control->drains, [&] { give_to_segments(); });
+    if (drinks_) exec_.when(&control->drains, [&] { give_to_segments(); });
 }
 
 /// Takes the liquid towards the moment when it meets the yarns, for about the given wall time; whether it is there.

@@ -207,8 +207,10 @@ struct Particles {
     HL_FN bool at_wall(int i) const { return wall_segment[i] == vessel_wall; }
 };
 
-constexpr int usual_near = 64;                     // at most, at rest and with a skin
-constexpr int most_near = 128, most_distant = 160; // at rest 33 and 80 without a skin
+constexpr int usual_near = 64; // at most, at rest and with a skin
+/// Slots for at least so many neighbours, in whole packs, with room for one pack that may be empty.
+constexpr int slots_for(int neighbours) { return (neighbours / lanes + 1) * lanes; }
+constexpr int most_near = slots_for(120), most_distant = slots_for(152); // at rest 33 and 80 without a skin
 
 /// A box that holds liquid, wide open at its top; a plate if its sides are far away.
 struct Vessel {

@@ -123,7 +123,7 @@ struct Listed {
             lists_.at[axis].assign(n + lanes, 0);
             for (std::size_t i = 0; i < n; ++i) lists_.at[axis][i] = axis == 0 ? x[i].x : axis == 1 ? x[i].y : x[i].z;
         }
-        exec.for_each("starts", p.room, FindCellStarts{&grid, &p.room});
+        exec.for_each("starts", p.room, FindCellStarts{&grid, order.data(), &p.room});
         lists_.near.assign(n * most_near, 0);
         lists_.distant.assign(n * most_distant, 0);
         lists_.near_count.assign(n, 0);

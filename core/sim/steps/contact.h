@@ -387,7 +387,7 @@ struct SumSpeeds {
     {
         if (!p.alive[i]) return 0;
         const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
-        if (p.cloth[i].surface_share <= Real(0)) atomic_max(largest, ordered_bits(square));
+        if (p.cloth[i].surface_share <= Real(0)) atomic_max_of_all(largest, ordered_bits(square));
         return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
     }
 };

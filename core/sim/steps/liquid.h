@@ -76,8 +76,8 @@ struct BeginStep {
         for (int k = 0; k < 3; ++k) {
             const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
             const int whole = static_cast<int>(parts > -most ? parts < most ? parts : most : -most);
-            atomic_max(moved + k, whole);
-            atomic_max(moved + 3 + k, -whole);
+            atomic_max_of_all(moved + k, whole);
+            atomic_max_of_all(moved + 3 + k, -whole);
         }
         return 0;
     }
@@ -93,7 +93,7 @@ struct FindFarthestMoved {
         if (!p.alive[i]) return;
         const Vec3 middle{middle_moved(0), middle_moved(1), middle_moved(2)};
         const Vec3 way = (Real(1) / p.spacing) * (p.position[i] - Vec3{p.listed_x[i], p.listed_y[i], p.listed_z[i]} - middle);
-        atomic_max(farthest, ordered_bits(static_cast<float>(dot(way, way))));
+        atomic_max_of_all(farthest, ordered_bits(static_cast<float>(dot(way, way))));
     }
     HL_FN Real middle_moved(int axis) const
     {
@@ -115,11 +115,12 @@ struct FindCell {
 /// After sorting by cell: the first particle of each cell, for every cell up to and including the dead's.
 struct FindCellStarts {
     const CellGrid* grid;
+    const int* order;
     const int* count;
     HL_FN void operator()(int i) const
     {
         const CellGrid g = *grid;
-        const int before = i == 0 ? -1 : g.key[i - 1], own = g.key[i];
+        const int before = i == 0 ? -1 : g.key[order[i - 1]], own = g.key[order[i]];
         for (int cell = before + 1; cell <= own; ++cell) g.start[cell] = i;
         if (i + 1 < *count) return;
         for (int cell = own + 1; cell <= g.cells(); ++cell) g.start[cell] = i + 1;
@@ -139,8 +140,8 @@ struct FindBox {
         const int cell[3] = {g.whole(x.x - g.origin.x, g.whole_x), g.whole(x.y - g.origin.y, g.whole_y),
                              g.whole(x.z - g.origin.z, g.whole_z)};
         for (int k = 0; k < 3; ++k) {
-            atomic_max(box + k, -cell[k]);
-            atomic_max(box + 3 + k, cell[k]);
+            atomic_max_of_all(box + k, -cell[k]);
+            atomic_max_of_all(box + 3 + k, cell[k]);
         }
     }
 };
@@ -171,7 +172,7 @@ struct Reorder {
         to.content[i] = content[from];
         to.cloth_from[i] = cloth_from[from];
         if (stress) to.stress[i] = stress[from];
-        to.alive[i] = key[i] != *dead_key;
+        to.alive[i] = key[from] != *dead_key;
         const Vec3 &x = position[from], &v = velocity[from];
         to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, to.size(i)};
@@ -189,29 +190,83 @@ struct FindNeighbours {
     const Real* skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
-    /// Particles side by side, from a row of cells.
-    struct Run {
-        int first, end;
-    };
-    static constexpr int most_runs = 64; // cells are no smaller than half the reach
     HL_FN void operator()(int i) const
     {
         const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
         const Real near_reach = p.support + *skin, reach = p.reach + *skin, reach2 = reach * reach, support2 = near_reach * near_reach;
-        Run runs[most_runs + 1];
-        const int run_count = find_runs(*grid, x, reach, runs);
         int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
-        int near_count = 0, distant_count = 0, run = 0;
-        Run now = runs[0];
-        while (run < run_count) {
-            const int j = now.first;
+        int near_count = 0, distant_count = 0;
+        for_runs({*grid, x, reach}, [&](int j, int end) {
             const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
             const Pack distance2 = dx * dx + dy * dy + dz * dz;
-            const auto others = lanes_below(now.end - j) & lanes_but(i - j) & (distance2 < reach2);
+            const auto others = lanes_below(end - j) & lanes_but(i - j) & (distance2 < reach2);
             // What there is no room for is left out, which only happens where many are pressed together.
             if (near_count <= most_near - lanes) near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count);
             if (distant_count <= most_distant - lanes)
                 distant_count += list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count);
+        });
+        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.room);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.room);
+        p.near_count[i] = near_count;
+        p.distant_count[i] = distant_count;
+    }
+
+private:
+    /// Particles side by side, from a row of cells.
+    struct Run {
+        int first, end;
+    };
+    /// The cells that the reach of a place may touch.
+    struct Cells {
+        CellGrid g;
+        Vec3 x;
+        Real reach;
+        int x0, x1, y0, y1, z0, z1;
+
+        HL_FN Cells(const CellGrid& grid, const Vec3& place, Real far) : g(grid), x(place), reach(far)
+        {
+            x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
+            y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
+            z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
+        }
+        HL_FN Real gap_y(int y) const { return g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y); }
+        HL_FN Real gap_z(int z) const { return g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z); }
+        /// Cells along x lie side by side, and so do their particles.
+        HL_FN Run run(int y, int z) const
+        {
+            const int row = (z * g.ny + y) * g.nx;
+            return {g.start[row + x0], g.start[row + x1 + 1]};
+        }
+    };
+
+#if HL_LANE_IS_THREAD
+    /// Each lane looks at a row of cells; then all go through what each has found.
+    template <typename Visit> HL_FN static void for_runs(const Cells& cells, const Visit& visit)
+    {
+        const int wide = cells.y1 - cells.y0 + 1, rows = wide * (cells.z1 - cells.z0 + 1);
+        for (int first = 0; first < rows; first += lanes) {
+            const int row = first + own_lane(), y = cells.y0 + row % wide, z = cells.z0 + row / wide;
+            Run own{0, 0};
+            if (row < rows) {
+                const Real gap_y = cells.gap_y(y), gap_z = cells.gap_z(z);
+                if (gap_y * gap_y + gap_z * gap_z < cells.reach * cells.reach) own = cells.run(y, z);
+            }
+            for (unsigned left = lanes_where(own.first < own.end); left != 0; left &= left - 1) {
+                const int lane = lowest_bit(left), end = of_lane(own.end, lane);
+                for (int j = of_lane(own.first, lane); j < end; j += lanes) visit(j, end);
+            }
+        }
+    }
+#else
+    static constexpr int most_runs = 64; // cells are no smaller than half the reach
+    template <typename Visit> HL_FN static void for_runs(const Cells& cells, const Visit& visit)
+    {
+        Run runs[most_runs + 1];
+        const int run_count = find_runs(cells, runs);
+        Run now = runs[0];
+        for (int run = 0; run < run_count;) {
+            const int j = now.first;
+            visit(j, now.end);
             // Runs are short: without branches from one to the next.
             const Run next = runs[run + 1];
             const bool ends = j + lanes >= now.end;
@@ -219,30 +274,23 @@ struct FindNeighbours {
             now.first = ends ? next.first : j + lanes;
             now.end = ends ? next.end : now.end;
         }
-        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.room);
-        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.room);
-        p.near_count[i] = near_count;
-        p.distant_count[i] = distant_count;
     }
-    /// Of all cells that the reach may touch; behind them stands an empty one.
-    HL_FN static int find_runs(const CellGrid g, const Vec3& x, Real reach, Run* runs)
+    /// Those with particles; behind them stands an empty one.
+    HL_FN static int find_runs(const Cells& cells, Run* runs)
     {
-        const int x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
-        const int y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
-        const int z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
         int count = 0;
-        for (int z = z0; z <= z1; ++z) {
-            const Real gap_z = g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z);
-            for (int y = y0; y <= y1; ++y) {
-                const Real gap_y = g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y);
-                const int row = (z * g.ny + y) * g.nx; // cells along x lie side by side, and so do their particles
-                runs[count] = {g.start[row + x0], g.start[row + x1 + 1]};
-                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < reach * reach);
+        for (int z = cells.z0; z <= cells.z1; ++z) {
+            const Real gap_z = cells.gap_z(z);
+            for (int y = cells.y0; y <= cells.y1; ++y) {
+                const Real gap_y = cells.gap_y(y);
+                runs[count] = cells.run(y, z);
+                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < cells.reach * cells.reach);
             }
         }
         runs[count] = {0, 0};
         return count;
     }
+#endif
 };
 
 /// What near pairs keep as long as a step lasts.
@@ -470,7 +518,7 @@ struct MoveParticles {
         if (!p.alive[i]) return;
         p.velocity[i] += step->dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += step->dt * p.velocity[i];
-        atomic_max(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
+        atomic_max_of_all(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
     }
 };
 

@@ -85,6 +85,7 @@ struct LiquidControl {
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
     std::int64_t dead = 0, error = 0, squares = 0; ///< see BeginStep, CorrectPressure, SumSpeeds
+    std::int64_t unheeded = 0;                     ///< errors of rounds that are never the last
     std::int64_t dripped = 0;                      ///< quanta since the start
     std::int64_t drunk = 0;                        ///< quanta since the liquid fell asleep
 };
@@ -211,15 +212,16 @@ struct LeaveDead {
     HL_FN void operator()(int) const { control->count = control->grid.start[control->grid.cells()]; }
 };
 
-/// After a round of pressure: whether another one must follow.
+/// After rounds of pressure: whether another one must follow.
 struct EndRound {
     LiquidControl* control;
     double density_tolerance;
+    int rounds; ///< since it was asked last
     HL_FN void operator()(int) const
     {
         LiquidControl& c = *control;
-        if (c.count > 0) ++c.rounds;
-        ++c.round;
+        if (c.count > 0) c.rounds += rounds;
+        c.round += rounds;
         const bool enough = static_cast<double>(c.error) * 1e-6 < density_tolerance * c.count || c.count == 0;
         c.error = 0;
         c.presses.set(c.round < most_pressure_rounds && !enough);
