@@ -373,6 +373,9 @@ private Q_SLOTS:
             std::uint8_t alive = 1;
             Quad place{start.x, start.y, start.z, 0};
             std::int64_t content = 0, dripped = 0;
+            ClothField field;
+            StepNumbers step;
+            step.friction = Real(0.2);
             Particles p;
             p.position = &x;
             p.velocity = &v;
@@ -382,7 +385,8 @@ private Q_SLOTS:
             p.wall_segment = &segment;
             p.alive = &alive;
             p.content = &content;
-            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), Real(0.2), 1, -1, &dripped}(0);
+            p.cloth = &field;
+            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
             ++moves;
             QVERIFY(nearest_skin(cloth.shape(), x, reach).distance > Real(0.49) * touching);
             // Where the free way ends, by small pieces; behind it the particle may not be.
