@@ -41,6 +41,13 @@ void print_plan(const ModelPlan& plan)
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
     fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet,
                plan.fibre_shells, plan.frame_interval, plan.resolution_reason);
+    const Knobs fidelity = knobs_of(plan.fidelity);
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = plan.knobs.*knob.value, usual = fidelity.*knob.value;
+        fmt::print("{:<12} {:<22} {:<8} {}{}\n", &knob == knob_table().data() ? "knobs" : "", knob.name,
+                   fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit), knob.meaning,
+                   value != usual ? fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual) : std::string());
+    }
     fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes), plan.expectation_source);
 }
 
@@ -48,9 +55,10 @@ int plan(const RunVerbOptions& options)
 {
     const auto fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
     const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
     require_valid(design, options);
-    const ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced);
+    const ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced, knobs);
     if (options.json)
         fmt::print("{}\n", plan_json(plan));
     else
@@ -75,6 +83,7 @@ int simulate(const RunVerbOptions& options)
     RunOptions run_options;
     run_options.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
     run_options.forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    run_options.knobs = knob_settings(options);
     run_options.seed = options.seed;
     run_options.threads = options.threads;
     run_options.recording = options.output;
@@ -122,6 +131,7 @@ int simulate(const RunVerbOptions& options)
 void add_run_options(CLI::App& verb, RunVerbOptions& options)
 {
     add_project_options(verb, options, true);
+    options.takes_knobs = true;
     verb.add_option("--fidelity", options.fidelity, "draft, standard or reference");
     verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
 }
@@ -132,7 +142,8 @@ void add_plan(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<RunVerbOptions>();
     CLI::App& plan_verb = *app.add_subcommand("plan", "What a run would compute and why, and what it would cost");
-    plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft");
+    plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft\n\n" +
+                     knob_help());
     add_run_options(plan_verb, *options);
     plan_verb.callback([&verb, options] { verb = [options] { return plan(*options); }; });
 }
@@ -143,7 +154,8 @@ void add_simulate(CLI::App& app, Verb& verb)
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C stops the run; the recording so far stays readable.");
+        "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
+        knob_help());
     add_run_options(simulate_verb, *options);
     simulate_verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")

@@ -52,7 +52,7 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
         + "</p><p><b>" + tr("Resolution.") + "</b> "
         + tr("%1 particles per droplet, a picture every %2 s, yarn steps of at most %3 s.")
               .arg(plan.particles_per_droplet)
-              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.network_step_limit, 4))
+              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.knobs.network_step_limit, 4))
         + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
         + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes))
         + " " + text(plan.expectation_source) + "</p>";

@@ -9,12 +9,36 @@ namespace hygroloom {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+Json knobs_json(const Knobs& knobs)
+{
+    Json json = Json::object();
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = knobs.*knob.value;
+        json[knob.name] = knob.whole ? Json(static_cast<long>(value)) : Json(value);
+    }
+    return json;
+}
+
+/// Recordings of older versions hold some of the knobs, among the resolution; the others are those of the fidelity.
+Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
+{
+    Knobs knobs = knobs_of(fidelity);
+    const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
+    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    return knobs;
+}
+
+} // namespace
+
 std::string plan_json(const ModelPlan& plan)
 {
     Json parts = Json::array();
     for (const PlannedPart& p : plan.parts) parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
     const Json json{
         {"fidelity", name_of(plan.fidelity)},
+        {"knobs", knobs_json(plan.knobs)},
         {"parts", parts},
         {"region",
          {{"first_end", plan.region.first_end},
@@ -27,11 +51,12 @@ std::string plan_json(const ModelPlan& plan)
           {"segments", plan.segments},
           {"fibre_shells", plan.fibre_shells},
           {"frame_interval_s", plan.frame_interval},
-          {"network_step_limit_s", plan.network_step_limit},
-          {"saturation_change", plan.saturation_change},
-          {"step_error", plan.step_error},
-          {"density_tolerance", plan.density_tolerance},
-          {"settle_share", plan.settle_share},
+          {"network_step_limit_s", plan.knobs.network_step_limit},
+          {"saturation_change", plan.knobs.saturation_change},
+          {"step_error", plan.knobs.step_error},
+          {"density_tolerance", plan.knobs.density_tolerance},
+          {"settle_share", plan.knobs.settle_share},
+          {"rest_tolerance", plan.rest_tolerance},
           {"reason", plan.resolution_reason}}},
         {"expected", {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
     };
@@ -52,11 +77,8 @@ try {
     plan.segments = resolution.at("segments");
     plan.fibre_shells = resolution.at("fibre_shells");
     plan.frame_interval = resolution.at("frame_interval_s");
-    plan.network_step_limit = resolution.at("network_step_limit_s");
-    plan.saturation_change = resolution.at("saturation_change");
-    plan.step_error = resolution.value("step_error", 0.0);
-    plan.density_tolerance = resolution.at("density_tolerance");
-    plan.settle_share = resolution.value("settle_share", 0.0);
+    plan.knobs = knobs_from_json(json, plan.fidelity);
+    plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);
     plan.resolution_reason = resolution.at("reason");
     const Json& expected = json.at("expected");
     plan.expected_seconds = expected.at("time_s");

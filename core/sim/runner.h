@@ -17,6 +17,7 @@ class Backend;
 struct RunOptions {
     Fidelity fidelity = Fidelity::standard;
     ForcedParts forced;
+    KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
     int threads = 0;                 ///< 0: all the machine has
     std::filesystem::path recording; ///< empty: none is written

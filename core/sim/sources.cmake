@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   sim/cpu_backend.cpp
   sim/droplet.cpp
+  sim/fidelity.cpp
   sim/hdf5_file.cpp
   sim/host_cloth.cpp
   sim/model_plan.cpp

@@ -37,6 +37,9 @@ private Q_SLOTS:
         QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
         QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
         QTest::newRow("no such part") << QStringList{"plan", f, "--physics", "magic=on"};
+        QTest::newRow("no such knob") << QStringList{"plan", f, "--set", "fidelity.fibre_shels=3"};
+        QTest::newRow("knob out of range") << QStringList{"simulate", f, "--set", "fidelity.fibre_shells=99"};
+        QTest::newRow("knob of nothing that runs") << QStringList{"check", f, "--set", "fidelity.fibre_shells=3"};
         QTest::newRow("no such backend") << QStringList{"simulate", f, "--backend", "abacus"};
         QTest::newRow("set without value") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm"};
         QTest::newRow("set of nothing") << QStringList{"check", f, "--set", "fabrics[0].end=1"};
@@ -126,6 +129,19 @@ private Q_SLOTS:
         QCOMPARE(answer.code, 0);
         QVERIFY(answer.out.contains("wicking"));
         QVERIFY(run_cli({"plan", example("textile-F.hygro"), "--json", "--physics", "heat=off"}).json().contains("parts"));
+    }
+    void planListsTheKnobsAndTakesOne()
+    {
+        const QStringList plan{"plan", example("textile-F.hygro"), "--set", "fidelity.fibre_shells=12"};
+        const Answer answer = run_cli(plan);
+        QCOMPARE(answer.code, 0);
+        QVERIFY2(answer.out.contains("network_step_limit_s   0.005 s"), answer.out);
+        QVERIFY2(answer.out.contains("(set by the user; standard has 8)"), answer.out);
+        const QJsonObject knobs = run_cli(plan + QStringList{"--json"}).json()["knobs"].toObject();
+        QCOMPARE(knobs["fibre_shells"].toInt(), 12);
+        QCOMPARE(knobs["particles_per_droplet"].toInt(), 2000);
+        QCOMPARE(knobs.size(), 9);
+        QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }
     void devicesListTheCpuFirst()
     {
