@@ -22,6 +22,7 @@ struct RunVerbOptions : ProjectOptions {
     int threads = 0;
     std::uint64_t seed = 1;
     std::string output;
+    bool profile = false;
 };
 
 template <typename Act> auto as_usage(Act act)
@@ -78,6 +79,23 @@ void draw_progress(const RunProgress& progress)
     std::fflush(stderr);
 }
 
+/// Where the wall time went, stage by stage; beside the metrics, or on stderr when stdout is for JSON alone.
+void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
+{
+    std::FILE* const out = json ? stderr : stdout;
+    if (stages.empty()) {
+        fmt::print(out, "This backend does not time its stages.\n");
+        return;
+    }
+    double rest = wall;
+    fmt::print(out, "{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%");
+    for (const StageTime& stage : stages) {
+        rest -= stage.seconds;
+        fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall);
+    }
+    fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
+}
+
 int simulate(const RunVerbOptions& options)
 {
     RunOptions run_options;
@@ -98,6 +116,7 @@ int simulate(const RunVerbOptions& options)
         throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
     }
 
+    if (options.profile) backend->time_stages();
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     const bool bar = !options.quiet && isatty(STDERR_FILENO);
@@ -124,6 +143,7 @@ int simulate(const RunVerbOptions& options)
     }
     clear_bar();
     print_metrics(run, collector.metrics(), options.json);
+    if (options.profile) print_profile(backend->stage_times(), run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
 }
@@ -161,6 +181,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")
         ->check(CLI::Range(0, 1024));
     simulate_verb.add_option("--seed", options->seed, "Seed of the random numbers");
+    simulate_verb.add_flag("--profile", options->profile, "Also print where the time went, stage by stage");
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
 }

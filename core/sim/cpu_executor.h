@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/portable.h"
+#include "core/sim/stage_clock.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -47,9 +48,14 @@ public:
         arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
     }
 
-    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything; the name is for profilers.
-    template <typename Stage> std::int64_t for_each(const char*, int count, const Stage& stage)
+    /// From now on what each stage takes is added up; not before.
+    void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
+    std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
+
+    /// Calls stage(i) for 0 <= i < count and returns the sum of what the stage returns, if anything; the name is for stage_times().
+    template <typename Stage> std::int64_t for_each(const char* name, int count, const Stage& stage)
     {
+        const StageLap lap(stage_clock_.get(), name);
         constexpr int grain = 64;
         if (count <= grain) return run_range(stage, 0, count);
         std::int64_t sum = 0;
@@ -65,6 +71,7 @@ public:
     /// Sorts keys (0 <= key <= largest) keeping equal ones in order; order[i] is where the new i-th came from.
     void sort_by_key(Buffer<int>& keys, Buffer<int>& order, int count, int largest)
     {
+        const StageLap lap(stage_clock_.get(), "sort");
         places_.assign(static_cast<std::size_t>(largest) + 2, 0);
         for (int i = 0; i < count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
         std::partial_sum(places_.begin(), places_.end(), places_.begin());
@@ -110,6 +117,7 @@ private:
 #endif
 
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
+    std::unique_ptr<StageClock> stage_clock_; // none: nothing is timed
     std::vector<int> places_, sorted_;
 };
 

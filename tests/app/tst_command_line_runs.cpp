@@ -45,6 +45,16 @@ private Q_SLOTS:
         QCOMPARE(measured.json()["metrics"], json["metrics"]);
         QVERIFY(run_cli({"measure", recording}).out.contains("maximum wetted radius, top"));
     }
+    void aProfileTellsWhereTheTimeWent()
+    {
+        const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);
+        QCOMPARE(run.code, 0);
+        for (const char* line : {"stage ", "sort ", "between the stages"}) QVERIFY2(run.out.contains(line), run.out);
+        const Answer json = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile"
+                                                                                  << "--json",
+                                    300);
+        QVERIFY(json.err.contains("between the stages") && json.json().contains("metrics"));
+    }
     void mapsAreWrittenAsPictureAndTable()
     {
         const QString recording = folder_.filePath("map.hygrorec");
