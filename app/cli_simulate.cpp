@@ -49,7 +49,9 @@ void print_plan(const ModelPlan& plan)
                    fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit), knob.meaning,
                    value != usual ? fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual) : std::string());
     }
-    fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes), plan.expectation_source);
+    fmt::print("expected     {:.3g} s, {}, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes),
+               plan.expected_error ? fmt::format("error {:.2g} %", 100 * *plan.expected_error) : std::string("error not measured"),
+               plan.expectation_source);
 }
 
 int plan(const RunVerbOptions& options)

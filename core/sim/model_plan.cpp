@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
-#include "core/sim/state.h"
+#include "core/sim/expectation.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +30,7 @@ struct Bounds {
     double wet_bulb_depression = 0; // K, at most, by evaporation
     double finest = 0;              // m, height of the thinnest yarn
     std::size_t drops = 0;          // that fall
+    double suction = 0;             // cosine of the smallest contact angle; 0: none wicks
     bool wicks = false;
 };
 
@@ -110,6 +111,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
             std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
         b.wicks = b.wicks || wicks;
+        if (wicks) b.suction = std::max(b.suction, std::cos(type.contact_angle));
         return wicks ? along * pores : 0.0;
     };
     // Liquid may run along the yarns of one type alone, whichever holds least: bounds are those of the worst type, not of the mean.
@@ -259,35 +261,18 @@ TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experim
     return sample;
 }
 
-/// What the run will cost, from unit costs measured on one machine. Departs from design.md: no table of measurements ships yet.
-void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
+SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 {
-    // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and network step.
-    constexpr double particle_step = 1.5e-6, segment_step = 0.7e-6;
-    constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
-    const double drops = static_cast<double>(std::max<std::size_t>(1, b.drops));
-    const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
-    const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
-    const double liquid_step =
-        0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
-    const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(b.drops);
-    const double rests =
-        std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
-    // Asleep but for the capillary time of every share that is drunk.
-    const double settles = plan.on("wicking") && plan.knobs.settle_share > 0
-                               ? std::sqrt(998.0 * plan.knobs.settle_share * volume / 0.0728) / plan.knobs.settle_share
-                               : 0.0;
-    const double resting_steps = (plan.knobs.settle_share > 0 ? std::min(rests, settles) : rests) / liquid_step;
-    const double steps = std::min(moving_time, experiment.duration_s) / liquid_step + resting_steps;
-    const double left = plan.on("wicking") ? 0.4 : 1.0; // of the particles, on average
-    plan.expected_seconds =
-        steps * particles * left * particle_step +
-        (plan.on("wicking") ? plan.segments * experiment.duration_s / plan.knobs.network_step_limit * segment_step : 0.0);
-    plan.expected_bytes =
-        40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
-    plan.expectation_source =
-        fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
-                    1e6 * b.delivered, resting_time);
+    const auto [width, height] = sample_extent_mm(experiment);
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    SceneCounts counts;
+    counts.type = name_of(experiment.type);
+    counts.drops = static_cast<double>(b.drops);
+    if (b.drops > 0) counts.drop_volume = b.delivered / water_density(temperature) / counts.drops;
+    counts.duration = experiment.duration_s;
+    counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
+    counts.suction = b.suction;
+    return counts;
 }
 
 } // namespace
@@ -350,7 +335,8 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
                     plan.knobs.settle_share > 0
                         ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.knobs.settle_share)
                         : std::string("liquid at rest is never skipped"));
-    expect(plan, bounds, experiment);
+    plan.counts = counts_of(experiment, bounds);
+    expect(plan, shipped_measurements());
     return plan;
 }
 

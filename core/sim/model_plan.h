@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace hygroloom {
 
@@ -18,9 +19,20 @@ struct PlannedPart {
     std::string reason;
 };
 
+/// What of a scene decides its cost.
+struct SceneCounts {
+    std::string type;       ///< of the experiment
+    double drops = 0;       ///< that fall
+    double drop_volume = 0; ///< m3, of each
+    double duration = 0;    ///< s
+    double wet_share = 0;   ///< of the sample that can get wet, at most
+    double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
+};
+
 struct ModelPlan {
     Fidelity fidelity = Fidelity::standard;
-    Knobs knobs; ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
+    std::string fidelity_reason; ///< why auto took it; empty: the user named it
+    Knobs knobs;                 ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
     std::vector<PlannedPart> parts;
     TextileRegion region;
     std::string region_reason;
@@ -30,8 +42,10 @@ struct ModelPlan {
     double frame_interval = 0; ///< s
     double rest_tolerance = 0; ///< see Scene; 0: all of the sample is visited
     std::string resolution_reason;
+    SceneCounts counts;
     double expected_seconds = 0;
     double expected_bytes = 0;
+    std::optional<double> expected_error; ///< against the reference, relative; none: not measured
     std::string expectation_source;
 
     bool on(const std::string& part) const;

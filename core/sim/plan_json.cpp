@@ -30,6 +30,11 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     return knobs;
 }
 
+SceneCounts counts_from_json(const Json& json)
+{
+    return {json.at("type"), json.at("drops"), json.at("drop_volume_m3"), json.at("duration_s"), json.at("wet_share"), json.at("suction")};
+}
+
 } // namespace
 
 std::string plan_json(const ModelPlan& plan)
@@ -38,6 +43,7 @@ std::string plan_json(const ModelPlan& plan)
     for (const PlannedPart& p : plan.parts) parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
     const Json json{
         {"fidelity", name_of(plan.fidelity)},
+        {"fidelity_reason", plan.fidelity_reason},
         {"knobs", knobs_json(plan.knobs)},
         {"parts", parts},
         {"region",
@@ -58,7 +64,18 @@ std::string plan_json(const ModelPlan& plan)
           {"settle_share", plan.knobs.settle_share},
           {"rest_tolerance", plan.rest_tolerance},
           {"reason", plan.resolution_reason}}},
-        {"expected", {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
+        {"counts",
+         {{"type", plan.counts.type},
+          {"drops", plan.counts.drops},
+          {"drop_volume_m3", plan.counts.drop_volume},
+          {"duration_s", plan.counts.duration},
+          {"wet_share", plan.counts.wet_share},
+          {"suction", plan.counts.suction}}},
+        {"expected",
+         {{"time_s", plan.expected_seconds},
+          {"memory_bytes", plan.expected_bytes},
+          {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
+          {"source", plan.expectation_source}}},
     };
     return json.dump(2);
 }
@@ -68,6 +85,7 @@ try {
     const Json json = Json::parse(text);
     ModelPlan plan;
     plan.fidelity = fidelity_from_name(json.at("fidelity"));
+    plan.fidelity_reason = json.value("fidelity_reason", "");
     for (const Json& p : json.at("parts")) plan.parts.push_back({p.at("name"), p.at("on"), p.at("forced"), p.at("reason")});
     const Json& region = json.at("region");
     plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
@@ -80,7 +98,9 @@ try {
     plan.knobs = knobs_from_json(json, plan.fidelity);
     plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);
     plan.resolution_reason = resolution.at("reason");
+    if (json.contains("counts")) plan.counts = counts_from_json(json.at("counts"));
     const Json& expected = json.at("expected");
+    if (expected.contains("error") && !expected.at("error").is_null()) plan.expected_error = expected.at("error").get<double>();
     plan.expected_seconds = expected.at("time_s");
     plan.expected_bytes = expected.at("memory_bytes");
     plan.expectation_source = expected.at("source");
