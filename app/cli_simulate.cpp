@@ -5,6 +5,7 @@
 #include "app/cli_metrics.h"
 
 #include "core/base/text.h"
+#include "core/sim/expectation.h"
 #include "core/sim/plan_json.h"
 #include "gpu/backends.h"
 
@@ -12,11 +13,14 @@
 
 #include <unistd.h>
 
+#include <optional>
+
 namespace hygroloom {
 namespace {
 
 struct RunVerbOptions : ProjectOptions {
     std::string fidelity = "standard";
+    std::string error, time; ///< of --fidelity auto
     std::string physics;
     std::string backend = "auto";
     int threads = 0;
@@ -36,7 +40,7 @@ template <typename Act> auto as_usage(Act act)
 
 void print_plan(const ModelPlan& plan)
 {
-    fmt::print("fidelity     {}\n", name_of(plan.fidelity));
+    fmt::print("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
         fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
@@ -54,14 +58,48 @@ void print_plan(const ModelPlan& plan)
                plan.expectation_source);
 }
 
+/// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
+std::optional<FidelityTarget> target_of(const RunVerbOptions& options)
+{
+    const bool error = !options.error.empty(), time = !options.time.empty();
+    if (options.fidelity != "auto") {
+        if (error || time) throw Stop(exit_usage, "--error and --time go with --fidelity auto.");
+        return std::nullopt;
+    }
+    if (error == time) throw Stop(exit_usage, "--fidelity auto needs one of --error 5% and --time 10s.");
+    FidelityTarget target;
+    if (error) target.error = as_usage([&] { return parse_error_target(options.error); });
+    if (time) target.seconds = as_usage([&] { return parse_time_target(options.time); });
+    return target;
+}
+
+/// As named, or the one that keeps what auto was told.
+FidelityChoice chosen_fidelity(const RunVerbOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
+                               const ForcedParts& forced, const KnobSettings& knobs)
+{
+    if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
+    std::vector<ModelPlan> plans;
+    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
+        plans.push_back(plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced, knobs));
+    return choose_fidelity(plans, *target);
+}
+
+/// Refuses a wrong word before the project is read.
+void check_fidelity(const RunVerbOptions& options)
+{
+    if (!target_of(options)) as_usage([&] { return fidelity_from_name(options.fidelity); });
+}
+
 int plan(const RunVerbOptions& options)
 {
-    const auto fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    check_fidelity(options);
     const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
     const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
     require_valid(design, options);
-    const ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced, knobs);
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, forced, knobs);
+    ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), choice.fidelity, forced, knobs);
+    plan.fidelity_reason = choice.reason;
     if (options.json)
         fmt::print("{}\n", plan_json(plan));
     else
@@ -101,7 +139,7 @@ void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
 int simulate(const RunVerbOptions& options)
 {
     RunOptions run_options;
-    run_options.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    check_fidelity(options);
     run_options.forced = as_usage([&] { return parse_forced_parts(options.physics); });
     run_options.knobs = knob_settings(options);
     run_options.seed = options.seed;
@@ -110,6 +148,9 @@ int simulate(const RunVerbOptions& options)
     const Design design = load_project(options);
     require_valid(design, options);
     const std::string fabric = chosen_fabric(design, options).name, experiment = chosen_experiment(design, options).name;
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, run_options.forced, run_options.knobs);
+    run_options.fidelity = choice.fidelity;
+    run_options.fidelity_reason = choice.reason;
 
     std::unique_ptr<Backend> backend;
     try {
@@ -145,6 +186,7 @@ int simulate(const RunVerbOptions& options)
     }
     clear_bar();
     print_metrics(run, collector.metrics(), options.json);
+    if (!choice.reason.empty() && !options.json) fmt::print("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
     if (options.profile) print_profile(backend->stage_times(), run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
@@ -154,7 +196,10 @@ void add_run_options(CLI::App& verb, RunVerbOptions& options)
 {
     add_project_options(verb, options, true);
     options.takes_knobs = true;
-    verb.add_option("--fidelity", options.fidelity, "draft, standard or reference");
+    verb.add_option("--fidelity", options.fidelity, "draft, standard, reference, or auto with --error or --time");
+    verb.add_option("--error", options.error,
+                    "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%");
+    verb.add_option("--time", options.time, "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min");
     verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
 }
 

@@ -21,6 +21,7 @@ struct MeasuredRun {
 
 struct MeasuredScene {
     std::string fabric, experiment, backend, device, date;
+    double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
     std::vector<MeasuredRun> runs; ///< those with a time
 };
 

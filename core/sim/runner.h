@@ -16,6 +16,7 @@ class Backend;
 
 struct RunOptions {
     Fidelity fidelity = Fidelity::standard;
+    std::string fidelity_reason; ///< for the plan
     ForcedParts forced;
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;

@@ -36,6 +36,11 @@ private Q_SLOTS:
         QTest::newRow("no such fabric") << QStringList{"check", f, "--fabric", "Textile Z"};
         QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
         QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
+        QTest::newRow("auto without a wish") << QStringList{"plan", f, "--fidelity", "auto"};
+        QTest::newRow("auto with two wishes") << QStringList{"simulate", f, "--fidelity", "auto", "--error", "5%", "--time", "10s"};
+        QTest::newRow("a wish without auto") << QStringList{"simulate", f, "--error", "5%"};
+        QTest::newRow("no such error") << QStringList{"plan", f, "--fidelity", "auto", "--error", "120%"};
+        QTest::newRow("no such time") << QStringList{"plan", f, "--fidelity", "auto", "--time", "10 days"};
         QTest::newRow("no such part") << QStringList{"plan", f, "--physics", "magic=on"};
         QTest::newRow("no such knob") << QStringList{"plan", f, "--set", "fidelity.fibre_shels=3"};
         QTest::newRow("knob out of range") << QStringList{"simulate", f, "--set", "fidelity.fibre_shells=99"};
@@ -146,6 +151,17 @@ private Q_SLOTS:
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 2000);
         QCOMPARE(knobs.size(), 9);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
+    }
+    void autoSaysWhatItTookAndWhy()
+    {
+        const auto plan = [](const char* option, const char* wish) {
+            return run_cli({"plan", example("textile-F.hygro"), "--json", "--fidelity", "auto", option, wish}).json();
+        };
+        QCOMPARE(plan("--time", "9h")["fidelity"].toString(), QString("reference"));
+        const QJsonObject hurried = plan("--time", "0.001s");
+        QCOMPARE(hurried["fidelity"].toString(), QString("draft"));
+        QVERIFY(hurried["fidelity_reason"].toString().startsWith("No fidelity is expected to take at most 0.001 s"));
+        QVERIFY(!plan("--error", "5%")["fidelity_reason"].toString().isEmpty());
     }
     void devicesListTheCpuFirst()
     {
