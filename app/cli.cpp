@@ -61,6 +61,20 @@ int frame_at(const Recording& recording, const std::string& file, double moment)
     return static_cast<int>(nearest);
 }
 
+namespace {
+
+constexpr std::string_view knob_prefix = "fidelity.";
+
+/// The two sides of "path=value".
+std::pair<std::string, std::string> path_and_value(const std::string& set)
+{
+    const std::size_t sign = set.find('=');
+    if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a path, =, and a value.");
+    return {set.substr(0, sign), set.substr(sign + 1)};
+}
+
+} // namespace
+
 Design load_project(const ProjectOptions& options)
 {
     Design design;
@@ -70,15 +84,43 @@ Design load_project(const ProjectOptions& options)
         throw Stop(exit_invalid, error.what());
     }
     for (const std::string& set : options.sets) {
-        const std::size_t sign = set.find('=');
-        if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a path, =, and a value.");
+        const auto [path, value] = path_and_value(set);
+        if (path.starts_with(knob_prefix)) {
+            if (options.takes_knobs) continue;
+            throw Stop(exit_usage, "--set " + set + ": This verb runs nothing, so it has no fidelity. Set a knob with plan or simulate.");
+        }
         try {
-            design = with_value(design, set.substr(0, sign), set.substr(sign + 1));
+            design = with_value(design, path, value);
         } catch (const Error& error) {
             throw Stop(exit_usage, error.what());
         }
     }
     return design;
+}
+
+KnobSettings knob_settings(const ProjectOptions& options)
+{
+    KnobSettings settings;
+    for (const std::string& set : options.sets) {
+        const auto [path, value] = path_and_value(set);
+        if (!path.starts_with(knob_prefix)) continue;
+        try {
+            set_knob(settings, path.substr(knob_prefix.size()), value);
+        } catch (const Error& error) {
+            throw Stop(exit_usage, error.what());
+        }
+    }
+    return settings;
+}
+
+std::string knob_help()
+{
+    const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), reference = knobs_of(Fidelity::reference);
+    std::string text = "Knobs behind --fidelity, set one by one with --set fidelity.<knob>=value (draft, standard, reference):\n";
+    for (const KnobInfo& knob : knob_table())
+        text += fmt::format("  {:<22} {:g}, {:g}, {:g}{}{}; {}\n", knob.name, draft.*knob.value, standard.*knob.value,
+                            reference.*knob.value, *knob.unit ? " " : "", knob.unit, knob.meaning);
+    return text;
 }
 
 void print_issue(const std::string& file, const Issue& issue)
@@ -172,6 +214,7 @@ int run(int count, char** values)
     add_import(app, verb);
     add_presets(app, verb);
     add_devices(app, verb);
+    add_tradeoff(app, verb);
     add_verify(app, verb);
 
     std::vector<std::string> given = arguments(count, values);

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/design/validate.h"
+#include "core/sim/fidelity.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,6 +34,7 @@ struct ProjectOptions : CommonOptions {
     std::string fabric;            ///< empty: the only one
     std::string experiment;        ///< empty: the only one
     std::vector<std::string> sets; ///< "path=value"
+    bool takes_knobs = false;      ///< whether a path may be fidelity.<knob>
 };
 
 /// A verb fills this in when the command line names it.
@@ -41,8 +43,12 @@ using Verb = std::function<int()>;
 void add_common_options(CLI::App& verb, CommonOptions& options);
 void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_experiment);
 
-/// Reads the project and applies --set. Throws Stop.
+/// Reads the project and applies --set, but for the knobs. Throws Stop.
 Design load_project(const ProjectOptions& options);
+/// What --set fidelity.<knob>=value says. Throws Stop.
+KnobSettings knob_settings(const ProjectOptions& options);
+/// For --help: each knob with its values and what it means.
+std::string knob_help();
 
 /// Prints issues on stderr as "file: path: sentence"; notes only when asked for. Throws Stop when one is an error.
 void require_valid(const Design& design, const ProjectOptions& options);
@@ -70,6 +76,7 @@ void add_export(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
 void add_presets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
+void add_tradeoff(CLI::App& app, Verb& chosen);
 void add_verify(CLI::App& app, Verb& chosen);
 
 } // namespace hygroloom

@@ -5,6 +5,7 @@
 #include "app/cli_metrics.h"
 
 #include "core/base/text.h"
+#include "core/sim/expectation.h"
 #include "core/sim/plan_json.h"
 #include "gpu/backends.h"
 
@@ -12,16 +13,20 @@
 
 #include <unistd.h>
 
+#include <optional>
+
 namespace hygroloom {
 namespace {
 
 struct RunVerbOptions : ProjectOptions {
     std::string fidelity = "standard";
+    std::string error, time; ///< of --fidelity auto
     std::string physics;
     std::string backend = "auto";
     int threads = 0;
     std::uint64_t seed = 1;
     std::string output;
+    bool profile = false;
 };
 
 template <typename Act> auto as_usage(Act act)
@@ -35,22 +40,66 @@ template <typename Act> auto as_usage(Act act)
 
 void print_plan(const ModelPlan& plan)
 {
-    fmt::print("fidelity     {}\n", name_of(plan.fidelity));
+    fmt::print("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
         fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
     fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet,
                plan.fibre_shells, plan.frame_interval, plan.resolution_reason);
-    fmt::print("expected     {:.3g} s, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes), plan.expectation_source);
+    const Knobs fidelity = knobs_of(plan.fidelity);
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = plan.knobs.*knob.value, usual = fidelity.*knob.value;
+        fmt::print("{:<12} {:<22} {:<8} {}{}\n", &knob == knob_table().data() ? "knobs" : "", knob.name,
+                   fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit), knob.meaning,
+                   value != usual ? fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual) : std::string());
+    }
+    fmt::print("expected     {:.3g} s, {}, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes),
+               plan.expected_error ? fmt::format("error {:.2g} %", 100 * *plan.expected_error) : std::string("error not measured"),
+               plan.expectation_source);
+}
+
+/// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
+std::optional<FidelityTarget> target_of(const RunVerbOptions& options)
+{
+    const bool error = !options.error.empty(), time = !options.time.empty();
+    if (options.fidelity != "auto") {
+        if (error || time) throw Stop(exit_usage, "--error and --time go with --fidelity auto.");
+        return std::nullopt;
+    }
+    if (error == time) throw Stop(exit_usage, "--fidelity auto needs one of --error 5% and --time 10s.");
+    FidelityTarget target;
+    if (error) target.error = as_usage([&] { return parse_error_target(options.error); });
+    if (time) target.seconds = as_usage([&] { return parse_time_target(options.time); });
+    return target;
+}
+
+/// As named, or the one that keeps what auto was told.
+FidelityChoice chosen_fidelity(const RunVerbOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
+                               const ForcedParts& forced, const KnobSettings& knobs)
+{
+    if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
+    std::vector<ModelPlan> plans;
+    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
+        plans.push_back(plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced, knobs));
+    return choose_fidelity(plans, *target);
+}
+
+/// Refuses a wrong word before the project is read.
+void check_fidelity(const RunVerbOptions& options)
+{
+    if (!target_of(options)) as_usage([&] { return fidelity_from_name(options.fidelity); });
 }
 
 int plan(const RunVerbOptions& options)
 {
-    const auto fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    check_fidelity(options);
     const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
     require_valid(design, options);
-    const ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced);
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, forced, knobs);
+    ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), choice.fidelity, forced, knobs);
+    plan.fidelity_reason = choice.reason;
     if (options.json)
         fmt::print("{}\n", plan_json(plan));
     else
@@ -70,17 +119,38 @@ void draw_progress(const RunProgress& progress)
     std::fflush(stderr);
 }
 
+/// Where the wall time went, stage by stage; beside the metrics, or on stderr when stdout is for JSON alone.
+void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
+{
+    std::FILE* const out = json ? stderr : stdout;
+    if (stages.empty()) {
+        fmt::print(out, "This backend does not time its stages.\n");
+        return;
+    }
+    double rest = wall;
+    fmt::print(out, "{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%");
+    for (const StageTime& stage : stages) {
+        rest -= stage.seconds;
+        fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall);
+    }
+    fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
+}
+
 int simulate(const RunVerbOptions& options)
 {
     RunOptions run_options;
-    run_options.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    check_fidelity(options);
     run_options.forced = as_usage([&] { return parse_forced_parts(options.physics); });
+    run_options.knobs = knob_settings(options);
     run_options.seed = options.seed;
     run_options.threads = options.threads;
     run_options.recording = options.output;
     const Design design = load_project(options);
     require_valid(design, options);
     const std::string fabric = chosen_fabric(design, options).name, experiment = chosen_experiment(design, options).name;
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, run_options.forced, run_options.knobs);
+    run_options.fidelity = choice.fidelity;
+    run_options.fidelity_reason = choice.reason;
 
     std::unique_ptr<Backend> backend;
     try {
@@ -89,6 +159,7 @@ int simulate(const RunVerbOptions& options)
         throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
     }
 
+    if (options.profile) backend->time_stages();
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     const bool bar = !options.quiet && isatty(STDERR_FILENO);
@@ -115,6 +186,8 @@ int simulate(const RunVerbOptions& options)
     }
     clear_bar();
     print_metrics(run, collector.metrics(), options.json);
+    if (!choice.reason.empty() && !options.json) fmt::print("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
+    if (options.profile) print_profile(backend->stage_times(), run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
 }
@@ -122,7 +195,11 @@ int simulate(const RunVerbOptions& options)
 void add_run_options(CLI::App& verb, RunVerbOptions& options)
 {
     add_project_options(verb, options, true);
-    verb.add_option("--fidelity", options.fidelity, "draft, standard or reference");
+    options.takes_knobs = true;
+    verb.add_option("--fidelity", options.fidelity, "draft, standard, reference, or auto with --error or --time");
+    verb.add_option("--error", options.error,
+                    "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%");
+    verb.add_option("--time", options.time, "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min");
     verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
 }
 
@@ -132,7 +209,8 @@ void add_plan(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<RunVerbOptions>();
     CLI::App& plan_verb = *app.add_subcommand("plan", "What a run would compute and why, and what it would cost");
-    plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft");
+    plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft\n\n" +
+                     knob_help());
     add_run_options(plan_verb, *options);
     plan_verb.callback([&verb, options] { verb = [options] { return plan(*options); }; });
 }
@@ -143,12 +221,14 @@ void add_simulate(CLI::App& app, Verb& verb)
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C stops the run; the recording so far stays readable.");
+        "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
+        knob_help());
     add_run_options(simulate_verb, *options);
     simulate_verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")
         ->check(CLI::Range(0, 1024));
     simulate_verb.add_option("--seed", options->seed, "Seed of the random numbers");
+    simulate_verb.add_flag("--profile", options->profile, "Also print where the time went, stage by stage");
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
 }

@@ -33,6 +33,14 @@ QString roughDuration(double seconds)
     return PlanDialog::tr("about %1 h").arg(shownNumber(seconds / 3600, 1));
 }
 
+QString expectation(const ModelPlan& plan)
+{
+    const QString error = plan.expected_error ? PlanDialog::tr("error %1 %").arg(shownNumber(100 * *plan.expected_error, 1))
+                                              : PlanDialog::tr("error not measured");
+    return PlanDialog::tr("%1, %2 of memory, %3. %4")
+        .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error, QString::fromStdString(plan.expectation_source).toHtmlEscaped());
+}
+
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
     : QDialog(parent)
 {
@@ -52,10 +60,9 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
         + "</p><p><b>" + tr("Resolution.") + "</b> "
         + tr("%1 particles per droplet, a picture every %2 s, yarn steps of at most %3 s.")
               .arg(plan.particles_per_droplet)
-              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.network_step_limit, 4))
+              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.knobs.network_step_limit, 4))
         + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
-        + tr("%1, %2 of memory.").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes))
-        + " " + text(plan.expectation_source) + "</p>";
+        + expectation(plan) + "</p>";
     auto* browser = new QTextBrowser;
     browser->setHtml(html);
     browser->setFrameShape(QFrame::NoFrame);

@@ -17,5 +17,7 @@ public:
 QString fidelityName(Fidelity fidelity);
 /// "about 40 s", "about 3 min".
 QString roughDuration(double seconds);
+/// "about 20 s, 45 MB of memory, error 3 %" and where that comes from; safe as HTML.
+QString expectation(const ModelPlan& plan);
 
 } // namespace hygroloom

@@ -223,11 +223,7 @@ void SimulationPanel::showExpectations()
     for (std::size_t i = 0; i < plans_.size(); ++i) {
         const auto& plan = plans_[i].plan;
         expected_[i]->setText(plan ? roughDuration(plan->expected_seconds) : QString());
-        expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1, %2 of memory. %3")
-                                                    .arg(roughDuration(plan->expected_seconds), bytesText(plan->expected_bytes),
-                                                         QString::fromStdString(plan->expectation_source).toHtmlEscaped())
-                                            + "</p>"
-                                      : QString());
+        expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1").arg(expectation(*plan)) + "</p>" : QString());
     }
 }
 

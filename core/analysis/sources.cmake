@@ -7,4 +7,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
+  analysis/tradeoff.cpp
+  analysis/tradeoff_json.cpp
+  analysis/tradeoff_plot.cpp
 )

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/sim/frame.h"
+#include "core/sim/stage_clock.h"
 
 #include <memory>
 #include <string>
@@ -26,6 +27,10 @@ public:
     virtual Frame frame() = 0;
     virtual long liquid_steps() const = 0;
     virtual int particles() const = 0;
+    /// From now on adds up what each stage takes, where the backend can.
+    virtual void time_stages() {}
+    /// The longest first; none when not asked for, or when the backend cannot tell.
+    virtual std::vector<StageTime> stage_times() { return {}; }
 };
 
 std::unique_ptr<Backend> make_cpu_backend();

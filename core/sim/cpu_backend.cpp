@@ -34,6 +34,8 @@ public:
     Frame frame() override { return solver_.frame(); }
     long liquid_steps() const override { return solver_.liquid_steps(); }
     int particles() const override { return solver_.particles(); }
+    void time_stages() override { solver_.executor().time_stages(); }
+    std::vector<StageTime> stage_times() override { return solver_.executor().stage_times(); }
 
 private:
     Solver<CpuExecutor> solver_;

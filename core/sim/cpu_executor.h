@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/sim/order.h"
+#include "core/sim/stage_clock.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -47,9 +48,14 @@ public:
         arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
     }
 
-    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0). The name is for profilers.
-    template <typename Stage, typename Next = Nothing> void for_each(const char*, int count, const Stage& stage, const Next& next = {})
+    /// From now on what each stage takes is added up; not before.
+    void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
+    std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
+
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0). The name is for stage_times().
+    template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
     {
+        const StageLap lap(stage_clock_.get(), name);
         constexpr int grain = 64;
         if (count <= grain)
             run_range(stage, 0, count);
@@ -94,6 +100,7 @@ public:
     /// The order in which keys (0 <= key <= largest) rise, equal ones as they stand: order[i] is the place of the i-th.
     void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int* largest)
     {
+        const StageLap lap(stage_clock_.get(), "sort");
         places_.assign(static_cast<std::size_t>(*largest) + 2, 0);
         for (int i = 0; i < *counted.count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
         std::partial_sum(places_.begin(), places_.end(), places_.begin());
@@ -140,6 +147,7 @@ private:
 #endif
 
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
+    std::unique_ptr<StageClock> stage_clock_; // none: nothing is timed
     std::vector<int> places_;
 };
 

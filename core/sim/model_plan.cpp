@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
-#include "core/sim/state.h"
+#include "core/sim/expectation.h"
 
 #include <fmt/format.h>
 
@@ -17,29 +17,6 @@ namespace hygroloom {
 namespace {
 
 constexpr const char* part_names[] = {"liquid", "wicking", "sorption", "vapour", "heat", "growth"};
-
-/// Points on the ladder of fidelities; each value stands here once.
-struct Level {
-    int particles;
-    int shells;
-    double network_step; // s
-    double saturation_change;
-    double step_error;
-    double density_tolerance;
-    double settle_share;
-    double rest_tolerance; // of the air's humidity at the border of what is visited
-    double neglected;      // part of the delivered water, or of the wicking rate, below which a part is left out
-};
-
-Level level_of(Fidelity fidelity)
-{
-    switch (fidelity) {
-    case Fidelity::draft: return {1000, 5, 20e-3, 0.2, 2e-3, 0.02, 0.03, 1e-3, 0.01};
-    case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 0.01, 0.01, 1e-4, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0.0, 1e-6, 0.0};
-    }
-    return {};
-}
 
 /// Quantities that the bounds are made of.
 struct Bounds {
@@ -53,6 +30,7 @@ struct Bounds {
     double wet_bulb_depression = 0; // K, at most, by evaporation
     double finest = 0;              // m, height of the thinnest yarn
     std::size_t drops = 0;          // that fall
+    double suction = 0;             // cosine of the smallest contact angle; 0: none wicks
     bool wicks = false;
 };
 
@@ -133,6 +111,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
             std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
         b.wicks = b.wicks || wicks;
+        if (wicks) b.suction = std::max(b.suction, std::cos(type.contact_angle));
         return wicks ? along * pores : 0.0;
     };
     // Liquid may run along the yarns of one type alone, whichever holds least: bounds are those of the worst type, not of the mean.
@@ -166,15 +145,15 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     return b;
 }
 
-/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Nor, below `reference`, as
-/// many where no yarn drinks: how finely the drop meets the pores then changes no water.
-int particles_for(const Level& level, const Experiment& experiment, const Bounds& b)
+/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Nor, below `reference`,
+/// as many where no yarn drinks, unless the user asks for them: how finely the drop meets the pores then changes no water.
+int particles_for(const Knobs& knobs, bool set_by_user, const Experiment& experiment, const Bounds& b)
 {
     const double finest = 0.1 * b.finest;
     const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, b.drops));
     constexpr double share_without_drinking = 0.25;
-    const double most = level.particles * (b.wicks || level.settle_share <= 0 ? 1.0 : share_without_drinking);
+    const double most = knobs.particles_per_droplet * (b.wicks || set_by_user || knobs.settle_share <= 0 ? 1.0 : share_without_drinking);
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, most));
 }
 
@@ -214,7 +193,7 @@ std::string supply_in_words(const Experiment& experiment, const Bounds& b)
     return "The cloth meets no liquid in this experiment.";
 }
 
-void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
+void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Knobs& knobs, const ForcedParts& forced)
 {
     const bool drops = experiment.type == ExperimentType::droplet || b.drops > 0;
     const bool conditioning = experiment.type == ExperimentType::conditioning;
@@ -230,17 +209,17 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const double at_stake = std::max(b.at_stake, 1e-30);
     const auto share_reason = [&](const char* what, double share) {
         return fmt::format("{} at most {:.3g} % of the water {}; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
-                           conditioning ? "that fibres exchange" : "delivered", 100 * level.neglected);
+                           conditioning ? "that fibres exchange" : "delivered", 100 * knobs.neglected_share);
     };
     const double sorbed = b.sorbable / at_stake;
     plan.parts.push_back(
-        decide("sorption", moist && b.sorbable > 0 && sorbed > level.neglected,
+        decide("sorption", moist && b.sorbable > 0 && sorbed > knobs.neglected_share,
                share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), forced));
     const bool sorption = plan.parts.back().on;
     // A sample in a new climate exchanges vapour or nothing; without liquid it is the only way.
     const bool only_way = conditioning || !experiment.climates.empty();
     plan.parts.push_back(
-        decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > level.neglected),
+        decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > knobs.neglected_share),
                only_way ? std::string("What fibres exchange comes and goes as vapour.")
                         : share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / at_stake),
                forced));
@@ -252,16 +231,16 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
         change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
     const double effect = 0.02 * std::max({warming, cooling, change});
     plan.parts.push_back(
-        decide("heat", moist && effect > level.neglected,
+        decide("heat", moist && effect > knobs.neglected_share,
                fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
                            "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
                            "fidelity.",
-                           warming, cooling, change, 100 * effect, 100 * level.neglected),
+                           warming, cooling, change, 100 * effect, 100 * knobs.neglected_share),
                forced));
 }
 
 /// Whether only the cloth near the water is visited, a region that grows.
-void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Level& level, const ForcedParts& forced)
+void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experiment, const Knobs& knobs, const ForcedParts& forced)
 {
     const auto [width, height] = sample_extent_mm(experiment);
     const bool everywhere = experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
@@ -271,9 +250,9 @@ void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experimen
                everywhere ? std::string("All of the sample changes from the start.")
                           : fmt::format("Only the cloth near the liquid is visited: it can wet at most {:.3g} % of the sample. What is "
                                         "visited grows before the air in its pores changes by {:.3g} % humidity at its border.",
-                                        100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * level.rest_tolerance),
+                                        100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * knobs.rest_tolerance),
                forced));
-    plan.rest_tolerance = plan.on("growth") ? level.rest_tolerance : 0;
+    plan.rest_tolerance = plan.on("growth") ? knobs.rest_tolerance : 0;
 }
 
 TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experiment& experiment, const Bounds& b)
@@ -285,49 +264,21 @@ TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experim
     return sample;
 }
 
-/// What the run will cost, from unit costs measured on one machine. Departs from design.md: no table of measurements ships yet.
-void expect(ModelPlan& plan, const Bounds& b, const Experiment& experiment)
+SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 {
-    // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and network step.
-    constexpr double particle_step = 1.5e-6, segment_step = 0.7e-6;
-    constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
-    const double drops = static_cast<double>(std::max<std::size_t>(1, b.drops));
-    const double volume = b.delivered / 998.0 / drops, count = std::max(1, plan.particles_per_droplet);
-    const double support = 2.0 * std::cbrt(std::max(1e-18, volume) / count);
-    const double liquid_step =
-        0.5 * 0.25 * std::sqrt(998.0 * support * support * support / (2.0 * pi * 0.0728)); // half the capillary limit
-    const double particles = static_cast<double>(plan.particles_per_droplet) * static_cast<double>(b.drops);
-    const double rests =
-        std::min(std::max(0.0, experiment.duration_s - moving_time), plan.on("wicking") ? resting_time : experiment.duration_s);
-    // Asleep but for the capillary time of every share that is drunk.
-    const double settles =
-        plan.on("wicking") && plan.settle_share > 0 ? std::sqrt(998.0 * plan.settle_share * volume / 0.0728) / plan.settle_share : 0.0;
-    const double resting_steps = (plan.settle_share > 0 ? std::min(rests, settles) : rests) / liquid_step;
-    const double steps = std::min(moving_time, experiment.duration_s) / liquid_step + resting_steps;
-    const double left = plan.on("wicking") ? 0.4 : 1.0; // of the particles, on average
-    plan.expected_seconds = steps * particles * left * particle_step +
-                            (plan.on("wicking") ? plan.segments * experiment.duration_s / plan.network_step_limit * segment_step : 0.0);
-    plan.expected_bytes =
-        40e6 + plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
-    plan.expectation_source =
-        fmt::format("unit costs measured on 2 cores of an AMD EPYC; a drop on a wetting fabric ({:.3g} mg) is taken to last {:g} s",
-                    1e6 * b.delivered, resting_time);
+    const auto [width, height] = sample_extent_mm(experiment);
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    SceneCounts counts;
+    counts.type = name_of(experiment.type);
+    counts.drops = static_cast<double>(b.drops);
+    if (b.drops > 0) counts.drop_volume = b.delivered / water_density(temperature) / counts.drops;
+    counts.duration = experiment.duration_s;
+    counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
+    counts.suction = b.suction;
+    return counts;
 }
 
 } // namespace
-
-const char* name_of(Fidelity fidelity)
-{
-    constexpr const char* names[] = {"draft", "standard", "reference"};
-    return names[static_cast<int>(fidelity)];
-}
-
-Fidelity fidelity_from_name(const std::string& name)
-{
-    for (Fidelity f : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
-        if (name == name_of(f)) return f;
-    throw Error("The fidelity must be draft, standard or reference; \"" + name + "\" was given.");
-}
 
 bool ModelPlan::on(const std::string& part) const
 {
@@ -361,9 +312,9 @@ Textile textile_of_run(const Design& design, const Fabric& fabric, const Experim
     return build_textile(design, alike, region);
 }
 
-ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced)
+ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced,
+                     const KnobSettings& settings)
 {
-    const Level level = level_of(fidelity);
     const auto [width, height] = sample_extent_mm(experiment);
     const TextileRegion sample = region_of_sample(fabric, width, height);
     const Textile textile = textile_of_run(design, fabric, experiment, sample);
@@ -371,25 +322,25 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
 
     ModelPlan plan;
     plan.fidelity = fidelity;
-    decide_parts(plan, bounds, experiment, level, forced);
-    decide_growth(plan, bounds, experiment, level, forced);
+    plan.knobs = with_settings(knobs_of(fidelity), settings);
+    decide_parts(plan, bounds, experiment, plan.knobs, forced);
+    decide_growth(plan, bounds, experiment, plan.knobs, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet = plan.on("liquid") ? particles_for(level, experiment, bounds) : 0;
-    plan.fibre_shells = plan.on("sorption") ? level.shells : 1;
-    plan.network_step_limit = level.network_step;
-    plan.saturation_change = level.saturation_change;
-    plan.step_error = level.step_error;
-    plan.density_tolerance = level.density_tolerance;
-    plan.settle_share = level.settle_share;
+    plan.particles_per_droplet =
+        plan.on("liquid") ? particles_for(plan.knobs, settings.contains("particles_per_droplet"), experiment, bounds) : 0;
+    plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
-    plan.resolution_reason = fmt::format(
-        "{} fidelity: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
-        "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
-        name_of(fidelity), plan.particles_per_droplet, plan.fibre_shells, 1e3 * plan.network_step_limit, plan.saturation_change,
-        plan.settle_share > 0 ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.settle_share)
-                              : std::string("liquid at rest is never skipped"));
-    expect(plan, bounds, experiment);
+    plan.resolution_reason =
+        fmt::format("{} fidelity{}: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
+                    "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
+                    name_of(fidelity), settings.empty() ? "" : " with knobs set by the user", plan.particles_per_droplet, plan.fibre_shells,
+                    1e3 * plan.knobs.network_step_limit, plan.knobs.saturation_change,
+                    plan.knobs.settle_share > 0
+                        ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.knobs.settle_share)
+                        : std::string("liquid at rest is never skipped"));
+    plan.counts = counts_of(experiment, bounds);
+    expect(plan, shipped_measurements());
     return plan;
 }
 

@@ -3,17 +3,13 @@
 #pragma once
 
 #include "core/geometry/textile.h"
+#include "core/sim/fidelity.h"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace hygroloom {
-
-enum class Fidelity { draft, standard, reference };
-
-const char* name_of(Fidelity fidelity);
-/// Throws Error naming the allowed words.
-Fidelity fidelity_from_name(const std::string& name);
 
 /// One part of the physics, on or off, and why, with the number that decided.
 struct PlannedPart {
@@ -23,24 +19,33 @@ struct PlannedPart {
     std::string reason;
 };
 
+/// What of a scene decides its cost.
+struct SceneCounts {
+    std::string type;       ///< of the experiment
+    double drops = 0;       ///< that fall
+    double drop_volume = 0; ///< m3, of each
+    double duration = 0;    ///< s
+    double wet_share = 0;   ///< of the sample that can get wet, at most
+    double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
+};
+
 struct ModelPlan {
     Fidelity fidelity = Fidelity::standard;
+    std::string fidelity_reason; ///< why auto took it; empty: the user named it
+    Knobs knobs;                 ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
     std::vector<PlannedPart> parts;
     TextileRegion region;
     std::string region_reason;
     int particles_per_droplet = 0;
     int segments = 0;
-    int fibre_shells = 0;          ///< radial cells in a fibre
-    double frame_interval = 0;     ///< s
-    double network_step_limit = 0; ///< s
-    double saturation_change = 0;  ///< that a network step aims at while drops are about
-    double rest_tolerance = 0;     ///< see Scene; 0: all of the sample is visited
-    double step_error = 0;         ///< of a step without drops: part of the water and heat at stake that it may misplace
-    double density_tolerance = 0;  ///< of the pressure loop, fraction
-    double settle_share = 0;       ///< of liquid at rest that yarns drink before it settles anew; 0: it never rests
+    int fibre_shells = 0;      ///< radial cells in a fibre
+    double frame_interval = 0; ///< s
+    double rest_tolerance = 0; ///< see Scene; 0: all of the sample is visited
     std::string resolution_reason;
+    SceneCounts counts;
     double expected_seconds = 0;
     double expected_bytes = 0;
+    std::optional<double> expected_error; ///< against the reference, relative; none: not measured
     std::string expectation_source;
 
     bool on(const std::string& part) const;
@@ -56,8 +61,9 @@ ForcedParts parse_forced_parts(const std::string& text);
 /// has that of cotton, whatever its fibres are.
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
 
-/// Precondition: validate() found no error. Throws Error when the experiment cannot be run on the fabric.
+/// Precondition: validate() found no error. Throws Error when the experiment cannot be run on the fabric, or a knob is set out of its
+/// range.
 ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity,
-                     const ForcedParts& forced = {});
+                     const ForcedParts& forced = {}, const KnobSettings& settings = {});
 
 } // namespace hygroloom

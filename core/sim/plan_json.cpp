@@ -9,12 +9,42 @@ namespace hygroloom {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+Json knobs_json(const Knobs& knobs)
+{
+    Json json = Json::object();
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = knobs.*knob.value;
+        json[knob.name] = knob.whole ? Json(static_cast<long>(value)) : Json(value);
+    }
+    return json;
+}
+
+/// Recordings of older versions hold some of the knobs, among the resolution; the others are those of the fidelity.
+Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
+{
+    Knobs knobs = knobs_of(fidelity);
+    const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
+    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    return knobs;
+}
+
+SceneCounts counts_from_json(const Json& json)
+{
+    return {json.at("type"), json.at("drops"), json.at("drop_volume_m3"), json.at("duration_s"), json.at("wet_share"), json.at("suction")};
+}
+
+} // namespace
+
 std::string plan_json(const ModelPlan& plan)
 {
     Json parts = Json::array();
     for (const PlannedPart& p : plan.parts) parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
     const Json json{
         {"fidelity", name_of(plan.fidelity)},
+        {"fidelity_reason", plan.fidelity_reason},
+        {"knobs", knobs_json(plan.knobs)},
         {"parts", parts},
         {"region",
          {{"first_end", plan.region.first_end},
@@ -27,13 +57,25 @@ std::string plan_json(const ModelPlan& plan)
           {"segments", plan.segments},
           {"fibre_shells", plan.fibre_shells},
           {"frame_interval_s", plan.frame_interval},
-          {"network_step_limit_s", plan.network_step_limit},
-          {"saturation_change", plan.saturation_change},
-          {"step_error", plan.step_error},
-          {"density_tolerance", plan.density_tolerance},
-          {"settle_share", plan.settle_share},
+          {"network_step_limit_s", plan.knobs.network_step_limit},
+          {"saturation_change", plan.knobs.saturation_change},
+          {"step_error", plan.knobs.step_error},
+          {"density_tolerance", plan.knobs.density_tolerance},
+          {"settle_share", plan.knobs.settle_share},
+          {"rest_tolerance", plan.rest_tolerance},
           {"reason", plan.resolution_reason}}},
-        {"expected", {{"time_s", plan.expected_seconds}, {"memory_bytes", plan.expected_bytes}, {"source", plan.expectation_source}}},
+        {"counts",
+         {{"type", plan.counts.type},
+          {"drops", plan.counts.drops},
+          {"drop_volume_m3", plan.counts.drop_volume},
+          {"duration_s", plan.counts.duration},
+          {"wet_share", plan.counts.wet_share},
+          {"suction", plan.counts.suction}}},
+        {"expected",
+         {{"time_s", plan.expected_seconds},
+          {"memory_bytes", plan.expected_bytes},
+          {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
+          {"source", plan.expectation_source}}},
     };
     return json.dump(2);
 }
@@ -43,6 +85,7 @@ try {
     const Json json = Json::parse(text);
     ModelPlan plan;
     plan.fidelity = fidelity_from_name(json.at("fidelity"));
+    plan.fidelity_reason = json.value("fidelity_reason", "");
     for (const Json& p : json.at("parts")) plan.parts.push_back({p.at("name"), p.at("on"), p.at("forced"), p.at("reason")});
     const Json& region = json.at("region");
     plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
@@ -52,13 +95,12 @@ try {
     plan.segments = resolution.at("segments");
     plan.fibre_shells = resolution.at("fibre_shells");
     plan.frame_interval = resolution.at("frame_interval_s");
-    plan.network_step_limit = resolution.at("network_step_limit_s");
-    plan.saturation_change = resolution.at("saturation_change");
-    plan.step_error = resolution.value("step_error", 0.0);
-    plan.density_tolerance = resolution.at("density_tolerance");
-    plan.settle_share = resolution.value("settle_share", 0.0);
+    plan.knobs = knobs_from_json(json, plan.fidelity);
+    plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);
     plan.resolution_reason = resolution.at("reason");
+    if (json.contains("counts")) plan.counts = counts_from_json(json.at("counts"));
     const Json& expected = json.at("expected");
+    if (expected.contains("error") && !expected.at("error").is_null()) plan.expected_error = expected.at("error").get<double>();
     plan.expected_seconds = expected.at("time_s");
     plan.expected_bytes = expected.at("memory_bytes");
     plan.expectation_source = expected.at("source");

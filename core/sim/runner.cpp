@@ -40,7 +40,8 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.design = design;
     run.fabric = fabric_name;
     run.experiment = experiment_name;
-    run.plan = plan_model(design, *fabric, *experiment, options.fidelity, options.forced);
+    run.plan = plan_model(design, *fabric, *experiment, options.fidelity, options.forced, options.knobs);
+    run.plan.fidelity_reason = options.fidelity_reason;
     run.textile = textile_of_run(design, *fabric, *experiment, run.plan.region);
     run.seed = options.seed;
     run.threads = options.threads;

@@ -16,7 +16,9 @@ class Backend;
 
 struct RunOptions {
     Fidelity fidelity = Fidelity::standard;
+    std::string fidelity_reason; ///< for the plan
     ForcedParts forced;
+    KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
     int threads = 0;                 ///< 0: all the machine has
     std::filesystem::path recording; ///< empty: none is written

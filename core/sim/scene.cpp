@@ -339,13 +339,13 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
     constexpr double swelling = 1e-3;          // m3 per kg: bound water takes as much room as liquid
     if (experiment.swelling) scene.swelling = swelling;
-    scene.network_step = plan.network_step_limit;
+    scene.network_step = plan.knobs.network_step_limit;
     scene.calm_network_step = experiment.duration_s;
-    scene.step_error = plan.step_error;
+    scene.step_error = plan.knobs.step_error;
     scene.rest_tolerance = plan.rest_tolerance;
-    scene.saturation_change = plan.saturation_change;
-    scene.density_tolerance = plan.density_tolerance;
-    scene.settle_share = plan.settle_share;
+    scene.saturation_change = plan.knobs.saturation_change;
+    scene.density_tolerance = plan.knobs.density_tolerance;
+    scene.settle_share = plan.knobs.settle_share;
     scene.seed = seed;
     return scene;
 }

@@ -11,7 +11,6 @@
 
 namespace hygroloom {
 
-constexpr int largest_shell_count = 32;
 constexpr double water_quantum = 0x1.0p-64; ///< kg; liquid passes from particles to yarns in whole quanta, so nothing is lost to rounding
 
 /// What the moisture model needs to know of one type of yarn.

@@ -172,8 +172,8 @@ Scene wet_spot()
     ModelPlan plan;
     for (const char* part : {"wicking", "sorption", "vapour", "heat"}) plan.parts.push_back({part, true, false, ""});
     plan.fibre_shells = 6;
-    plan.network_step_limit = 5e-3;
-    plan.saturation_change = 0.1;
+    plan.knobs.network_step_limit = 5e-3;
+    plan.knobs.saturation_change = 0.1;
     Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
     scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
     for (int end = 12; end < 25; ++end)

@@ -19,7 +19,7 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices"}) {
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "tradeoff"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
@@ -36,7 +36,19 @@ private Q_SLOTS:
         QTest::newRow("no such fabric") << QStringList{"check", f, "--fabric", "Textile Z"};
         QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
         QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
+        QTest::newRow("auto without a wish") << QStringList{"plan", f, "--fidelity", "auto"};
+        QTest::newRow("auto with two wishes") << QStringList{"simulate", f, "--fidelity", "auto", "--error", "5%", "--time", "10s"};
+        QTest::newRow("a wish without auto") << QStringList{"simulate", f, "--error", "5%"};
+        QTest::newRow("no such error") << QStringList{"plan", f, "--fidelity", "auto", "--error", "120%"};
+        QTest::newRow("no such time") << QStringList{"plan", f, "--fidelity", "auto", "--time", "10 days"};
         QTest::newRow("no such part") << QStringList{"plan", f, "--physics", "magic=on"};
+        QTest::newRow("no such knob") << QStringList{"plan", f, "--set", "fidelity.fibre_shels=3"};
+        QTest::newRow("knob out of range") << QStringList{"simulate", f, "--set", "fidelity.fibre_shells=99"};
+        QTest::newRow("knob of nothing that runs") << QStringList{"check", f, "--set", "fidelity.fibre_shells=3"};
+        QTest::newRow("no such knob to vary") << QStringList{"tradeoff", f, "--knobs", "fibre_shells,speed"};
+        QTest::newRow("no such rung") << QStringList{"tradeoff", f, "--fidelities", "draft,best"};
+        QTest::newRow("no repeats of a trade-off") << QStringList{"tradeoff", f, "--repeats", "0"};
+        QTest::newRow("folder that cannot be") << QStringList{"tradeoff", f, "-o", "/dev/null/x"};
         QTest::newRow("no such backend") << QStringList{"simulate", f, "--backend", "abacus"};
         QTest::newRow("set without value") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm"};
         QTest::newRow("set of nothing") << QStringList{"check", f, "--set", "fabrics[0].end=1"};
@@ -126,6 +138,30 @@ private Q_SLOTS:
         QCOMPARE(answer.code, 0);
         QVERIFY(answer.out.contains("wicking"));
         QVERIFY(run_cli({"plan", example("textile-F.hygro"), "--json", "--physics", "heat=off"}).json().contains("parts"));
+    }
+    void planListsTheKnobsAndTakesOne()
+    {
+        const QStringList plan{"plan", example("textile-F.hygro"), "--set", "fidelity.fibre_shells=12"};
+        const Answer answer = run_cli(plan);
+        QCOMPARE(answer.code, 0);
+        QVERIFY2(answer.out.contains("network_step_limit_s   0.005 s"), answer.out);
+        QVERIFY2(answer.out.contains("(set by the user; standard has 8)"), answer.out);
+        const QJsonObject knobs = run_cli(plan + QStringList{"--json"}).json()["knobs"].toObject();
+        QCOMPARE(knobs["fibre_shells"].toInt(), 12);
+        QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
+        QCOMPARE(knobs.size(), 9);
+        QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
+    }
+    void autoSaysWhatItTookAndWhy()
+    {
+        const auto plan = [](const char* option, const char* wish) {
+            return run_cli({"plan", example("textile-F.hygro"), "--json", "--fidelity", "auto", option, wish}).json();
+        };
+        QCOMPARE(plan("--time", "9h")["fidelity"].toString(), QString("reference"));
+        const QJsonObject hurried = plan("--time", "0.001s");
+        QCOMPARE(hurried["fidelity"].toString(), QString("draft"));
+        QVERIFY(hurried["fidelity_reason"].toString().startsWith("No fidelity is expected to take at most 0.001 s"));
+        QVERIFY(!plan("--error", "5%")["fidelity_reason"].toString().isEmpty());
     }
     void devicesListTheCpuFirst()
     {

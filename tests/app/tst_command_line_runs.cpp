@@ -3,6 +3,7 @@
 #include "command_line.h"
 
 #include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -29,6 +30,29 @@ class TestCommandLineRuns : public QObject {
                 recording};
     }
 
+    QStringList small_scene(const char* duration) const
+    {
+        return {"tradeoff",
+                example("one-drop-on-cotton.hygro"),
+                "--backend",
+                "cpu",
+                "--repeats",
+                "2",
+                "--set",
+                QString("experiments[0].duration_s=") + duration,
+                "experiments[0].sample_mm=[8,8]",
+                "experiments[0].droplets[0].volume_ul=2",
+                "experiments[0].droplets[0].height_mm=0",
+                "fidelity.particles_per_droplet=100",
+                "-o",
+                folder_.filePath("tradeoff")};
+    }
+    static QByteArray contents(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
 private Q_SLOTS:
     void simulateThenMeasureGiveTheSameNumbers()
     {
@@ -44,6 +68,58 @@ private Q_SLOTS:
         QCOMPARE(measured.code, 0);
         QCOMPARE(measured.json()["metrics"], json["metrics"]);
         QVERIFY(run_cli({"measure", recording}).out.contains("maximum wetted radius, top"));
+    }
+    void aProfileTellsWhereTheTimeWent()
+    {
+        const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);
+        QCOMPARE(run.code, 0);
+        for (const char* line : {"stage ", "sort ", "between the stages"}) QVERIFY2(run.out.contains(line), run.out);
+        const Answer json = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile"
+                                                                                  << "--json",
+                                    300);
+        QVERIFY(json.err.contains("between the stages") && json.json().contains("metrics"));
+    }
+    void aTradeoffComparesVariantsWithTheReference()
+    {
+        const Answer answer = run_cli(small_scene("0.02") << "--knobs"
+                                                          << "fibre_shells,particles_per_droplet"
+                                                          << "--convergence",
+                                      300);
+        QVERIFY2(answer.code == 0, answer.err);
+        QVERIFY2(answer.out.contains("from reference / 2 to reference: error "), answer.out);
+        const QJsonObject json = QJsonDocument::fromJson(contents(folder_.filePath("tradeoff/tradeoff.json"))).object();
+        QCOMPARE(json["format"].toString(), QString("hygroloom-tradeoff"));
+        QVERIFY(json["provenance"].toObject()["complete"].toBool());
+        const QJsonArray points = json["points"].toArray();
+        QCOMPARE(points.size(), 3 + 4 + 2);
+        for (const QJsonValue& value : points) {
+            const QJsonObject point = value.toObject();
+            const bool timed = !point["name"].toString().contains('/');
+            QCOMPARE(point["walls_s"].toArray().size(), timed ? 2 : 0);
+            if (timed) QVERIFY(point["peak_bytes"].toDouble() > 1e6);
+            QVERIFY(point["errors"].toObject().contains("largest"));
+            QVERIFY(!point["stages_percent"].toObject().isEmpty());
+        }
+        QCOMPARE(points[2].toObject()["errors"].toObject()["largest"].toDouble(), 0.0);
+        QVERIFY(points[0].toObject()["errors"].toObject()["largest"].toDouble() > 0);
+        QCOMPARE(contents(folder_.filePath("tradeoff/tradeoff.csv")).count('\n'), 11 + 1 + 9);
+        QVERIFY(contents(folder_.filePath("tradeoff/tradeoff.svg")).endsWith("</svg>\n"));
+    }
+    void anInterruptedTradeoffKeepsWhatWasMeasured()
+    {
+        QProcess process;
+        process.start(HYGROLOOM_CLI, small_scene("0.3") << "--knobs"
+                                                        << "none");
+        QVERIFY(process.waitForStarted());
+        QByteArray said;
+        const auto has_said = [&](const char* words) { return (said += process.readAllStandardError()).contains(words); };
+        QTRY_VERIFY_WITH_TIMEOUT(has_said("draft (1 of 3): "), 60000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitCode(), 130);
+        const QJsonObject json = QJsonDocument::fromJson(contents(folder_.filePath("tradeoff/tradeoff.json"))).object();
+        QVERIFY(!json["provenance"].toObject()["complete"].toBool());
+        QVERIFY(!json["points"].toArray()[0].toObject()["walls_s"].toArray().isEmpty());
     }
     void mapsAreWrittenAsPictureAndTable()
     {

@@ -21,6 +21,7 @@ RunRecord record_run(const std::string& path, double duration, std::vector<Frame
 {
     RunOptions options;
     options.fidelity = Fidelity::draft;
+    options.knobs = {{"fibre_shells", 4}};
     options.recording = path;
     RunControl control;
     RunCallbacks callbacks;
@@ -54,6 +55,8 @@ private Q_SLOTS:
         QCOMPARE(recording.frames(), int(frames.size()));
         QCOMPARE(recording.run().fabric, std::string("cloth"));
         QCOMPARE(recording.run().plan.segments, run.plan.segments);
+        QVERIFY(recording.run().plan.knobs == run.plan.knobs);
+        QCOMPARE(recording.run().plan.knobs.fibre_shells, 4.0);
         QCOMPARE(recording.run().wall, run.wall);
         for (int i : {0, int(frames.size()) / 2, int(frames.size()) - 1}) {
             const Frame frame = recording.frame(i);

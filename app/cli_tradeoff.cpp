@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// tradeoff: the ladder of fidelities and one-knob variations of one scene, timed and compared with the reference.
+#include "app/cli.h"
+#include "app/cli_interrupt.h"
+#include "app/run_apart.h"
+
+#include "core/base/text.h"
+#include "core/project/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+struct TradeoffOptions : ProjectOptions {
+    std::string fidelities = "draft,standard,reference";
+    std::string knobs;
+    std::string physics;
+    std::string backend = "auto";
+    int threads = 0;
+    int repeats = 3;
+    std::uint64_t seed = 1;
+    bool convergence = false;
+    std::string output;
+};
+
+std::vector<std::string> words_of(const std::string& list)
+{
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        words.push_back(list.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return words;
+}
+
+/// The ladder without the fidelities that were not asked for.
+void keep_asked(std::vector<TradeoffVariant>& variants, const std::string& list)
+{
+    std::vector<std::string> asked;
+    try {
+        for (const std::string& word : words_of(list)) asked.emplace_back(name_of(fidelity_from_name(word)));
+    } catch (const Error& error) {
+        throw Stop(exit_usage, "--fidelities " + list + ": " + error.what());
+    }
+    std::erase_if(variants, [&](const TradeoffVariant& variant) {
+        return variant.name == name_of(variant.fidelity) && std::find(asked.begin(), asked.end(), variant.name) == asked.end();
+    });
+}
+
+std::vector<TradeoffVariant> asked_variants(const TradeoffOptions& options, const KnobSettings& always)
+{
+    std::vector<TradeoffVariant> variants;
+    try {
+        variants = options.knobs == "none" ? tradeoff_ladder() : tradeoff_variants(words_of(options.knobs));
+    } catch (const Error& error) {
+        throw Stop(exit_usage, "--knobs " + options.knobs + ": " + error.what());
+    }
+    keep_asked(variants, options.fidelities);
+    for (TradeoffVariant& variant : variants) variant.settings.insert(always.begin(), always.end());
+    if (options.convergence)
+        for (const TradeoffVariant& variant : convergence_variants(always)) variants.push_back(variant);
+    return variants;
+}
+
+/// One measurement of a scene, run by run.
+class Measurement {
+public:
+    Measurement(const ApartRun& scene, Tradeoff& result, const TradeoffOptions& options)
+        : scene_(scene), result_(result), options_(options), bar_(!options.quiet && isatty(STDERR_FILENO))
+    {
+    }
+
+    /// Leaves out what would only run the same again.
+    void add(const TradeoffVariant& variant)
+    {
+        TradeoffPoint point;
+        point.variant = variant;
+        point.plan =
+            plan_model(scene_.design, *find_fabric(scene_.design, scene_.fabric), *find_experiment(scene_.design, scene_.experiment),
+                       variant.fidelity, scene_.options.forced, variant.settings);
+        for (TradeoffPoint& other : result_.points)
+            if (variant.timed && run_alike(other.plan, point.plan)) {
+                other.stands_for.push_back(variant.name);
+                return;
+            }
+        result_.points.push_back(std::move(point));
+    }
+
+    /// All variants once, then once more, and so on, so that a noisy machine favours none. Throws Cancelled.
+    void run(const std::atomic<bool>& cancel)
+    {
+        outcomes_.resize(result_.points.size());
+        for (int repeat = 0; repeat < options_.repeats; ++repeat)
+            for (std::size_t i = 0; i < result_.points.size(); ++i) {
+                if (repeat > 0 && !result_.points[i].variant.timed) continue;
+                run_one(i, repeat, cancel);
+                write();
+            }
+        result_.complete = true;
+        write();
+    }
+
+    void write() const
+    {
+        if (options_.output.empty()) return;
+        const std::filesystem::path folder = options_.output;
+        write_file(folder / "tradeoff.json", tradeoff_json(result_));
+        write_file(folder / "tradeoff.csv", tradeoff_csv(result_));
+        write_file(folder / "tradeoff.svg", tradeoff_svg(result_));
+    }
+
+private:
+    void run_one(std::size_t i, int repeat, const std::atomic<bool>& cancel)
+    {
+        TradeoffPoint& point = result_.points[i];
+        const std::string about =
+            fmt::format("repeat {} of {}, {} ({} of {})", repeat + 1, options_.repeats, point.variant.name, i + 1, result_.points.size());
+        const auto show = [&](double share) {
+            if (bar_) fmt::print(stderr, "\r\033[K{}: {:.0f} %", about, 100 * share);
+        };
+        show(0);
+        TradeoffOutcome outcome = run_apart(scene_, point.variant, cancel, show);
+        if (bar_) fmt::print(stderr, "\r\033[K");
+        if (!options_.quiet) fmt::print(stderr, "{}: {:.3g} s, {}\n", about, outcome.wall, bytes_text(outcome.peak_bytes));
+        if (point.variant.timed) {
+            point.walls.push_back(outcome.wall);
+            point.peaks.push_back(outcome.peak_bytes);
+        }
+        point.liquid_steps = outcome.liquid_steps;
+        point.stages.clear();
+        for (const StageTime& stage : outcome.stages) point.stages[stage.name] = 100 * stage.seconds / outcome.wall;
+        result_.backend = outcome.backend;
+        result_.device = outcome.device;
+        outcomes_[i] = std::move(outcome);
+        compare();
+    }
+
+    const TradeoffOutcome* outcome_named(const std::string& name) const
+    {
+        for (std::size_t i = 0; i < result_.points.size(); ++i)
+            if (result_.points[i].variant.name == name && outcomes_[i]) return &*outcomes_[i];
+        return nullptr;
+    }
+
+    void compare()
+    {
+        const TradeoffOutcome* reference = outcome_named("reference");
+        for (std::size_t i = 0; reference && i < outcomes_.size(); ++i)
+            if (outcomes_[i]) result_.points[i].errors = tradeoff_errors(*outcomes_[i], *reference);
+        mark_pareto(result_.points);
+        result_.convergence.clear();
+        const std::pair<const char*, const char*> steps[] = {{"reference / 4", "reference / 2"}, {"reference / 2", "reference"}};
+        for (const auto& [coarse, fine] : steps) {
+            const TradeoffOutcome *a = outcome_named(coarse), *b = outcome_named(fine);
+            if (a && b) result_.convergence.push_back({coarse, fine, tradeoff_errors(*a, *b)});
+        }
+    }
+
+    const ApartRun& scene_;
+    Tradeoff& result_;
+    const TradeoffOptions& options_;
+    bool bar_;
+    std::vector<std::optional<TradeoffOutcome>> outcomes_;
+};
+
+std::string percent(const std::optional<double>& share) { return share ? fmt::format("{:.3g} %", 100 * *share) : std::string("-"); }
+
+void print_table(const Tradeoff& t)
+{
+    fmt::print("{}, {} ({}, {}, median of {})\n", t.fabric, t.experiment, t.backend, t.device, t.repeats);
+    fmt::print("  {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", "time", "memory", "error", "map", "overlap");
+    for (const TradeoffPoint& p : t.points) {
+        fmt::print("{} {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", p.pareto ? '*' : ' ', p.variant.name,
+                   p.walls.empty() ? "-" : fmt::format("{:.3g} s", p.wall()), p.peaks.empty() ? "-" : bytes_text(p.peak()),
+                   p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
+                   p.errors ? percent(p.errors->overlap) : "-");
+        for (const std::string& name : p.stands_for) fmt::print("    the same run: {}\n", name);
+    }
+    for (const ConvergenceStep& step : t.convergence)
+        fmt::print("  from {} to {}: error {}, map {}\n", step.coarse, step.fine, percent(step.errors.largest), percent(step.errors.map));
+    fmt::print("* nothing is faster and more accurate. Time: of a process of its own, one at a time. Memory: that process's largest\n"
+               "resident set. Error: the largest of all metrics, contents and 1 - overlap, against the reference; map: relative L2.\n");
+    for (const TradeoffPoint& p : t.points) {
+        if (p.variant.name != "standard" || p.stages.empty()) continue;
+        std::vector<std::pair<double, std::string>> stages;
+        for (const auto& [name, share] : p.stages) stages.emplace_back(share, name);
+        std::sort(stages.rbegin(), stages.rend());
+        stages.resize(std::min<std::size_t>(stages.size(), 5));
+        fmt::print("Most of standard's time:");
+        for (const auto& [share, name] : stages) fmt::print(" {} {:.0f} %", name, share);
+        fmt::print("\n");
+    }
+}
+
+void make_folder(const std::string& folder)
+{
+    if (folder.empty()) return;
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder))
+        throw Stop(exit_usage, folder + ": This folder cannot be made. Check that its parent exists and can be written to.");
+}
+
+int tradeoff(const TradeoffOptions& options)
+{
+    ApartRun scene;
+    try {
+        scene.options.forced = parse_forced_parts(options.physics);
+    } catch (const Error& error) {
+        throw Stop(exit_usage, error.what());
+    }
+    const std::vector<TradeoffVariant> variants = asked_variants(options, knob_settings(options));
+    scene.design = load_project(options);
+    require_valid(scene.design, options);
+    const Fabric& fabric = chosen_fabric(scene.design, options);
+    const Experiment& experiment = chosen_experiment(scene.design, options);
+    scene.fabric = fabric.name;
+    scene.experiment = experiment.name;
+    scene.options.seed = options.seed;
+    scene.options.threads = options.threads;
+    scene.backend = options.backend;
+    make_folder(options.output);
+
+    Tradeoff result = tradeoff_here(fabric, experiment);
+    result.threads = options.threads;
+    result.repeats = options.repeats;
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    Measurement measurement(scene, result, options);
+    for (const TradeoffVariant& variant : variants) measurement.add(variant);
+    bool cancelled = false;
+    try {
+        measurement.run(cancel);
+    } catch (const Cancelled&) {
+        cancelled = true;
+        if (!options.quiet) fmt::print(stderr, "\n");
+    }
+    if (options.json)
+        fmt::print("{}", tradeoff_json(result));
+    else
+        print_table(result);
+    const std::string where = options.output.empty() ? "" : fmt::format(" What was measured is in {}.", options.output);
+    if (cancelled) {
+        fmt::print(stderr, "Cancelled.{}\n", where);
+        return exit_cancelled;
+    }
+    if (!options.quiet && !where.empty()) fmt::print(stderr, "{}\n", where.substr(1));
+    return exit_ok;
+}
+
+} // namespace
+
+void add_tradeoff(CLI::App& app, Verb& chosen)
+{
+    auto options = std::make_shared<TradeoffOptions>();
+    CLI::App& verb =
+        *app.add_subcommand("tradeoff", "Speed against accuracy of one scene, measured: every fidelity, and one knob at a time");
+    verb.footer("Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
+                "Runs the reference as well, which may take long; plan says how long. The folder gets tradeoff.json, .csv and .svg after\n"
+                "every run; Ctrl-C leaves what was measured until then. The machine should do nothing else meanwhile.\n\n" +
+                knob_help());
+    add_project_options(verb, *options, true);
+    options->takes_knobs = true;
+    verb.add_option("--fidelities", options->fidelities, "Points of the ladder to run, with commas between; errors need the reference");
+    verb.add_option("--knobs", options->knobs, "Knobs to vary, with commas between; all when left out, none for the ladder alone");
+    verb.add_option("--physics", options->physics, "Force parts on or off, e.g. heat=off,vapour=on");
+    verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
+    verb.add_option("--threads", options->threads, "CPU threads; 0 takes all")->check(CLI::Range(0, 1024));
+    verb.add_option("--repeats", options->repeats, "Runs of every variant; the time is their median")->check(CLI::Range(1, 99));
+    verb.add_option("--seed", options->seed, "Seed of the random numbers");
+    verb.add_flag("--convergence", options->convergence,
+                  "Also run the reference half and a quarter as fine, which shows how far it can be trusted");
+    verb.add_option("-o,--output", options->output, "Folder to write the results to");
+    verb.callback([&chosen, options] { chosen = [options] { return tradeoff(*options); }; });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/tradeoff.h"
+
+#include "core/analysis/cell_map.h"
+#include "core/base/error.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+namespace hygroloom {
+namespace {
+
+constexpr int moments = 4, cell_crossings = 2;
+
+/// Two or four times as coarse. What is off in the reference (0) stays off.
+KnobSettings coarsened(const Knobs& reference, double factor)
+{
+    KnobSettings settings;
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = reference.*knob.value;
+        if (value == 0) continue;
+        const double coarse = knob.whole ? std::round(value / factor) : value * factor;
+        settings[knob.name] = std::clamp(coarse, knob.least, knob.most);
+    }
+    return settings;
+}
+
+double relative(double value, double reference, double scale)
+{
+    return value == reference ? 0.0 : scale > 0 ? std::abs(value - reference) / scale : 1.0;
+}
+
+void compare_metrics(const TradeoffOutcome& run, const TradeoffOutcome& reference, TradeoffErrors& errors)
+{
+    for (const auto& [name, wanted] : reference.metrics) {
+        const auto found = run.metrics.find(name);
+        MetricError m{name, found == run.metrics.end() ? std::nullopt : found->second, wanted, 0};
+        if (m.value && m.reference) {
+            const bool temperature = name == "surface_temperature_steady_c";
+            const double scale = temperature ? std::max(1.0, std::abs(*m.reference - reference.air_temperature_c)) : std::abs(*m.reference);
+            m.error = relative(*m.value, *m.reference, scale);
+        } else if (m.value || m.reference) {
+            m.error = 1;
+        }
+        errors.metrics.push_back(m);
+    }
+}
+
+/// What contents are compared with: all water that was somewhere else than at the start, at most.
+double water_at_stake(const TradeoffOutcome& reference)
+{
+    double most = 0;
+    for (const TradeoffMoment& moment : reference.moments) {
+        double moved = 0;
+        for (const auto& [name, water] : moment.contents) moved += std::abs(water);
+        most = std::max(most, moved);
+    }
+    return most;
+}
+
+void compare_contents(const TradeoffOutcome& run, const TradeoffOutcome& reference, TradeoffErrors& errors)
+{
+    const double scale = water_at_stake(reference);
+    std::map<std::string, MetricError> worst;
+    for (std::size_t k = 0; k < std::min(run.moments.size(), reference.moments.size()); ++k)
+        for (const auto& [name, wanted] : reference.moments[k].contents) {
+            const auto found = run.moments[k].contents.find(name);
+            const double value = found == run.moments[k].contents.end() ? 0 : found->second;
+            const double error = relative(value, wanted, scale);
+            const auto [entry, is_new] = worst.try_emplace(name, MetricError{name, value, wanted, error});
+            if (!is_new && error > entry->second.error) entry->second = {name, value, wanted, error};
+        }
+    for (const auto& [name, error] : worst) errors.metrics.push_back(error);
+}
+
+void compare_maps(const TradeoffOutcome& run, const TradeoffOutcome& reference, TradeoffErrors& errors)
+{
+    double difference = 0, size = 0;
+    long both = 0, either = 0;
+    for (std::size_t k = 0; k < std::min(run.moments.size(), reference.moments.size()); ++k) {
+        const TradeoffMoment &a = run.moments[k], &b = reference.moments[k];
+        for (std::size_t i = 0; i < std::min(a.map.size(), b.map.size()); ++i) {
+            difference += (a.map[i] - b.map[i]) * (a.map[i] - b.map[i]);
+            size += b.map[i] * b.map[i];
+        }
+        for (std::size_t i = 0; i < std::min(a.wet.size(), b.wet.size()); ++i) {
+            both += a.wet[i] && b.wet[i];
+            either += a.wet[i] || b.wet[i];
+        }
+    }
+    if (size > 0) errors.map = std::sqrt(difference / size);
+    if (either > 0) errors.overlap = static_cast<double>(both) / static_cast<double>(either);
+}
+
+TradeoffMoment moment_of(const Textile& textile, const Frame& frame, const Frame& start, double bound_at_start)
+{
+    const Ledger& l = frame.ledger;
+    TradeoffMoment moment;
+    moment.time = frame.time;
+    moment.contents = {{"free_water_kg", l.water_free},
+                       {"yarn_water_kg", l.water_liquid},
+                       {"bound_water_kg", l.water_bound - bound_at_start},
+                       {"evaporated_kg", l.water_evaporated},
+                       {"dripped_kg", l.water_dripped}};
+    moment.map = cell_map(textile, frame, start, MapSide::total, cell_crossings).water;
+    for (float saturation : frame.saturation) moment.wet.push_back(saturation >= wet_saturation);
+    return moment;
+}
+
+/// The numbers among what metrics_json() reports, without grades and without rings, which are the same numbers made coarse.
+std::map<std::string, std::optional<double>> numbers_of(const RunRecord& run, const Metrics& metrics)
+{
+    std::map<std::string, std::optional<double>> numbers;
+    const nlohmann::json json = nlohmann::json::parse(metrics_json(run, metrics));
+    for (const auto& [name, value] : json.at("metrics").items()) {
+        if (name.ends_with("_ring_mm")) continue;
+        if (value.is_number())
+            numbers[name] = value.get<double>();
+        else if (value.is_null())
+            numbers[name] = std::nullopt;
+    }
+    return numbers;
+}
+
+} // namespace
+
+std::vector<TradeoffVariant> tradeoff_ladder()
+{
+    std::vector<TradeoffVariant> variants;
+    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
+        variants.push_back({name_of(fidelity), fidelity, {}, true});
+    return variants;
+}
+
+std::vector<TradeoffVariant> tradeoff_variants(const std::vector<std::string>& names)
+{
+    std::vector<TradeoffVariant> variants = tradeoff_ladder();
+    const auto add = [&](const KnobInfo& knob) {
+        for (double value : {knob.cheaper, knob.finer})
+            variants.push_back({fmt::format("{}={:g}", knob.name, value), Fidelity::standard, {{knob.name, value}}, true});
+    };
+    for (const std::string& name : names) add(knob_named(name));
+    if (names.empty())
+        for (const KnobInfo& knob : knob_table()) add(knob);
+    return variants;
+}
+
+std::vector<TradeoffVariant> convergence_variants(const KnobSettings& settings)
+{
+    const Knobs reference = with_settings(knobs_of(Fidelity::reference), settings);
+    return {{"reference / 4", Fidelity::reference, coarsened(reference, 4), false},
+            {"reference / 2", Fidelity::reference, coarsened(reference, 2), false}};
+}
+
+bool run_alike(const ModelPlan& a, const ModelPlan& b)
+{
+    const auto same_part = [](const PlannedPart& x, const PlannedPart& y) { return x.name == y.name && x.on == y.on; };
+    if (!std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), same_part)) return false;
+    if (a.particles_per_droplet != b.particles_per_droplet || a.fibre_shells != b.fibre_shells || a.rest_tolerance != b.rest_tolerance ||
+        a.knobs.step_error != b.knobs.step_error || a.knobs.saturation_change != b.knobs.saturation_change ||
+        a.knobs.network_step_limit != b.knobs.network_step_limit)
+        return false;
+    return !a.on("liquid") || (a.knobs.density_tolerance == b.knobs.density_tolerance && a.knobs.settle_share == b.knobs.settle_share);
+}
+
+void OutcomeCollector::start(const RunRecord& run)
+{
+    metrics_.start(run);
+    run_ = run;
+    start_.reset();
+    moments_.clear();
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    duration_ = experiment ? experiment->duration_s : 0;
+    air_temperature_c_ = experiment ? climate_at(*experiment, duration_).temperature_c : 0;
+}
+
+void OutcomeCollector::add(const Frame& frame)
+{
+    metrics_.add(frame);
+    if (!start_) {
+        start_ = start_of_maps(run_, frame);
+        bound_at_start_ = frame.ledger.water_bound;
+        return;
+    }
+    const double due = duration_ * static_cast<double>(moments_.size() + 1) / moments;
+    if (moments_.size() < moments && frame.time >= due * (1 - 1e-9))
+        moments_.push_back(moment_of(run_.textile, frame, *start_, bound_at_start_));
+}
+
+TradeoffOutcome OutcomeCollector::outcome(const RunRecord& run) const
+{
+    TradeoffOutcome outcome;
+    outcome.metrics = numbers_of(run, metrics_.metrics());
+    outcome.moments = moments_;
+    outcome.air_temperature_c = air_temperature_c_;
+    outcome.wall = run.wall;
+    outcome.backend = run.backend;
+    outcome.device = run.device;
+    outcome.plan = run.plan;
+    return outcome;
+}
+
+TradeoffErrors tradeoff_errors(const TradeoffOutcome& run, const TradeoffOutcome& reference)
+{
+    TradeoffErrors errors;
+    compare_metrics(run, reference, errors);
+    compare_contents(run, reference, errors);
+    compare_maps(run, reference, errors);
+    for (const MetricError& m : errors.metrics) errors.largest = std::max(errors.largest, m.error);
+    if (errors.overlap) errors.largest = std::max(errors.largest, 1 - *errors.overlap);
+    return errors;
+}
+
+Tradeoff tradeoff_here(const Fabric& fabric, const Experiment& experiment)
+{
+    Tradeoff t;
+    t.program = std::string("Hygroloom ") + HYGROLOOM_VERSION;
+    t.commit = HYGROLOOM_COMMIT;
+    t.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    utsname machine{};
+    if (uname(&machine) == 0) t.machine = machine.nodename;
+    if (double load = 0; getloadavg(&load, 1) == 1) t.load = load;
+    t.fabric = fabric.name;
+    t.experiment = experiment.name;
+    t.type = name_of(experiment.type);
+    t.duration = experiment.duration_s;
+    return t;
+}
+
+double median(std::vector<double> values)
+{
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double TradeoffPoint::wall() const { return median(walls); }
+double TradeoffPoint::peak() const { return median(peaks); }
+
+void mark_pareto(std::vector<TradeoffPoint>& points)
+{
+    const auto counts = [](const TradeoffPoint& p) { return p.errors && !p.walls.empty(); };
+    for (TradeoffPoint& p : points)
+        p.pareto = counts(p) && std::none_of(points.begin(), points.end(), [&](const TradeoffPoint& q) {
+                       return counts(q) && q.wall() <= p.wall() && q.errors->largest <= p.errors->largest &&
+                              (q.wall() < p.wall() || q.errors->largest < p.errors->largest);
+                   });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/sim/expectation.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/sim/plan_json.h"
+#include "core/sim/state.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace hygroloom {
+
+extern const char measured_scenes_json[];
+
+namespace {
+
+using Json = nlohmann::json;
+
+MeasuredScene scene_from(const Json& json)
+{
+    MeasuredScene scene;
+    scene.fabric = json.at("scene").at("fabric");
+    scene.experiment = json.at("scene").at("experiment");
+    scene.backend = json.at("provenance").at("backend");
+    scene.device = json.at("provenance").at("device");
+    scene.date = json.at("provenance").at("date").get<std::string>().substr(0, 10);
+    const Json& load = json.at("provenance").at("load_at_start");
+    if (!load.is_null()) scene.load = load;
+    for (const Json& p : json.at("points")) {
+        if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
+        MeasuredRun run;
+        run.plan = plan_from_json(p.at("plan").dump());
+        for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
+        run.seconds = p.at("wall_s");
+        run.bytes = p.at("peak_bytes");
+        if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
+        scene.runs.push_back(std::move(run));
+    }
+    return scene;
+}
+
+/// Liquid steps times particles. Free liquid moves until it rests; then it sleeps but for the capillary time of every share that is drunk.
+double particle_steps(const ModelPlan& plan)
+{
+    if (!plan.on("liquid")) return 0;
+    constexpr double density = 998.0, tension = 0.0728;     // kg/m3, N/m, of water
+    constexpr double moving_time = 0.3, resting_time = 6.0; // s: till a drop rests, till a wetting cloth has drunk it
+    const SceneCounts& scene = plan.counts;
+    const double support = 2.0 * std::cbrt(std::max(1e-18, scene.drop_volume) / std::max(1, plan.particles_per_droplet));
+    const double step = 0.5 * 0.25 * std::sqrt(density * support * support * support / (2.0 * pi * tension)); // half the capillary limit
+    const double moves = std::min(moving_time, scene.duration), share = plan.knobs.settle_share;
+    const bool drunk = plan.on("wicking");
+    double rests = std::min(scene.duration - moves, drunk ? resting_time : scene.duration);
+    if (share > 0) rests = drunk ? std::min(rests, std::sqrt(density * share * scene.drop_volume / tension) / share) : 0.0;
+    const double left = drunk ? 0.4 : 1.0; // of the particles, on average
+    return (moves + rests) / step * plan.particles_per_droplet * scene.drops * left;
+}
+
+/// Steps of the yarns times segments that are visited.
+double segment_steps(const ModelPlan& plan)
+{
+    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return 0;
+    const double visited = plan.segments * (plan.on("growth") ? plan.counts.wet_share : 1.0);
+    const double frames = plan.counts.duration / std::max(1e-9, plan.frame_interval);
+    constexpr double standard_error = 5e-4;
+    const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
+    double steps = frames * std::max(1.0, finer);
+    if (plan.on("liquid")) steps += plan.counts.duration / plan.knobs.network_step_limit;
+    return visited * steps;
+}
+
+/// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
+double distance(const ModelPlan& a, const ModelPlan& b)
+{
+    double far = std::abs(a.counts.suction - b.counts.suction);
+    if (a.counts.type != b.counts.type) far += 100;
+    if (a.on("liquid") != b.on("liquid")) far += 10;
+    if (a.on("wicking") != b.on("wicking")) far += 1;
+    return far + 0.1 * std::abs(std::log(std::max(1.0, a.counts.drops) / std::max(1.0, b.counts.drops)));
+}
+
+struct Nearest {
+    const MeasuredScene* scene = nullptr;
+    const MeasuredRun* run = nullptr;
+};
+
+/// The run that was set as this one, or that of its fidelity, in the scene that is least unlike.
+Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    Nearest nearest;
+    double least = 100; // a scene of another type tells nothing
+    for (const MeasuredScene& scene : measured)
+        for (const MeasuredRun& run : scene.runs) {
+            if (run.plan.fidelity != plan.fidelity) continue;
+            const bool as_set = run.plan.knobs == plan.knobs;
+            if (!as_set && !run.settings.empty()) continue;
+            const double far = distance(plan, run.plan) + (as_set ? 0.0 : 1e-3);
+            if (far >= least) continue;
+            least = far;
+            nearest = {&scene, &run};
+        }
+    return nearest;
+}
+
+[[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
+{
+    throw Error(fmt::format("{}: It must be {}; \"{}\" was given.", option, allowed, text));
+}
+
+/// A number and the word after it.
+std::pair<double, std::string> number_and_unit(const std::string& text)
+{
+    double value = -1;
+    const auto [last, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || !std::isfinite(value)) return {-1, ""};
+    return {value, std::string(last, text.data() + text.size())};
+}
+
+} // namespace
+
+MeasuredScene measured_scene(const std::string& json, const std::string& file)
+try {
+    return scene_from(Json::parse(json));
+} catch (const std::exception& e) {
+    throw Error(fmt::format("{}: The measured trade-off cannot be read: {}", file, e.what()));
+}
+
+const std::vector<MeasuredScene>& shipped_measurements()
+{
+    static const std::vector<MeasuredScene> scenes = [] {
+        std::vector<MeasuredScene> list;
+        for (const Json& scene : Json::parse(measured_scenes_json)) {
+            MeasuredScene read = scene_from(scene);
+            if (read.backend == "cpu") list.push_back(std::move(read));
+        }
+        return list;
+    }();
+    return scenes;
+}
+
+double rough_work(const ModelPlan& plan)
+{
+    // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and step of the yarns, and to set up.
+    constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.05;
+    return start + particle_steps(plan) * particle + segment_steps(plan) * segment;
+}
+
+double rough_bytes(const ModelPlan& plan)
+{
+    const double particles = plan.particles_per_droplet * plan.counts.drops;
+    return plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+}
+
+void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    const Nearest nearest = nearest_run(plan, measured);
+    plan.expected_error.reset();
+    if (!nearest.run) {
+        plan.expected_seconds = rough_work(plan);
+        plan.expected_bytes = 40e6 + rough_bytes(plan);
+        plan.expectation_source =
+            "A rough guess from unit costs of 2 cores of an AMD EPYC: no scene of this kind was measured at this fidelity.";
+        return;
+    }
+    const MeasuredRun& run = *nearest.run;
+    const MeasuredScene& scene = *nearest.scene;
+    plan.expected_seconds = run.seconds * rough_work(plan) / rough_work(run.plan);
+    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
+    const bool as_set = run.plan.knobs == plan.knobs;
+    if (as_set) plan.expected_error = run.error;
+    plan.expectation_source =
+        fmt::format("From {} on {}, measured on {} ({}): {:.3g} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
+                    scene.fabric, scene.device, scene.date, run.seconds, plan.expected_seconds / run.seconds,
+                    run.error && as_set ? " The error is that scene's against its reference."
+                    : as_set            ? " Its error against the reference was not measured."
+                                        : " The error with these knobs was not measured.");
+}
+
+double parse_error_target(const std::string& text)
+{
+    const auto [value, unit] = number_and_unit(text);
+    const double error = unit == "%" ? value / 100 : value;
+    if ((!unit.empty() && unit != "%") || !(error > 0 && error <= 1)) refuse("--error", "a share over 0 and up to 100 %, such as 5%", text);
+    return error;
+}
+
+double parse_time_target(const std::string& text)
+{
+    const auto [value, unit] = number_and_unit(text);
+    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : -1;
+    if (!(value * factor > 0)) refuse("--time", "a time over 0 in s, min or h, such as 10s", text);
+    return value * factor;
+}
+
+FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const FidelityTarget& target)
+{
+    if (target.error) {
+        const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
+        const auto found = std::find_if(plans.begin(), plans.end(), keeps);
+        if (found != plans.end())
+            return {found->fidelity, fmt::format("The cheapest that is expected to keep the error below {:g} %: {:.2g} %. {}",
+                                                 100 * *target.error, 100 * *found->expected_error, found->expectation_source)};
+        return {plans.back().fidelity,
+                fmt::format("No fidelity is known from measurements to keep the error below {:g} % in a scene of this "
+                            "kind, so the finest is taken.",
+                            100 * *target.error)};
+    }
+    const double most = target.seconds.value_or(0);
+    const auto found = std::find_if(plans.rbegin(), plans.rend(), [&](const ModelPlan& p) { return p.expected_seconds <= most; });
+    if (found != plans.rend())
+        return {found->fidelity, fmt::format("The finest that is expected to take at most {:g} s: {:.2g} s. {}", most,
+                                             found->expected_seconds, found->expectation_source)};
+    return {plans.front().fidelity,
+            fmt::format("No fidelity is expected to take at most {:g} s, so the coarsest is taken; it is expected to "
+                        "take {:.2g} s. {}",
+                        most, plans.front().expected_seconds, plans.front().expectation_source)};
+}
+
+} // namespace hygroloom

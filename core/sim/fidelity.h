@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What trades speed for accuracy: three named points on one ladder, and the knobs behind them, each of which may also be set alone.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+enum class Fidelity { draft, standard, reference };
+
+const char* name_of(Fidelity fidelity);
+/// Throws Error naming the allowed words.
+Fidelity fidelity_from_name(const std::string& name);
+
+constexpr int largest_shell_count = 32;
+
+/// Every knob's value. Those of a fidelity come from knobs_of().
+struct Knobs {
+    double particles_per_droplet = 0; ///< at most; a tiny drop has fewer
+    double fibre_shells = 0;          ///< radial cells in a fibre
+    double network_step_limit = 0;    ///< s, while free liquid is about
+    double saturation_change = 0;     ///< that a network step aims at while free liquid or pools are about
+    double step_error = 0;            ///< of a step without drops: part of the water and heat at stake that it may misplace
+    double density_tolerance = 0;     ///< of the pressure loop, fraction
+    double settle_share = 0;          ///< of liquid at rest that yarns drink before it settles anew; 0: it never rests
+    double rest_tolerance = 0;        ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
+    double neglected_share = 0;       ///< of the delivered water, or of the wicking rate, below which a part is left out
+    bool operator==(const Knobs&) const = default;
+};
+
+/// What people and files know of a knob.
+struct KnobInfo {
+    const char* name; ///< in files and in --set fidelity.<name>=…; with its unit where it has one
+    double Knobs::*value;
+    const char* unit; ///< "" for a plain number
+    double least, most;
+    bool whole;            ///< only whole numbers
+    double cheaper, finer; ///< one step from standard, for tradeoff
+    const char* meaning;   ///< begins small, without a full stop
+};
+
+/// All of them, in the order in which they are shown.
+std::span<const KnobInfo> knob_table();
+
+Knobs knobs_of(Fidelity fidelity);
+
+/// What the user set: name -> value.
+using KnobSettings = std::map<std::string, double>;
+
+/// The knob of this name. Throws Error naming the nearest one and all others.
+const KnobInfo& knob_named(const std::string& name);
+/// Throws Error naming the knob, its range and the value when the number lies outside or must be whole.
+void require_in_range(const KnobInfo& knob, double value);
+/// Takes up "fibre_shells" and "12". Throws Error as knob_named() and require_in_range() do, also when the text is no number.
+void set_knob(KnobSettings& settings, const std::string& name, const std::string& value);
+
+/// The fidelity's knobs with the settings on top. Throws Error as above.
+Knobs with_settings(Knobs knobs, const KnobSettings& settings);
+
+/// The knobs that differ.
+std::vector<const KnobInfo*> changed_knobs(const Knobs& before, const Knobs& after);
+
+} // namespace hygroloom

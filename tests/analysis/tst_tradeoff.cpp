@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How far runs lie from the reference, worked by hand; the Pareto front; the files.
+#include "core/analysis/tradeoff.h"
+#include "core/base/error.h"
+#include "tests/support/drop_design.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+TradeoffOutcome outcome(double radius, double temperature, std::vector<double> map, std::vector<char> wet, double bound)
+{
+    TradeoffOutcome o;
+    o.metrics = {{"radius_mm", radius}, {"surface_temperature_steady_c", temperature}, {"absorbency_time_s", std::nullopt}};
+    o.air_temperature_c = 25;
+    o.moments.push_back({1.0, {{"bound_water_kg", bound}, {"yarn_water_kg", 4e-6 - bound}}, std::move(map), std::move(wet)});
+    o.wall = 2;
+    const Design design = drop_design();
+    o.plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+    return o;
+}
+
+double error_of(const TradeoffErrors& errors, const std::string& name)
+{
+    for (const MetricError& m : errors.metrics)
+        if (m.name == name) return m.error;
+    return -1;
+}
+
+TradeoffPoint point(const char* name, double wall, double error)
+{
+    TradeoffPoint p;
+    p.variant.name = name;
+    p.walls = {wall};
+    p.errors = TradeoffErrors{};
+    p.errors->largest = error;
+    return p;
+}
+
+bool near(double a, double b) { return std::abs(a - b) < 1e-12; }
+
+} // namespace
+
+class TestTradeoff : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void errorsAreThoseWorkedByHand()
+    {
+        const TradeoffOutcome reference = outcome(10, 15, {3, 4, 0}, {1, 1, 0, 1}, 1e-6);
+        const TradeoffErrors errors = tradeoff_errors(outcome(9.5, 15.5, {3, 3.5, 0}, {1, 1, 1, 0}, 1.2e-6), reference);
+        QVERIFY(near(error_of(errors, "radius_mm"), 0.05));
+        QVERIFY(near(error_of(errors, "surface_temperature_steady_c"), 0.05)); // 0.5 K of the 10 K below the air
+        QVERIFY(near(error_of(errors, "absorbency_time_s"), 0));
+        QVERIFY(near(error_of(errors, "bound_water_kg"), 0.05)); // 0.2 mg of the 4 mg that moved
+        QVERIFY(near(*errors.map, 0.1));                         // 0.5 over 5
+        QVERIFY(near(*errors.overlap, 0.5));                     // 2 of 4
+        QVERIFY(near(errors.largest, 0.5));
+        const TradeoffErrors none = tradeoff_errors(reference, reference);
+        QVERIFY(none.largest == 0 && *none.map == 0 && *none.overlap == 1);
+    }
+    void whatOnlyOneRunFindsIsWhollyWrong()
+    {
+        const TradeoffOutcome reference = outcome(10, 15, {0, 0}, {0, 0}, 0);
+        TradeoffOutcome other = reference;
+        other.metrics["absorbency_time_s"] = 3.0;
+        const TradeoffErrors errors = tradeoff_errors(other, reference);
+        QCOMPARE(error_of(errors, "absorbency_time_s"), 1.0);
+        QVERIFY(!errors.map && !errors.overlap); // no water moved, nothing got wet
+    }
+    void theFrontIsWhatNothingBeats()
+    {
+        std::vector<TradeoffPoint> points{point("fast", 1, 0.2), point("slow and worse", 3, 0.1), point("good", 2, 0.05),
+                                          point("as good, slower", 4, 0.05), point("exact", 10, 0)};
+        points.push_back(point("no error known", 0.1, 0));
+        points.back().errors.reset();
+        mark_pareto(points);
+        std::vector<bool> front;
+        for (const TradeoffPoint& p : points) front.push_back(p.pareto);
+        QVERIFY((front == std::vector<bool>{true, false, true, false, true, false}));
+    }
+    void medianIsOfOddAndEvenCounts()
+    {
+        QCOMPARE(median({3, 1, 2}), 2.0);
+        QCOMPARE(median({4, 1, 2, 3}), 2.5);
+        QCOMPARE(median({}), 0.0);
+    }
+    void variantsAreTheLadderAndOneKnobEach()
+    {
+        QCOMPARE(tradeoff_ladder().size(), std::size_t(3));
+        QCOMPARE(tradeoff_variants({}).size(), 3 + 2 * knob_table().size());
+        const std::vector<TradeoffVariant> shells = tradeoff_variants({"fibre_shells"});
+        QCOMPARE(shells.size(), std::size_t(5));
+        QCOMPARE(shells[3].name, std::string("fibre_shells=5"));
+        QCOMPARE(shells[3].settings.size(), std::size_t(1));
+        QVERIFY_EXCEPTION_THROWN(tradeoff_variants({"shells"}), Error);
+    }
+    void convergenceRunsAreHalfAndAQuarterAsFine()
+    {
+        const std::vector<TradeoffVariant> runs = convergence_variants({{"particles_per_droplet", 1200}});
+        const Knobs quarter = with_settings(knobs_of(Fidelity::reference), runs[0].settings),
+                    half = with_settings(knobs_of(Fidelity::reference), runs[1].settings);
+        QCOMPARE(half.particles_per_droplet, 600.0);
+        QCOMPARE(quarter.particles_per_droplet, 300.0);
+        QCOMPARE(half.fibre_shells, 8.0);
+        QCOMPARE(half.network_step_limit, 2e-3);
+        QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
+    }
+    void plansThatDifferInNothingThatCountsRunAlike()
+    {
+        const auto plan = [](double angle, const KnobSettings& settings) {
+            const Design design = drop_design(angle);
+            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
+        };
+        QVERIFY(!run_alike(plan(35, {}), plan(35, {{"fibre_shells", 5}})));
+        QVERIFY(run_alike(plan(120, {}), plan(120, {{"fibre_shells", 5}}))); // repellent: its fibres take up nothing
+        QVERIFY(!run_alike(plan(120, {}), plan(120, {{"settle_share", 0.05}})));
+        QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
+    }
+    void filesReadBack()
+    {
+        const Design design = drop_design();
+        Tradeoff t = tradeoff_here(design.fabrics[0], design.experiments[0]);
+        QVERIFY(!t.commit.empty() && t.date.size() == 20 && t.date.back() == 'Z');
+        const TradeoffOutcome reference = outcome(10, 15, {3, 4}, {1, 1}, 1e-6), other = outcome(9, 15, {3, 3}, {1, 0}, 1e-6);
+        TradeoffPoint p = point("draft", 1.5, 0);
+        p.variant.settings = {{"fibre_shells", 4}};
+        p.plan = other.plan;
+        p.peaks = {3e7};
+        p.errors = tradeoff_errors(other, reference);
+        p.stages = {{"exchange", 40.5}};
+        p.stands_for = {"fibre_shells=5"};
+        t.points = {p, point("<standard>", 4, 0.01)};
+        t.points[1].plan = reference.plan;
+        t.convergence.push_back({"reference / 2", "reference", *p.errors});
+        mark_pareto(t.points);
+        QCOMPARE(tradeoff_json(tradeoff_from_json(tradeoff_json(t), "t.json")), tradeoff_json(t));
+        QCOMPARE(QString::fromStdString(tradeoff_csv(t)).count('\n'), 11 + 1 + 2);
+        const std::string svg = tradeoff_svg(t);
+        QVERIFY(svg.find("&lt;standard&gt;") != std::string::npos && svg.find("<standard>") == std::string::npos);
+        QVERIFY(svg.find("polyline") != std::string::npos);
+        for (const char* wrong : {"", "{}", "{\"format\": \"hygroloom-tradeoff\", \"version\": 2}"}) {
+            try {
+                tradeoff_from_json(wrong, "t.json");
+                QFAIL(wrong);
+            } catch (const Error& error) {
+                QVERIFY(std::string(error.what()).starts_with("t.json: "));
+            }
+        }
+    }
+    void anOutcomeSurvivesThePipe()
+    {
+        const TradeoffOutcome o = outcome(10, 15, {3, 4.25}, {1, 0, 1}, 1e-6);
+        const TradeoffOutcome back = outcome_from_json(outcome_json(o));
+        QCOMPARE(outcome_json(back), outcome_json(o));
+        QCOMPARE(tradeoff_errors(back, o).largest, 0.0);
+        QVERIFY_EXCEPTION_THROWN(outcome_from_json("{"), Error);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTradeoff)
+#include "tst_tradeoff.moc"

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a plan expects: from the nearest measured scene, scaled; and what auto makes of it. No clock is asked here: the times compared with
+// were measured once and are kept in tests/data/tradeoff.
+#include "core/base/error.h"
+#include "core/sim/expectation.h"
+#include "tests/support/drop_design.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace hygroloom;
+
+namespace {
+
+ModelPlan plan_of(double angle, Fidelity fidelity = Fidelity::standard, const KnobSettings& settings = {})
+{
+    const Design design = drop_design(angle);
+    return plan_model(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
+}
+
+MeasuredScene scene_of(const char* name, const ModelPlan& plan, double seconds, std::optional<double> error)
+{
+    MeasuredScene scene;
+    scene.fabric = "cloth";
+    scene.experiment = name;
+    scene.runs.push_back({plan, {}, seconds, 30e6, error});
+    return scene;
+}
+
+/// More ran than the two threads of the measurements themselves.
+bool busy(const MeasuredScene& scene) { return scene.load > 2.5; }
+
+bool mentions(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+/// Plans of the three fidelities with these expectations.
+std::vector<ModelPlan> ladder(std::array<double, 3> seconds, std::array<std::optional<double>, 3> errors)
+{
+    std::vector<ModelPlan> plans(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        plans[i].fidelity = static_cast<Fidelity>(i);
+        plans[i].expected_seconds = seconds[i];
+        plans[i].expected_error = errors[i];
+    }
+    return plans;
+}
+
+template <typename Parse> bool refuses(Parse parse, const char* text)
+{
+    try {
+        parse(text);
+    } catch (const Error&) {
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+class TestExpectation : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theSameSceneIsExpectedAsMeasured()
+    {
+        ModelPlan plan = plan_of(35);
+        expect(plan, {scene_of("far", plan_of(88), 100, 0.5), scene_of("near", plan, 7, 0.02)});
+        QVERIFY(std::abs(plan.expected_seconds / 7 - 1) < 1e-12);
+        QCOMPARE(plan.expected_bytes, 30e6);
+        QCOMPARE(*plan.expected_error, 0.02);
+        QVERIFY(mentions(plan.expectation_source, "near"));
+    }
+    void theNearestSceneCounts()
+    {
+        ModelPlan plan = plan_of(85);
+        expect(plan, {scene_of("wetting", plan_of(35), 100, {}), scene_of("repellent", plan_of(88), 7, {})});
+        QVERIFY2(mentions(plan.expectation_source, "repellent"), plan.expectation_source.c_str());
+        QVERIFY(!plan.expected_error);
+        QVERIFY(mentions(plan.expectation_source, "not measured"));
+    }
+    void moreWorkIsExpectedToTakeLonger()
+    {
+        const std::vector<MeasuredScene> measured{scene_of("drop", plan_of(35), 7, 0.02)};
+        ModelPlan more = plan_of(35, Fidelity::standard, {{"particles_per_droplet", 8000}});
+        expect(more, measured);
+        QVERIFY(more.expected_seconds > 10);
+        QVERIFY(!more.expected_error); // it was measured with other knobs
+        QVERIFY(more.expected_bytes > 30e6);
+    }
+    void withoutAMeasurementOfItsKindItIsAGuess()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::conditioning);
+        design.experiments[0].sample_mm = {8, 8};
+        ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard);
+        for (const std::vector<MeasuredScene>& measured : {std::vector<MeasuredScene>{},
+                                                           {scene_of("drop", plan_of(35), 7, 0.02)},
+                                                           {scene_of("draft", plan_of(35, Fidelity::draft), 7, 0.02)}}) {
+            expect(plan, measured);
+            QVERIFY(mentions(plan.expectation_source, "rough guess"));
+            QVERIFY(plan.expected_seconds > 0 && !plan.expected_error);
+        }
+    }
+    void autoTakesTheCheapestThatKeepsTheError()
+    {
+        const std::vector<ModelPlan> plans = ladder({1, 5, 50}, {0.08, 0.02, 0.0});
+        QVERIFY(choose_fidelity(plans, {0.10, {}}).fidelity == Fidelity::draft);
+        QVERIFY(choose_fidelity(plans, {0.05, {}}).fidelity == Fidelity::standard);
+        QVERIFY(choose_fidelity(plans, {0.01, {}}).fidelity == Fidelity::reference);
+        const FidelityChoice unknown = choose_fidelity(ladder({1, 5, 50}, {}), {0.05, {}});
+        QVERIFY(unknown.fidelity == Fidelity::reference && mentions(unknown.reason, "No fidelity is known"));
+    }
+    void autoTakesTheFinestThatKeepsTheTime()
+    {
+        const std::vector<ModelPlan> plans = ladder({1, 5, 50}, {});
+        QVERIFY(choose_fidelity(plans, {{}, 60}).fidelity == Fidelity::reference);
+        QVERIFY(choose_fidelity(plans, {{}, 5}).fidelity == Fidelity::standard);
+        const FidelityChoice none = choose_fidelity(plans, {{}, 0.5});
+        QVERIFY(none.fidelity == Fidelity::draft && mentions(none.reason, "coarsest"));
+    }
+    void targetsAreReadWithTheirUnits()
+    {
+        QCOMPARE(parse_error_target("5%"), 0.05);
+        QCOMPARE(parse_error_target("0.05"), 0.05);
+        QCOMPARE(parse_time_target("10s"), 10.0);
+        QCOMPARE(parse_time_target("10"), 10.0);
+        QCOMPARE(parse_time_target("1.5min"), 90.0);
+        QCOMPARE(parse_time_target("2h"), 7200.0);
+        for (const char* wrong : {"", "0%", "101%", "-1%", "5 %x", "nan", "five"}) QVERIFY2(refuses(parse_error_target, wrong), wrong);
+        for (const char* wrong : {"", "0s", "-1", "10 days", "inf", "s"}) QVERIFY2(refuses(parse_time_target, wrong), wrong);
+    }
+    void wrongFilesAreNamed()
+    {
+        for (const char* wrong : {"", "{}", "[]", "{\"scene\": 3}"}) {
+            try {
+                measured_scene(wrong, "x.json");
+                QFAIL(wrong);
+            } catch (const Error& error) {
+                QVERIFY(std::string(error.what()).starts_with("x.json: "));
+            }
+        }
+    }
+    void scenesThatWereNotFittedToAreForetoldWithinHalf_data()
+    {
+        QTest::addColumn<QString>("file");
+        const QDir folder(HYGROLOOM_SOURCE_DIR "/tests/data/tradeoff");
+        for (const QString& name : folder.entryList({"*.json"})) QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+    void scenesThatWereNotFittedToAreForetoldWithinHalf() // a factor of 1.5 up or down
+    {
+        QFETCH(QString, file);
+        QFile held(file);
+        QVERIFY(held.open(QIODevice::ReadOnly));
+        const MeasuredScene scene = measured_scene(held.readAll().toStdString(), file.toStdString());
+        QVERIFY(!scene.runs.empty());
+        // Times of a machine that had other work differ by half between two runs of the same; they only guard against gross mistakes.
+        const double factor = busy(scene) || std::any_of(shipped_measurements().begin(), shipped_measurements().end(), busy) ? 2.5 : 1.5;
+        if (factor > 1.5) qWarning("Measured on a busy machine: held to a factor of 2.5 only.");
+        double worst = 1;
+        for (const MeasuredRun& run : scene.runs) {
+            ModelPlan plan = run.plan;
+            expect(plan, shipped_measurements());
+            const double time = plan.expected_seconds / run.seconds, memory = plan.expected_bytes / run.bytes;
+            qInfo("%s: time %.2f, memory %.2f of the measured", name_of(run.plan.fidelity), time, memory);
+            QVERIFY2(!mentions(plan.expectation_source, "rough guess"), plan.expectation_source.c_str());
+            worst = std::max({worst, time, 1 / time});
+            QVERIFY(memory < 1.5 && memory > 1 / 1.5);
+        }
+        QEXPECT_FAIL("small-drying-of-wool.json", "known miss: the rough count of a drying's steps leaves out how long it dries", Continue);
+        QVERIFY(worst < factor);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExpectation)
+#include "tst_expectation.moc"

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The knobs behind a fidelity: each is set alone, is refused with a sentence, and reaches the plan, its JSON and the scene.
+#include "core/base/error.h"
+#include "core/sim/plan_json.h"
+#include "core/sim/scene.h"
+#include "tests/support/drop_design.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+ModelPlan plan_with(const KnobSettings& settings, Fidelity fidelity = Fidelity::standard)
+{
+    const Design design = drop_design();
+    return plan_model(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
+}
+
+std::string refusal(const std::string& name, const std::string& value)
+{
+    KnobSettings settings;
+    try {
+        set_knob(settings, name, value);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+class TestFidelity : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyFidelityLiesInTheRangesOfTheKnobs()
+    {
+        for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
+            const Knobs knobs = knobs_of(fidelity);
+            for (const KnobInfo& knob : knob_table()) require_in_range(knob, knobs.*knob.value);
+        }
+        for (const KnobInfo& knob : knob_table()) {
+            require_in_range(knob, knob.cheaper);
+            require_in_range(knob, knob.finer);
+            const double standard = knobs_of(Fidelity::standard).*knob.value;
+            QVERIFY2((knob.cheaper - standard) * (knob.finer - standard) < 0, knob.name); // on either side of it
+        }
+    }
+    void oneKnobChangesAloneAndReadsBack()
+    {
+        const ModelPlan plain = plan_with({});
+        QVERIFY(changed_knobs(plain.knobs, knobs_of(Fidelity::standard)).empty());
+        for (const KnobInfo& knob : knob_table()) {
+            const ModelPlan plan = plan_with({{knob.name, knob.finer}});
+            const auto changed = changed_knobs(plain.knobs, plan.knobs);
+            QCOMPARE(changed.size(), std::size_t(1));
+            QCOMPARE(changed[0]->name, knob.name);
+            const ModelPlan back = plan_from_json(plan_json(plan));
+            QVERIFY2(back.knobs == plan.knobs, knob.name);
+            QCOMPARE(back.rest_tolerance, plan.rest_tolerance);
+            QVERIFY(plan.resolution_reason.find("set by the user") != std::string::npos);
+        }
+    }
+    void knobsReachTheScene()
+    {
+        const Design design = drop_design();
+        const ModelPlan plan = plan_with({{"particles_per_droplet", 300},
+                                          {"fibre_shells", 3},
+                                          {"network_step_limit_s", 0.004},
+                                          {"saturation_change", 0.07},
+                                          {"step_error", 3e-4},
+                                          {"density_tolerance", 0.03},
+                                          {"settle_share", 0.04},
+                                          {"rest_tolerance", 2e-4}});
+        const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
+        QCOMPARE(scene.particles_per_droplet, 300);
+        QCOMPARE(scene.fibre_shells, 3);
+        QCOMPARE(scene.network_step, 0.004);
+        QCOMPARE(scene.saturation_change, 0.07);
+        QCOMPARE(scene.step_error, 3e-4);
+        QCOMPARE(scene.density_tolerance, 0.03);
+        QCOMPARE(scene.settle_share, 0.04);
+        QCOMPARE(scene.rest_tolerance, 2e-4);
+    }
+    void whatIsNeglectedDecidesTheParts()
+    {
+        QVERIFY(plan_with({}).on("heat"));
+        QVERIFY(!plan_with({{"neglected_share", 0.5}}).on("heat"));
+        QVERIFY(plan_with({{"neglected_share", 0.0}}, Fidelity::draft).on("vapour"));
+    }
+    void aWrongKnobIsRefusedInASentence()
+    {
+        QCOMPARE(refusal("fibre_shells", "33"),
+                 std::string("fidelity.fibre_shells: It must be a whole number from 1 to 32; 33 was given."));
+        QCOMPARE(refusal("fibre_shells", "2.5"),
+                 std::string("fidelity.fibre_shells: It must be a whole number from 1 to 32; 2.5 was given."));
+        QCOMPARE(refusal("network_step_limit_s", "fast"),
+                 std::string("fidelity.network_step_limit_s: It must be a number from 1e-05 to 1 s; \"fast\" was given."));
+        for (const char* wrong : {"nan", "-1", "", "1e-4x", "inf"}) QVERIFY2(!refusal("step_error", wrong).empty(), wrong);
+        const std::string unknown = refusal("fibre_shels", "4");
+        QVERIFY2(unknown.starts_with("fidelity.fibre_shels: There is no such knob; did you mean \"fibre_shells\"?"), unknown.c_str());
+        QVERIFY(unknown.find("neglected_share") != std::string::npos);
+        QVERIFY_EXCEPTION_THROWN(plan_with({{"fibre_shells", 40}}), Error);
+    }
+    void plansOfOlderRecordingsStillRead()
+    {
+        std::string text = plan_json(plan_with({{"fibre_shells", 3}}, Fidelity::draft));
+        text.erase(text.find("  \"knobs\""), text.find("  \"parts\"") - text.find("  \"knobs\""));
+        const ModelPlan plan = plan_from_json(text);
+        QCOMPARE(plan.knobs.fibre_shells, 3.0);
+        QCOMPARE(plan.knobs.neglected_share, knobs_of(Fidelity::draft).neglected_share);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFidelity)
+#include "tst_fidelity.moc"
