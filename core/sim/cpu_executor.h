@@ -47,7 +47,8 @@ public:
         arena_ = std::make_unique<tbb::task_arena>(threads > 0 ? threads : all);
     }
 
-    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0). The name is for profilers.
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0). The name is for
+    /// profilers.
     template <typename Stage, typename Next = Nothing> void for_each(const char*, int count, const Stage& stage, const Next& next = {})
     {
         constexpr int grain = 64;
@@ -105,7 +106,7 @@ private:
     {
         if constexpr (std::is_void_v<decltype(stage(0))>)
             sum_range(stage, begin, end);
-        else if (const std::int64_t part = sum_range(stage, begin, end); part != 0)
+        else if (const std::int64_t part = sum_range(stage, begin, end); part != 0 && stage.total != nullptr)
             atomic_add(stage.total, part);
     }
     template <typename Stage> static std::int64_t sum_range(const Stage& stage, int begin, int end)

@@ -382,7 +382,10 @@ private Q_SLOTS:
             p.wall_segment = &segment;
             p.alive = &alive;
             p.content = &content;
-            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), Real(0.2), 1, -1, &dripped}(0);
+            StepNumbers step;
+            step.friction = Real(0.2);
+            step.drag = 1;
+            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
             ++moves;
             QVERIFY(nearest_skin(cloth.shape(), x, reach).distance > Real(0.49) * touching);
             // Where the free way ends, by small pieces; behind it the particle may not be.
