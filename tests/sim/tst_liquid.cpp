@@ -373,7 +373,9 @@ private Q_SLOTS:
             std::uint8_t alive = 1;
             Quad place{start.x, start.y, start.z, 0};
             std::int64_t content = 0, dripped = 0;
+            ClothField open;
             Particles p;
+            p.cloth = &open;
             p.position = &x;
             p.velocity = &v;
             p.place = &place;
