@@ -45,8 +45,10 @@ template <typename Stage, typename Next> __global__ void run_stage(Counted count
         if (meant) stage(i);
     } else {
         std::int64_t part = meant ? stage(i) : 0;
-        for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
-        if (threadIdx.x % 32 == 0 && part != 0) atomic_add(stage.total, part);
+        if (stage.total != nullptr) {
+            for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
+            if (threadIdx.x % 32 == 0 && part != 0) atomic_add(stage.total, part);
+        }
     }
     if constexpr (!std::is_same_v<Next, Nothing>)
         if (is_last_block(came)) next(0);
@@ -179,7 +181,7 @@ public:
 
     void set_threads(int) {}
 
-    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0).
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0).
     template <typename Stage, typename Next = Nothing>
     void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
     {

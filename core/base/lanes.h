@@ -32,7 +32,15 @@ HL_FN void bring(const void* memory)
 #endif
 }
 
-HL_FN Real root(Real value) { return std::sqrt(value); }
+#if HL_LANE_IS_THREAD
+HL_FN Real root(Real value) { return plain_root(value); }
+HL_FN Real inverse(Real value) { return plain_inverse(value); }
+HL_FN Real quotient(Real a, Real b) { return plain_quotient(a, b); }
+#else
+template <typename T> inline T inverse(const T& value) { return Real(1) / value; }
+template <typename T> inline T quotient(const T& a, const T& b) { return a / b; }
+inline Real root(Real value) { return std::sqrt(value); }
+#endif
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
 
 #if HL_LANE_IS_THREAD
@@ -46,17 +54,15 @@ HL_FN Real sum_of(Pack pack)
     for (int bit = lanes / 2; bit > 0; bit /= 2) pack += of_other_lane(pack, bit);
     return pack;
 }
-HL_FN Quads load(const Quad* at)
+HL_FN Quads fetch(const Quad* at)
 {
-    const Quad quad = at[own_lane()];
-    return {quad.x, quad.y, quad.z, quad.w};
+    Quads quad;
+    fetch_four(&at->x, quad.x, quad.y, quad.z, quad.w);
+    return quad;
 }
-HL_FN Quads gather(const Quad* at, const int* slots)
-{
-    const Quad quad = *at_slot(at, slots[own_lane()]);
-    return {quad.x, quad.y, quad.z, quad.w};
-}
-HL_FN Pack load(const Real* at) { return at[own_lane()]; }
+HL_FN Quads load(const Quad* at) { return fetch(at + own_lane()); }
+HL_FN Quads gather(const Quad* at, const int* slots) { return fetch(at_slot(at, fetch(slots + own_lane()))); }
+HL_FN Pack load(const Real* at) { return fetch(at + own_lane()); }
 HL_FN void store(Real* at, Pack pack) { at[own_lane()] = pack; }
 HL_FN bool lanes_below(int count) { return own_lane() < count; }
 HL_FN bool lanes_but(int lane) { return own_lane() != lane; }

@@ -2,14 +2,18 @@
 // The one place that knows whether this file is being compiled for a CUDA device as well as for the host.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #ifdef __CUDACC__
 #define HL_FN __host__ __device__ inline
 #define HL_LANE_IS_THREAD 1
+#define HL_PRAGMA(text) _Pragma(#text)
+#define HL_UNROLL(times) HL_PRAGMA(unroll times) // of a loop whose loads are better under way together
 #else
 #define HL_FN inline
 #define HL_LANE_IS_THREAD 0
+#define HL_UNROLL(times)
 #endif
 
 namespace hygroloom {
@@ -57,7 +61,7 @@ HL_FN void atomic_max_of_all(int* target, int value)
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
     const unsigned together = __activemask();
     const int most = __reduce_max_sync(together, value);
-    if (static_cast<int>(threadIdx.x % 32) == __ffs(static_cast<int>(together)) - 1) atomic_max(target, most);
+    if (static_cast<int>(threadIdx.x % 32) == __ffs(static_cast<int>(together)) - 1) atomicMax(target, most);
 #else
     atomic_max(target, value);
 #endif
@@ -89,6 +93,70 @@ HL_FN int own_lane()
 }
 
 #if HL_LANE_IS_THREAD
+
+/// What stands there, if no stage that runs now changes it: such loads need not wait for what is stored meanwhile.
+HL_FN int fetch(const int* at)
+{
+#ifdef __CUDA_ARCH__
+    return __ldg(at);
+#else
+    return *at;
+#endif
+}
+HL_FN Real fetch(const Real* at)
+{
+#ifdef __CUDA_ARCH__
+    return __ldg(at);
+#else
+    return *at;
+#endif
+}
+HL_FN void fetch_four(const float* at, float& x, float& y, float& z, float& w)
+{
+#ifdef __CUDA_ARCH__
+    const float4 four = __ldg(reinterpret_cast<const float4*>(at));
+    x = four.x, y = four.y, z = four.z, w = four.w;
+#else
+    x = at[0], y = at[1], z = at[2], w = at[3];
+#endif
+}
+HL_FN void fetch_four(const double* at, double& x, double& y, double& z, double& w) { x = at[0], y = at[1], z = at[2], w = at[3]; }
+
+/// Square root, reciprocal and quotient as IEEE rounds them, for numbers that are neither tiny nor huge, and 0. Without the branch for the
+/// others, which keeps a GPU from having several under way.
+HL_FN float plain_root(float value)
+{
+#ifdef __CUDA_ARCH__
+    float inverse;
+    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(value));
+    const float close = value * inverse, error = __fmaf_rn(-close, close, value);
+    return value > 0 ? __fmaf_rn(error, 0.5f * inverse, close) : 0.0f;
+#else
+    return std::sqrt(value);
+#endif
+}
+HL_FN float plain_inverse(float value)
+{
+#ifdef __CUDA_ARCH__
+    float close;
+    asm("rcp.approx.ftz.f32 %0, %1;" : "=f"(close) : "f"(value));
+    return __fmaf_rn(close, __fmaf_rn(-value, close, 1.0f), close);
+#else
+    return 1.0f / value;
+#endif
+}
+HL_FN float plain_quotient(float a, float b)
+{
+#ifdef __CUDA_ARCH__
+    const float inverse = plain_inverse(b), close = a * inverse;
+    return __fmaf_rn(inverse, __fmaf_rn(-b, close, a), close);
+#else
+    return a / b;
+#endif
+}
+HL_FN double plain_quotient(double a, double b) { return a / b; }
+HL_FN double plain_root(double value) { return std::sqrt(value); }
+HL_FN double plain_inverse(double value) { return 1.0 / value; }
 
 /// The threads of a warp that share the element of this one.
 HL_FN unsigned sharing_threads()

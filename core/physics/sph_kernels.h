@@ -26,7 +26,7 @@ template <typename T> HL_FN T spline_slope(T r, Real support)
 }
 
 /// 1 / r; at no distance something large, which does not matter there.
-template <typename T> HL_FN T inverse_distance(T r, Real support) { return Real(1) / (r + Real(1e-6) * support); }
+template <typename T> HL_FN T inverse_distance(T r, Real support) { return inverse(r + Real(1e-6) * support); }
 
 /// dW/dr / r, 1/m5, so that grad W = this x (r_i - r_j).
 template <typename T> HL_FN T spline_gradient_factor(T r, Real support) { return spline_slope(r, support) * inverse_distance(r, support); }

@@ -52,7 +52,8 @@ public:
     void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
     std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
 
-    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total; then next(0). The name is for stage_times().
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0). The name is for
+    /// stage_times().
     template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
     {
         const StageLap lap(stage_clock_.get(), name);
@@ -112,7 +113,7 @@ private:
     {
         if constexpr (std::is_void_v<decltype(stage(0))>)
             sum_range(stage, begin, end);
-        else if (const std::int64_t part = sum_range(stage, begin, end); part != 0)
+        else if (const std::int64_t part = sum_range(stage, begin, end); part != 0 && stage.total != nullptr)
             atomic_add(stage.total, part);
     }
     template <typename Stage> static std::int64_t sum_range(const Stage& stage, int begin, int end)

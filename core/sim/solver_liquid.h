@@ -245,7 +245,7 @@ template <typename Executor> void Solver<Executor>::correct_pressure()
         each_particle("pressure", CorrectPressure{particle_views(), liquid(), error});
         each_particle("pressure force", FindPressureForce{particle_views(), liquid()}, end);
     };
-    for (int k = 1; k < fewest_pressure_rounds; ++k) round(&control->unheeded, Nothing{});
+    for (int k = 1; k < fewest_pressure_rounds; ++k) round(nullptr, Nothing{});
     round(&control->error, EndRound{control, scene_.density_tolerance, fewest_pressure_rounds});
     exec_.loop(&control->presses, [&] { round(&control->error, EndRound{control, scene_.density_tolerance, 1}); });
 }
@@ -254,7 +254,8 @@ template <typename Executor> void Solver<Executor>::step_liquid()
 {
     LiquidControl* control = control_.data();
     list_neighbours();
-    each_particle("surface", InTurn<FeelCloth, FindSurface>{{particle_views(), shape(), beads()}, {particle_views(), liquid()}});
+    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
+    each_particle("surface", FindSurface{particle_views(), liquid()});
     each_particle("forces", FindForces{particle_views(), liquid()});
     correct_pressure();
     if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid()});

@@ -28,7 +28,7 @@ done
 if command -v compute-sanitizer > /dev/null; then
     for tool in memcheck racecheck initcheck; do
         try "$tool, liquid" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify drop_conservation \
-            --set particles=200 --set time_s=0.005 --backend cuda
+            --set particles=100 --set time_s=0.01 --backend cuda
         try "$tool, yarns" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set duration_s=0.1 --backend cuda
     done

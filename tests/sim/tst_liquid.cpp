@@ -373,10 +373,9 @@ private Q_SLOTS:
             std::uint8_t alive = 1;
             Quad place{start.x, start.y, start.z, 0};
             std::int64_t content = 0, dripped = 0;
-            ClothField field;
-            StepNumbers step;
-            step.friction = Real(0.2);
+            ClothField open;
             Particles p;
+            p.cloth = &open;
             p.position = &x;
             p.velocity = &v;
             p.place = &place;
@@ -385,7 +384,9 @@ private Q_SLOTS:
             p.wall_segment = &segment;
             p.alive = &alive;
             p.content = &content;
-            p.cloth = &field;
+            StepNumbers step;
+            step.friction = Real(0.2);
+            step.drag = 1;
             MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
             ++moves;
             QVERIFY(nearest_skin(cloth.shape(), x, reach).distance > Real(0.49) * touching);

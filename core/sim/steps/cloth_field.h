@@ -123,13 +123,14 @@ private:
         Pack surface_share{};
         Packs surface_slope{};
         Bend surface_bend;
+        HL_UNROLL(2)
         for (int k = 0; k < count; k += lanes) {
             Quads b = load(bead + k);
             if (count - k < lanes) b.w *= first_lanes(count - k);
             const Packs d{x.x - b.x, x.y - b.y, x.z - b.z};
             const Pack r2 = dot(d, d), r = root(r2);
             const Pack factor = b.w * spline_gradient_factor(r, type.reach), push = b.w * spline_gradient_factor(r, type.support);
-            const Pack one_over = Real(1) / (r2 + tiny);
+            const Pack one_over = inverse(r2 + tiny);
             surface_share += b.w * spline_kernel(r, type.reach);
             surface_slope += factor * d;
             surface_bend.add((b.w * spline_curvature(r, type.reach) - factor) * one_over, factor, d);

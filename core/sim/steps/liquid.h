@@ -305,6 +305,7 @@ template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const
         bring(slots + most_near + k);
         bring(slope_of(p, slots) + most_near + k);
     }
+    HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
@@ -313,6 +314,7 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
 {
     const int* slots = p.distant + std::int64_t(i) * most_distant;
     const int count = p.distant_count[i];
+    HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
 
@@ -401,7 +403,7 @@ struct FindForces {
             kernels += sizes * spline_kernel(r, p.support);
             pressed += (place.w + others.w) * slope * d;
             forces += sizes * surface_forces(p, surface, d, slots);
-            forces += drag * dot(between(motion, motions), d) / (r2 + smallest) * slope * d;
+            forces += quotient(drag * dot(between(motion, motions), d), r2 + smallest) * slope * d;
         });
         for_distant_neighbours(p, i, [&](const int* slots) {
             forces += gather(p.motion, slots).w * surface_forces(p, surface, between(place, gather(p.place, slots)), slots);
@@ -464,14 +466,13 @@ struct FindPressureForce {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i]) return;
         const Quad own = p.place[i];
         Packs push{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
-        predict(p, liquid, i, push);
+        if (p.alive[i]) predict(p, liquid, i, push);
     }
 };
 

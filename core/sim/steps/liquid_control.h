@@ -85,7 +85,6 @@ struct LiquidControl {
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
     std::int64_t dead = 0, error = 0, squares = 0; ///< see BeginStep, CorrectPressure, SumSpeeds
-    std::int64_t unheeded = 0;                     ///< errors of rounds that are never the last
     std::int64_t dripped = 0;                      ///< quanta since the start
     std::int64_t drunk = 0;                        ///< quanta since the liquid fell asleep
 };
