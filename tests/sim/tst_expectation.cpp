@@ -82,7 +82,7 @@ private Q_SLOTS:
     void moreWorkIsExpectedToTakeLonger()
     {
         const std::vector<MeasuredScene> measured{scene_of("drop", plan_of(35), 7, 0.02)};
-        ModelPlan more = plan_of(35, Fidelity::standard, {{"particles_per_droplet", 8000}});
+        ModelPlan more = plan_of(35, Fidelity::standard, {{"particles_per_droplet", 32000}});
         expect(more, measured);
         QVERIFY(more.expected_seconds > 10);
         QVERIFY(!more.expected_error); // it was measured with other knobs
