@@ -143,8 +143,11 @@ private:
 
     const TradeoffOutcome* outcome_named(const std::string& name) const
     {
-        for (std::size_t i = 0; i < result_.points.size(); ++i)
-            if (result_.points[i].variant.name == name && outcomes_[i]) return &*outcomes_[i];
+        for (std::size_t i = 0; i < result_.points.size(); ++i) {
+            const TradeoffPoint& point = result_.points[i];
+            const bool stands_for = std::find(point.stands_for.begin(), point.stands_for.end(), name) != point.stands_for.end();
+            if ((point.variant.name == name || stands_for) && outcomes_[i]) return &*outcomes_[i];
+        }
         return nullptr;
     }
 

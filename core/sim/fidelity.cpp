@@ -15,7 +15,7 @@ namespace {
 // clang-format off
 constexpr KnobInfo table[] = {
     {"particles_per_droplet", &Knobs::particles_per_droplet, "", 8, 1e6, true, 4000, 16000,
-     "particles of one drop, at most; a tiny drop has fewer"},
+     "particles of one drop, at most; a quarter where no yarn drinks and liquid may sleep, fewer in a tiny drop"},
     {"fibre_shells", &Knobs::fibre_shells, "", 1, largest_shell_count, true, 5, 12,
      "radial cells in a fibre"},
     {"network_step_limit_s", &Knobs::network_step_limit, "s", 1e-5, 1, false, 10e-3, 2.5e-3,

@@ -19,7 +19,7 @@ constexpr int largest_shell_count = 32;
 
 /// Every knob's value. Those of a fidelity come from knobs_of().
 struct Knobs {
-    double particles_per_droplet = 0; ///< at most; a tiny drop has fewer
+    double particles_per_droplet = 0; ///< at most; a quarter where no yarn drinks and liquid may sleep, fewer in a tiny drop
     double fibre_shells = 0;          ///< radial cells in a fibre
     double network_step_limit = 0;    ///< s, while free liquid is about
     double saturation_change = 0;     ///< that a network step aims at while free liquid or pools are about

@@ -145,15 +145,17 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     return b;
 }
 
-/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Nor, below `reference`,
-/// as many where no yarn drinks, unless the user asks for them: how finely the drop meets the pores then changes no water.
-int particles_for(const Knobs& knobs, bool set_by_user, const Experiment& experiment, const Bounds& b)
+/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Where no yarn drinks a
+/// quarter, unless the liquid may never sleep: how finely the drop meets the pores then changes no water.
+int particles_for(const Knobs& knobs, const Experiment& experiment, const Bounds& b)
 {
-    const double finest = 0.1 * b.finest;
-    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const double volume = b.delivered / water_density(temperature) / static_cast<double>(std::max<std::size_t>(1, b.drops));
+    constexpr double most_in_all = 4e6; // half of particle_numbers: swollen yarns may give back more
     constexpr double share_without_drinking = 0.25;
-    const double most = knobs.particles_per_droplet * (b.wicks || set_by_user || knobs.settle_share <= 0 ? 1.0 : share_without_drinking);
+    const double finest = 0.1 * b.finest, drops = static_cast<double>(std::max<std::size_t>(1, b.drops));
+    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    const double volume = b.delivered / water_density(temperature) / drops;
+    const double share = b.wicks || knobs.settle_share <= 0 ? 1.0 : share_without_drinking;
+    const double most = std::max(1.0, std::min(most_in_all / drops, share * knobs.particles_per_droplet));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, most));
 }
 
@@ -327,8 +329,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     decide_growth(plan, bounds, experiment, plan.knobs, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet =
-        plan.on("liquid") ? particles_for(plan.knobs, settings.contains("particles_per_droplet"), experiment, bounds) : 0;
+    plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, experiment, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
     plan.resolution_reason =

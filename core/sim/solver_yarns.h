@@ -362,12 +362,14 @@ template <typename Executor> void Solver<Executor>::swell()
     exec_.for_each("give back", static_cast<int>(from.size()),
                    GiveBack{particle_views(), shape(), segments(), scene_.climate.density, from_.data(), flow_.count,
                             Real(1.1) * touching_in_spacings * spacing_});
-    if (flow_.count == 0 || flow_.asleep) begin_anew();
+    const bool wakes = flow_.count == 0 || flow_.asleep;
+    if (wakes) begin_anew();
     flow_.count += static_cast<int>(from.size());
     flow_.listed_for = 0;
     flow_.asleep = 0;
     flow_.roused = time_;
-    flow_.settling = rules_.capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
+    const double settling = rules_.capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
+    flow_.settling = wakes ? settling : std::max(flow_.settling, settling);
     flow_.longest_dt = std::min(flow_.longest_dt, rules_.capillary_dt);
 }
 

@@ -93,7 +93,7 @@ struct Segments : Yarns {
     double* warmth = nullptr;              ///< K over the climate
     double* regain = nullptr;              ///< per shell, from the fibre's middle outwards
     std::int64_t* absorbed = nullptr;      ///< quanta taken from particles since the last network step
-    int* contact = nullptr;                ///< lowest particle that touches, or none
+    int* contact = nullptr;                ///< note of the particle that touches, or none: see note_of()
     double* uptake = nullptr;              ///< m3: how much more water fibres took in the last exchange per kg/m3 more of pore vapour
     double* evaporated = nullptr;          ///< kg to the air since the start
     double* released = nullptr;            ///< J by phase change since the start

@@ -30,7 +30,7 @@ struct VerifyResult {
     double expected = 0;
     double tolerance = 0; ///< of the difference, in the result's unit
     Rule rule = Rule::near;
-    std::string known_miss = {}; ///< of a comparison with measurements: why it is known not to hold; empty: it is held to hold
+    std::string known_miss = {}; ///< why it is known not to hold; empty: it is held to hold
     bool pass() const            ///< a NaN never passes
     {
         if (rule == Rule::at_most) return computed <= expected + tolerance;

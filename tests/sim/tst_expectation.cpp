@@ -30,9 +30,6 @@ MeasuredScene scene_of(const char* name, const ModelPlan& plan, double seconds, 
     return scene;
 }
 
-/// More ran than the two threads of the measurements themselves.
-bool busy(const MeasuredScene& scene) { return scene.load > 2.5; }
-
 bool mentions(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
 /// Plans of the three fidelities with these expectations.
@@ -154,9 +151,6 @@ private Q_SLOTS:
         QVERIFY(held.open(QIODevice::ReadOnly));
         const MeasuredScene scene = measured_scene(held.readAll().toStdString(), file.toStdString());
         QVERIFY(!scene.runs.empty());
-        // Times of a machine that had other work differ by half between two runs of the same; they only guard against gross mistakes.
-        const double factor = busy(scene) || std::any_of(shipped_measurements().begin(), shipped_measurements().end(), busy) ? 2.5 : 1.5;
-        if (factor > 1.5) qWarning("Measured on a busy machine: held to a factor of 2.5 only.");
         double worst = 1;
         for (const MeasuredRun& run : scene.runs) {
             ModelPlan plan = run.plan;
@@ -168,7 +162,10 @@ private Q_SLOTS:
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
         QEXPECT_FAIL("small-drying-of-wool.json", "known miss: the rough count of a drying's steps leaves out how long it dries", Continue);
-        QVERIFY(worst < factor);
+        constexpr const char* other_work = "known miss: measured on a machine that had other work, where times differ by half";
+        QEXPECT_FAIL("small-droplet-on-cotton.json", other_work, Continue);
+        QEXPECT_FAIL("small-humidity-step-on-wool.json", other_work, Continue);
+        QVERIFY(worst < 1.5);
     }
 };
 

@@ -66,7 +66,6 @@ private Q_SLOTS:
         ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"growth", false}});
         plan.particles_per_droplet = 1000;
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
-        std::size_t least = 0;
         for (bool swelling : {false, true}) {
             experiment.swelling = swelling;
             Scene scene = build_scene(design, textile, experiment, plan, 1);
@@ -82,8 +81,8 @@ private Q_SLOTS:
                 QVERIFY(std::abs(f.ledger.energy_imbalance()) <= 1e-9 * std::abs(f.ledger.energy_released));
                 for (float s : f.saturation) QVERIFY(s >= 0 && s <= 1.000001f);
             }
-            if (!swelling) least = most;
-            if (swelling) QVERIFY2(most > least, qPrintable(QString("%1 particles, %2 without swelling").arg(most).arg(least)));
+            if (swelling) QVERIFY2(most > 1000, qPrintable(QString("%1 particles").arg(most)));
+            if (!swelling) QVERIFY(most <= 1000);
         }
     }
     void energyLedgerCloses()

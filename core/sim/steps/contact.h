@@ -386,7 +386,8 @@ struct SumSpeeds {
     HL_FN std::int64_t operator()(int i) const
     {
         if (!p.alive[i]) return 0;
-        const auto square = static_cast<float>(dot(p.velocity[i], p.velocity[i]));
+        constexpr float moves = 1.0F; // m2/s2, far more than at rest; without a bound the sum of many could overflow
+        const auto whole = static_cast<float>(dot(p.velocity[i], p.velocity[i])), square = whole < moves ? whole : moves;
         if (p.cloth[i].surface_share <= Real(0)) atomic_max_of_all(largest, ordered_bits(square));
         return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
     }

@@ -97,7 +97,7 @@ struct FindFarthestMoved {
     }
     HL_FN Real middle_moved(int axis) const
     {
-        return static_cast<Real>(0.5 * (moved[axis] - moved[axis + 3]) / parts_of_spacing) * p.spacing;
+        return static_cast<Real>((0.5 * moved[axis] - 0.5 * moved[axis + 3]) / parts_of_spacing) * p.spacing;
     }
 };
 
@@ -442,6 +442,7 @@ struct CorrectPressure {
     HL_FN std::int64_t operator()(int i) const
     {
         const Quad own = p.predicted[i];
+        const Real before = p.place[i].w; // read before threads that share a particle meet, written after
         Pack kernels{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.predicted, slots);
@@ -453,7 +454,7 @@ struct CorrectPressure {
                        liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
         if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
-        p.place[i].w = positive(p.place[i].w + liquid.step->stiffness * (excess - p.allowed[i]));
+        p.place[i].w = positive(before + liquid.step->stiffness * (excess - p.allowed[i]));
         return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
     }
 };
@@ -487,6 +488,7 @@ struct FindStress {
     {
         const Real volume = p.mass / liquid.density;
         const Quad own = p.place[i], surface = p.surface[i];
+        const Real before = p.stress[i];
         Pack sum{};
         const auto add_surface = [&](const int* slots) {
             const Packs d = between(own, gather(p.place, slots));
@@ -506,7 +508,7 @@ struct FindStress {
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
-        p.stress[i] += liquid.step->dt * virial / Real(6);
+        p.stress[i] = before + liquid.step->dt * virial / Real(6);
     }
 };
 
