@@ -55,11 +55,15 @@ double error_of_washburn_with_gravity(const Rise& rise)
 std::vector<VerifyResult> rise_in_synthetics(const VerifyValues&, Backend& backend)
 {
     const char* slow = "the model's liquid runs inside the yarns alone; in a knit the wide pores between yarns may carry it, too";
+    const char* thirsty =
+        "fibres resolved at their skins drink from the rising water early on and hold it back more than in the knit measured, whose "
+        "finish is unknown; with even shells, which drink too late, the exponent is 0.43";
     std::vector<VerifyResult> results;
     for (const auto& [name, fabric] : {std::pair{"polyester", "Sports micro-twill"}, std::pair{"nylon", "Nylon taslan"}}) {
         const Rise rise = rise_of(library_fabric(fabric), 200, 600, backend);
         const std::string word = name;
-        results.push_back(between(word + "_exponent_30_60_s", rise.exponent(30, 60), 0.4, 0.52));
+        VerifyResult early = between(word + "_exponent_30_60_s", rise.exponent(30, 60), 0.4, 0.52);
+        results.push_back(word == "nylon" ? known_miss(early, thirsty) : early);
         results.push_back(at_most(word + "_exponent_300_600_s", rise.exponent(300, 600), 0.4));
         results.push_back(at_most(word + "_error_of_washburn", error_of_washburn_with_gravity(rise), 0.1));
         results.push_back(known_miss(between(word + "_w_60_s_mm2_s", 1e6 * rise.at(60) * rise.at(60) / 60, 10, 100), slow));
