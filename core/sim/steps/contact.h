@@ -194,12 +194,7 @@ struct MeetYarns {
         x = stopped(start, x, p.wall_distance[i]);
         NearestSkin skin = nearest_skin(textile, x, reach);
         if (skin.segment >= 0) {
-            constexpr int most_ways_out = 4; // out of one yarn may be into the next
-            for (int k = 0; skin.distance < touching && k < most_ways_out; ++k) {
-                lose_approach(v, skin.normal, k == 0 ? step->friction : Real(0));
-                x += (touching - skin.distance) * skin.normal;
-                skin = nearest_skin(textile, x, reach);
-            }
+            if (skin.distance < touching) skin = leave(x, v, skin);
             if (skin.distance < Real(0.5) * touching) { // in a wedge between yarns
                 x = start;
                 v = {};
@@ -217,6 +212,24 @@ struct MeetYarns {
         p.wall_normal[i] = skin.normal;
         p.wall_segment[i] = skin.segment;
     }
+    /// Takes a place out of the yarns it is in: by the shortest way out of one, then along its skin out of the next.
+    HL_FN NearestSkin leave(Vec3& x, Vec3& v, NearestSkin skin) const
+    {
+        lose_approach(v, skin.normal, step->friction);
+        Vec3 way = skin.normal;
+        constexpr int most_ways = 4;
+        for (int k = 1;; ++k) {
+            const Vec3 before = skin.normal;
+            x += (touching - skin.distance) * way;
+            skin = nearest_skin(textile, x, reach);
+            if (k == most_ways || skin.distance >= Real(0.9) * touching) return skin;
+            const Real cosine = dot(before, skin.normal), sine2 = Real(1) - cosine * cosine;
+            constexpr Real least_sine2 = Real(0.05); // in a narrower wedge the way along a skin would be long
+            way = sine2 > least_sine2 ? (Real(1) / sine2) * (skin.normal - cosine * before) : skin.normal;
+            lose_approach(v, (Real(1) / length(way)) * way, Real(0));
+            lose_approach(v, before, Real(0));
+        }
+    }
     HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
         const Real approach = dot(v, normal);
@@ -232,16 +245,16 @@ struct MeetYarns {
     {
         const Real way = length(end - start);
         if (way <= free_at_start - Real(0.5) * touching) return end;
-        const Real least = Real(0.1) * touching;
-        Real gone = 0;
+        const Real least = Real(0.25) * touching;
+        Real free = free_at_start - Real(0.5) * touching, gone = 0;
         constexpr int most_pieces = 200;
         for (int k = 0; k < most_pieces; ++k) {
-            const Vec3 here = start + (gone / way) * (end - start);
-            const Real free = nearest_skin(textile, here, reach).distance - Real(0.5) * touching;
-            if (free < 0 && k > 0) return here;
             const Real piece = Real(0.7) * free;
             gone += piece > least ? piece : least;
             if (gone >= way) return end;
+            const Vec3 here = start + (gone / way) * (end - start);
+            free = nearest_skin(textile, here, reach).distance - Real(0.5) * touching;
+            if (free < 0) return here;
         }
         return start + (gone / way) * (end - start);
     }
