@@ -69,7 +69,7 @@ std::span<const KnobInfo> knob_table() { return table; }
 Knobs knobs_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {1000, 5, 20e-3, 0.2, 2e-3, 0.02, 0.03, 1e-3, 0.01};
+    case Fidelity::draft: return {2000, 5, 20e-3, 0.2, 2e-3, 0.02, 0.03, 1e-3, 0.01};
     case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 0.01, 0.01, 1e-4, 0.001};
     case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0.0, 1e-6, 0.0};
     }
