@@ -214,6 +214,7 @@ int run(int count, char** values)
     add_import(app, verb);
     add_presets(app, verb);
     add_devices(app, verb);
+    add_compare(app, verb);
     add_tradeoff(app, verb);
     add_verify(app, verb);
 

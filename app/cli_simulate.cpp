@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // plan and simulate: what a run would do, and the run.
-#include "app/cli.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
+#include "app/cli_run.h"
 
 #include "core/base/text.h"
 #include "core/sim/expectation.h"
@@ -11,32 +11,16 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <optional>
 
 namespace hygroloom {
 namespace {
 
-struct RunVerbOptions : ProjectOptions {
-    std::string fidelity = "standard";
+struct SimulateOptions : RunVerbOptions {
     std::string error, time; ///< of --fidelity auto
-    std::string physics;
-    std::string backend = "auto";
-    int threads = 0;
-    std::uint64_t seed = 1;
     std::string output;
     bool profile = false;
 };
-
-template <typename Act> auto as_usage(Act act)
-{
-    try {
-        return act();
-    } catch (const Error& error) {
-        throw Stop(exit_usage, error.what());
-    }
-}
 
 void print_plan(const ModelPlan& plan)
 {
@@ -59,7 +43,7 @@ void print_plan(const ModelPlan& plan)
 }
 
 /// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
-std::optional<FidelityTarget> target_of(const RunVerbOptions& options)
+std::optional<FidelityTarget> target_of(const SimulateOptions& options)
 {
     const bool error = !options.error.empty(), time = !options.time.empty();
     if (options.fidelity != "auto") {
@@ -74,7 +58,7 @@ std::optional<FidelityTarget> target_of(const RunVerbOptions& options)
 }
 
 /// As named, or the one that keeps what auto was told.
-FidelityChoice chosen_fidelity(const RunVerbOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
+FidelityChoice chosen_fidelity(const SimulateOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
                                const ForcedParts& forced, const KnobSettings& knobs)
 {
     if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
@@ -85,12 +69,12 @@ FidelityChoice chosen_fidelity(const RunVerbOptions& options, const std::optiona
 }
 
 /// Refuses a wrong word before the project is read.
-void check_fidelity(const RunVerbOptions& options)
+void check_fidelity(const SimulateOptions& options)
 {
     if (!target_of(options)) as_usage([&] { return fidelity_from_name(options.fidelity); });
 }
 
-int plan(const RunVerbOptions& options)
+int plan(const SimulateOptions& options)
 {
     check_fidelity(options);
     const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
@@ -105,18 +89,6 @@ int plan(const RunVerbOptions& options)
     else
         print_plan(plan);
     return exit_ok;
-}
-
-void draw_progress(const RunProgress& progress)
-{
-    constexpr int width = 30;
-    const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
-    const int full = static_cast<int>(share * width);
-    const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", progress.wall * (1 - share) / share) : std::string();
-    fmt::print(stderr, "\r\033[K[{}{}] {:.3g} of {:.3g} s, {:.0f} s taken{}, {} particles",
-               std::string(static_cast<std::size_t>(full), '#'), std::string(static_cast<std::size_t>(width - full), '.'),
-               progress.simulated, progress.duration, progress.wall, left, progress.particles);
-    std::fflush(stderr);
 }
 
 /// Where the wall time went, stage by stage; beside the metrics, or on stderr when stdout is for JSON alone.
@@ -136,63 +108,36 @@ void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
     fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
 }
 
-int simulate(const RunVerbOptions& options)
+int simulate(const SimulateOptions& options)
 {
-    RunOptions run_options;
     check_fidelity(options);
-    run_options.forced = as_usage([&] { return parse_forced_parts(options.physics); });
-    run_options.knobs = knob_settings(options);
-    run_options.seed = options.seed;
-    run_options.threads = options.threads;
-    run_options.recording = options.output;
+    RunOptions how = run_options(options);
+    how.recording = options.output;
     const Design design = load_project(options);
     require_valid(design, options);
     const std::string fabric = chosen_fabric(design, options).name, experiment = chosen_experiment(design, options).name;
-    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, run_options.forced, run_options.knobs);
-    run_options.fidelity = choice.fidelity;
-    run_options.fidelity_reason = choice.reason;
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, how.forced, how.knobs);
+    how.fidelity = choice.fidelity;
+    how.fidelity_reason = choice.reason;
 
-    std::unique_ptr<Backend> backend;
-    try {
-        backend = make_backend(options.backend);
-    } catch (const DeviceError& error) {
-        throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
-    }
-
+    const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
     RunControl control;
     const InterruptCancels cancels(control.cancel);
-    const bool bar = !options.quiet && isatty(STDERR_FILENO);
-    MetricsCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
-    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { collector.add(*frame); };
-    if (bar) callbacks.progress = draw_progress;
-    const auto clear_bar = [&] {
-        if (bar) fmt::print(stderr, "\r\033[K");
-    };
-    RunRecord run;
+    FinishedRun finished;
     try {
-        run = run_experiment(design, fabric, experiment, run_options, *backend, control, callbacks);
+        finished = run_with_bar(design, fabric, experiment, how, *backend, control, options.quiet, "");
     } catch (const Cancelled&) {
-        clear_bar();
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
-    } catch (const DeviceError& error) {
-        clear_bar();
-        throw Stop(exit_failed, std::string(error.what()) + " Run again with --backend cpu.");
-    } catch (...) {
-        clear_bar();
-        throw;
     }
-    clear_bar();
-    print_metrics(run, collector.metrics(), options.json);
+    print_metrics(finished.run, finished.metrics, options.json);
     if (!choice.reason.empty() && !options.json) fmt::print("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
-    if (options.profile) print_profile(backend->stage_times(), run.wall, options.json);
+    if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
 }
 
-void add_run_options(CLI::App& verb, RunVerbOptions& options)
+void add_run_options(CLI::App& verb, SimulateOptions& options)
 {
     add_project_options(verb, options, true);
     options.takes_knobs = true;
@@ -200,14 +145,14 @@ void add_run_options(CLI::App& verb, RunVerbOptions& options)
     verb.add_option("--error", options.error,
                     "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%");
     verb.add_option("--time", options.time, "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min");
-    verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
+    add_physics_option(verb, options);
 }
 
 } // namespace
 
 void add_plan(CLI::App& app, Verb& verb)
 {
-    auto options = std::make_shared<RunVerbOptions>();
+    auto options = std::make_shared<SimulateOptions>();
     CLI::App& plan_verb = *app.add_subcommand("plan", "What a run would compute and why, and what it would cost");
     plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft\n\n" +
                      knob_help());
@@ -217,17 +162,14 @@ void add_plan(CLI::App& app, Verb& verb)
 
 void add_simulate(CLI::App& app, Verb& verb)
 {
-    auto options = std::make_shared<RunVerbOptions>();
+    auto options = std::make_shared<SimulateOptions>();
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
         "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
         knob_help());
     add_run_options(simulate_verb, *options);
-    simulate_verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
-    simulate_verb.add_option("--threads", options->threads, "CPU threads; 0 takes all. Results do not depend on it")
-        ->check(CLI::Range(0, 1024));
-    simulate_verb.add_option("--seed", options->seed, "Seed of the random numbers");
+    add_machine_options(simulate_verb, *options);
     simulate_verb.add_flag("--profile", options->profile, "Also print where the time went, stage by stage");
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // tradeoff: the ladder of fidelities and one-knob variations of one scene, timed and compared with the reference.
-#include "app/cli.h"
 #include "app/cli_interrupt.h"
+#include "app/cli_run.h"
 #include "app/run_apart.h"
 
 #include "core/base/text.h"
 #include "core/project/atomic_file.h"
+#include "core/sim/expectation.h"
 
 #include <fmt/format.h>
 
@@ -16,28 +17,13 @@
 namespace hygroloom {
 namespace {
 
-struct TradeoffOptions : ProjectOptions {
+struct TradeoffOptions : RunVerbOptions {
     std::string fidelities = "draft,standard,reference";
     std::string knobs;
-    std::string physics;
-    std::string backend = "auto";
-    int threads = 0;
     int repeats = 3;
-    std::uint64_t seed = 1;
     bool convergence = false;
     std::string output;
 };
-
-std::vector<std::string> words_of(const std::string& list)
-{
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        words.push_back(list.substr(at, comma - at));
-        at = comma + 1;
-    }
-    return words;
-}
 
 /// The ladder without the fidelities that were not asked for.
 void keep_asked(std::vector<TradeoffVariant>& variants, const std::string& list)
@@ -201,23 +187,10 @@ void print_table(const Tradeoff& t)
     }
 }
 
-void make_folder(const std::string& folder)
-{
-    if (folder.empty()) return;
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder))
-        throw Stop(exit_usage, folder + ": This folder cannot be made. Check that its parent exists and can be written to.");
-}
-
 int tradeoff(const TradeoffOptions& options)
 {
     ApartRun scene;
-    try {
-        scene.options.forced = parse_forced_parts(options.physics);
-    } catch (const Error& error) {
-        throw Stop(exit_usage, error.what());
-    }
+    scene.options = run_options(options);
     const std::vector<TradeoffVariant> variants = asked_variants(options, knob_settings(options));
     scene.design = load_project(options);
     require_valid(scene.design, options);
@@ -225,8 +198,6 @@ int tradeoff(const TradeoffOptions& options)
     const Experiment& experiment = chosen_experiment(scene.design, options);
     scene.fabric = fabric.name;
     scene.experiment = experiment.name;
-    scene.options.seed = options.seed;
-    scene.options.threads = options.threads;
     scene.backend = options.backend;
     make_folder(options.output);
 
@@ -257,6 +228,20 @@ int tradeoff(const TradeoffOptions& options)
     return exit_ok;
 }
 
+/// For --help: what the shipped scenes took, fidelity by fidelity.
+std::string measured_help()
+{
+    std::string text = "Measured on the scenes that ship (error: the largest of all numbers and of the map, against the reference):\n";
+    for (const MeasuredScene& scene : shipped_measurements()) {
+        text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
+        for (const MeasuredRun& run : scene.runs)
+            if (run.settings.empty())
+                text += fmt::format("    {:<10} {:>8.3g} s {:>8} {:>8}\n", name_of(run.plan.fidelity), run.seconds, bytes_text(run.bytes),
+                                    percent(run.error));
+    }
+    return text;
+}
+
 } // namespace
 
 void add_tradeoff(CLI::App& app, Verb& chosen)
@@ -267,16 +252,14 @@ void add_tradeoff(CLI::App& app, Verb& chosen)
     verb.footer("Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
                 "Runs the reference as well, which may take long; plan says how long. The folder gets tradeoff.json, .csv and .svg after\n"
                 "every run; Ctrl-C leaves what was measured until then. The machine should do nothing else meanwhile.\n\n" +
-                knob_help());
+                measured_help() + "\n" + knob_help());
     add_project_options(verb, *options, true);
     options->takes_knobs = true;
     verb.add_option("--fidelities", options->fidelities, "Points of the ladder to run, with commas between; errors need the reference");
     verb.add_option("--knobs", options->knobs, "Knobs to vary, with commas between; all when left out, none for the ladder alone");
-    verb.add_option("--physics", options->physics, "Force parts on or off, e.g. heat=off,vapour=on");
-    verb.add_option("--backend", options->backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
-    verb.add_option("--threads", options->threads, "CPU threads; 0 takes all")->check(CLI::Range(0, 1024));
+    add_physics_option(verb, *options);
+    add_machine_options(verb, *options);
     verb.add_option("--repeats", options->repeats, "Runs of every variant; the time is their median")->check(CLI::Range(1, 99));
-    verb.add_option("--seed", options->seed, "Seed of the random numbers");
     verb.add_flag("--convergence", options->convergence,
                   "Also run the reference half and a quarter as fine, which shows how far it can be trusted");
     verb.add_option("-o,--output", options->output, "Folder to write the results to");

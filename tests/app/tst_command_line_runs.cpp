@@ -2,6 +2,7 @@
 // simulate and measure from end to end, and Ctrl-C.
 #include "command_line.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -120,6 +121,37 @@ private Q_SLOTS:
         const QJsonObject json = QJsonDocument::fromJson(contents(folder_.filePath("tradeoff/tradeoff.json"))).object();
         QVERIFY(!json["provenance"].toObject()["complete"].toBool());
         QVERIFY(!json["points"].toArray()[0].toObject()["walls_s"].toArray().isEmpty());
+    }
+    void candidatesAreRankedOnOneExperiment()
+    {
+        const QString folder = folder_.filePath("compared");
+        const QStringList compare{
+            "compare", example("three-candidates.hygro"), "--backend", "cpu", "--fidelity", "draft", "--physics", "heat=off,vapour=off"};
+        const QStringList scene{"--experiment",
+                                "one drop",
+                                "--set",
+                                "experiments.one drop.duration_s=0.05",
+                                "experiments.one drop.sample_mm=[8,8]",
+                                "experiments.one drop.droplets[0].volume_ul=2",
+                                "experiments.one drop.droplets[0].height_mm=0"};
+        const Answer answer = run_cli(compare + scene + QStringList{"-o", folder, "--json"}, 300);
+        QVERIFY2(answer.code == 0, answer.err);
+        const QJsonArray candidates = answer.json()["candidates"].toArray();
+        QCOMPARE(candidates.size(), 3);
+        double before = 1e9;
+        for (const QJsonValue& candidate : candidates) {
+            const QJsonObject run = candidate.toObject()["run"].toObject();
+            const double radius = run["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble(-1);
+            QVERIFY(radius >= 0 && radius <= before);
+            before = radius;
+        }
+        QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 3 + candidates.size());
+        QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * candidates.size());
+        QCOMPARE(run_cli(compare + scene + QStringList{"--by", "ommc"}).code, 2);
+        const QString first = candidates[0].toObject()["fabric"].toString();
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two fabrics or more"));
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + "," + first}).err.contains("named twice"));
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",no such"}).err.contains("no fabric \"no such\""));
     }
     void mapsAreWrittenAsPictureAndTable()
     {

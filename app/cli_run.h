@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the verbs that run experiments share.
+#pragma once
+
+#include "app/cli.h"
+
+#include "core/analysis/metrics.h"
+#include "core/sim/backend.h"
+
+namespace hygroloom {
+
+struct RunVerbOptions : ProjectOptions {
+    std::string fidelity = "standard";
+    std::string physics;
+    std::string backend = "auto";
+    int threads = 0;
+    std::uint64_t seed = 1;
+};
+
+/// An Error of act() is the caller's wrong usage. Throws Stop.
+template <typename Act> auto as_usage(Act act)
+{
+    try {
+        return act();
+    } catch (const Error& error) {
+        throw Stop(exit_usage, error.what());
+    }
+}
+
+/// --physics, and --backend, --threads and --seed for verbs that run.
+void add_physics_option(CLI::App& verb, RunVerbOptions& options);
+void add_machine_options(CLI::App& verb, RunVerbOptions& options);
+
+/// All that the options say but the fidelity. Throws Stop.
+RunOptions run_options(const RunVerbOptions& options);
+/// Throws Stop.
+std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
+
+struct FinishedRun {
+    RunRecord run;
+    Metrics metrics;
+};
+
+/// Runs to the end with a bar on a terminal, after what is said of it. Throws Cancelled, Stop when the device fails, and Error.
+FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
+                         Backend& backend, RunControl& control, bool quiet, const std::string& about,
+                         const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});
+
+/// "a,b" -> "a", "b"; none of an empty text.
+std::vector<std::string> words_of(const std::string& list);
+
+/// Makes a folder for results, unless it has no name. Throws Stop.
+void make_folder(const std::string& folder);
+
+} // namespace hygroloom

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Candidates on the same experiment, ranked by one of the numbers that its type reports.
+#pragma once
+
+#include "core/analysis/metrics.h"
+
+#include <map>
+
+namespace hygroloom {
+
+/// A number of the metrics file by which candidates are compared.
+struct Criterion {
+    std::string name;       ///< its key, with the unit
+    bool most_first = true; ///< otherwise the least comes first
+};
+
+/// Those of a type of experiment. The first ranks unless another is asked for.
+std::vector<Criterion> criteria_of(ExperimentType type);
+
+/// A fabric and what its run gave.
+struct Candidate {
+    std::string fabric;
+    std::string metrics;                   ///< the metrics file; empty: the run failed
+    std::string failure;                   ///< why, in a sentence
+    std::map<std::string, double> numbers; ///< of the criteria; one that could not be determined is absent
+    double wall = 0;                       ///< s
+};
+
+struct Comparison {
+    std::string experiment;
+    std::vector<Criterion> criteria; ///< of the experiment's type
+    Criterion ranked_by;
+    std::vector<Candidate> candidates;
+};
+
+/// The named criterion, the first for an empty name. Throws Error naming those there are.
+Criterion criterion_named(const std::vector<Criterion>& criteria, const std::string& name);
+
+Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::vector<Criterion>& criteria);
+
+/// Best first; those without the number after them, those that failed last, equal ones as they stand.
+void rank(Comparison& comparison);
+
+/// How the table says in which order it stands: "maximum_wetted_radius_top_mm, the most first".
+std::string order_text(const Comparison& comparison);
+
+std::string comparison_json(const Comparison& comparison);
+/// UTF-8, comma, dot decimals; first lines "# key=value", then a header. Numbers that could not be determined are empty.
+std::string comparison_csv(const Comparison& comparison);
+
+} // namespace hygroloom

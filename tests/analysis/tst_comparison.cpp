@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How candidates are ranked, and what the files of a comparison say.
+#include "core/analysis/comparison.h"
+#include "core/base/error.h"
+#include "tests/support/drop_design.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+/// A run of which everything could be determined.
+Candidate full_candidate(ExperimentType type)
+{
+    RunRecord run;
+    run.design = drop_design();
+    run.design.experiments[0] = standard_experiment(type);
+    run.fabric = run.design.fabrics[0].name;
+    run.experiment = run.design.experiments[0].name;
+    run.plan = plan_model(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);
+    Metrics m;
+    m.absorbency_time = m.horizontal_rate = 1.0;
+    m.management.emplace().top.wetting_time = 1.0;
+    m.wicking = WickingResult{1.0, 1.0};
+    m.drying = DryingResult{1.0, 300.0, 1.0};
+    m.conditioning.emplace().half_time = 1.0;
+    return candidate_of(run, m, criteria_of(type));
+}
+
+Comparison of_drops(std::initializer_list<std::pair<const char*, std::optional<double>>> radii)
+{
+    Comparison c;
+    c.experiment = "drop";
+    c.criteria = criteria_of(ExperimentType::droplet);
+    c.ranked_by = c.criteria[0];
+    for (const auto& [fabric, radius] : radii) {
+        Candidate candidate;
+        candidate.fabric = fabric;
+        candidate.metrics = "{}";
+        if (radius) candidate.numbers[c.ranked_by.name] = *radius;
+        c.candidates.push_back(candidate);
+    }
+    return c;
+}
+
+std::string order_of(const Comparison& comparison)
+{
+    std::string order;
+    for (const Candidate& c : comparison.candidates) order += c.fabric;
+    return order;
+}
+
+} // namespace
+
+class TestComparison : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyTypeReportsWhatItIsComparedBy_data()
+    {
+        QTest::addColumn<int>("type");
+        for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type)
+            QTest::newRow(name_of(static_cast<ExperimentType>(type))) << type;
+    }
+    void everyTypeReportsWhatItIsComparedBy()
+    {
+        QFETCH(int, type);
+        const Candidate candidate = full_candidate(static_cast<ExperimentType>(type));
+        const std::vector<Criterion> criteria = criteria_of(static_cast<ExperimentType>(type));
+        QVERIFY(!criteria.empty());
+        for (const Criterion& criterion : criteria) QVERIFY2(candidate.numbers.contains(criterion.name), criterion.name.c_str());
+    }
+    void theBestComesFirst()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", {}}, {"c", 9.0}, {"d", 3.0}, {"e", -1.0}});
+        c.candidates[1].failure = "too large";
+        c.candidates.push_back(c.candidates[4]);
+        c.candidates.back().fabric = "f";
+        c.candidates.back().numbers.clear();
+        rank(c);
+        QCOMPARE(order_of(c), std::string("cadefb")); // equal ones as they stood, then without the number, then failed
+        c.ranked_by.most_first = false;
+        rank(c);
+        QCOMPARE(order_of(c), std::string("eadcfb"));
+    }
+    void anotherNumberMayRank()
+    {
+        const std::vector<Criterion> criteria = criteria_of(ExperimentType::droplet);
+        QCOMPARE(criterion_named(criteria, "").name, criteria[0].name);
+        QVERIFY(!criterion_named(criteria, "absorbency_time_s").most_first);
+        try {
+            criterion_named(criteria, "ommc");
+            QFAIL("a drop has no OMMC");
+        } catch (const Error& error) {
+            QVERIFY2(std::string(error.what()).find("absorbency_time_s") != std::string::npos, error.what());
+        }
+    }
+    void theFilesSayWhatTheTableSays()
+    {
+        Comparison c = of_drops({{"a \"fine\", washed", 3.25}, {"b", {}}});
+        c.candidates[1].failure = "too large";
+        rank(c);
+        const std::string csv = comparison_csv(c);
+        QVERIFY2(csv.find("# ranked_by=maximum_wetted_radius_top_mm, the most first\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,,,0,\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n2,\"b\",,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object();
+        QCOMPARE(json["format"].toString(), QString("hygroloom-comparison"));
+        QCOMPARE(json["first"].toString(), QString("most"));
+        const QJsonArray candidates = json["candidates"].toArray();
+        QCOMPARE(candidates.size(), 2);
+        QCOMPARE(candidates[0].toObject()["fabric"].toString(), QString("a \"fine\", washed"));
+        QVERIFY(candidates[0].toObject().contains("run"));
+        QCOMPARE(candidates[1].toObject()["failure"].toString(), QString("too large"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestComparison)
+#include "tst_comparison.moc"
