@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // compare: candidates on the same experiment, ranked.
 #include "app/cli_interrupt.h"
+#include "app/cli_metrics.h"
 #include "app/cli_run.h"
 
 #include "core/analysis/comparison.h"
-#include "core/analysis/map_image.h"
-#include "core/base/units.h"
 #include "core/project/atomic_file.h"
-#include "gpu/backends.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 
 namespace hygroloom {
 namespace {
@@ -24,25 +25,8 @@ struct CompareOptions : RunVerbOptions {
 
 /// The maps of a candidate's last frame.
 struct CandidateMaps {
-    CellMap top, bottom;
-    Circle wet_top, wet_bottom;
-    double width = 0, height = 0, time = 0; ///< m, m, s
+    MapPicture top, bottom;
 };
-
-constexpr int crossings_per_cell = 2;
-
-CandidateMaps maps_of(const RunRecord& run, const Frame& first, const Frame& last)
-{
-    const Textile& t = run.textile;
-    const Frame start = start_of_maps(run, first);
-    return {cell_map(t, last, start, MapSide::top, crossings_per_cell),
-            cell_map(t, last, start, MapSide::bottom, crossings_per_cell),
-            wetted_circle(t, last, Face::top),
-            wetted_circle(t, last, Face::bottom),
-            t.ends() * t.warp.pitch,
-            t.picks() * t.weft.pitch,
-            last.time};
-}
 
 /// Those named, all when none is. A name may hold commas when it stands alone.
 std::vector<std::string> chosen_fabrics(const Design& design, const CompareOptions& options)
@@ -54,49 +38,56 @@ std::vector<std::string> chosen_fabrics(const Design& design, const CompareOptio
     }
     if (options.fabrics.empty())
         for (const Fabric& fabric : design.fabrics) names.push_back(fabric.name);
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        if (name.empty()) throw Stop(exit_usage, "--fabrics: A name is empty.");
         ProjectOptions one;
-        one.fabric = names[i];
+        one.fabric = name;
         chosen_fabric(design, one); // tells which there are
-        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-            names.begin() + static_cast<std::ptrdiff_t>(i))
-            throw Stop(exit_usage, fmt::format("--fabrics: \"{}\" is named twice.", names[i]));
+        if (!seen.insert(name).second) throw Stop(exit_usage, fmt::format("--fabrics: \"{}\" is named twice.", name));
     }
     if (names.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
     return names;
 }
 
-std::string file_stem(std::size_t rank, const std::string& fabric)
+constexpr int crossings_per_cell = 2;
+
+/// The fabrics' names as names of files, no two alike.
+std::vector<std::string> file_stems(const std::vector<std::string>& fabrics)
 {
-    std::string stem = fmt::format("{}-", rank);
-    for (const char c : fabric) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
-    return stem;
+    std::vector<std::string> stems;
+    for (const std::string& fabric : fabrics) {
+        std::string stem;
+        for (const char c : fabric) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+        const std::string plain = stem;
+        for (int k = 2; std::find(stems.begin(), stems.end(), stem) != stems.end(); ++k) stem = fmt::format("{}-{}", plain, k);
+        stems.push_back(stem);
+    }
+    return stems;
+}
+
+/// What is in the folder after every run.
+void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
+{
+    if (folder.empty()) return;
+    write_file(folder / "comparison.json", comparison_json(comparison));
+    write_file(folder / "comparison.csv", comparison_csv(comparison));
 }
 
 /// All with the same colours, so that they can be laid side by side.
-void write_pictures(const Comparison& comparison, const std::map<std::string, CandidateMaps>& maps, const std::filesystem::path& folder)
+void write_pictures(std::map<std::string, CandidateMaps>& maps, const std::vector<std::string>& fabrics,
+                    const std::filesystem::path& folder)
 {
     double most = 0;
-    for (const auto& [fabric, m] : maps) most = std::max({most, m.top.maximum(), m.bottom.maximum()});
-    for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
-        const std::string& fabric = comparison.candidates[i].fabric;
-        const auto found = maps.find(fabric);
+    for (const auto& [fabric, m] : maps) most = std::max({most, m.top.map.maximum(), m.bottom.map.maximum()});
+    const std::vector<std::string> stems = file_stems(fabrics);
+    for (std::size_t i = 0; i < fabrics.size(); ++i) {
+        const auto found = maps.find(fabrics[i]);
         if (found == maps.end()) continue;
-        const CandidateMaps& m = found->second;
-        for (const bool top : {true, false}) {
-            const Circle& wet = top ? m.wet_top : m.wet_bottom;
-            MapImageOptions image;
-            image.most = most;
-            image.captions = {fmt::format("{}, {}", fabric, comparison.experiment),
-                              fmt::format("{} face after {:.4g} s, cells of {} x {}", top ? "top" : "bottom", m.time, crossings_per_cell,
-                                          crossings_per_cell)};
-            if (wet.radius > 0) {
-                image.circle = wet;
-                image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(wet.radius)));
-            }
-            write_png(draw_map(top ? m.top : m.bottom, m.width, m.height, image),
-                      folder / (file_stem(i + 1, fabric) + (top ? "-top.png" : "-bottom.png")));
-        }
+        auto& [top, bottom] = found->second;
+        top.image.most = bottom.image.most = most;
+        write_picture(top, folder / (stems[i] + "-top.png"));
+        write_picture(bottom, folder / (stems[i] + "-bottom.png"));
     }
 }
 
@@ -121,6 +112,34 @@ void print_comparison(const Comparison& comparison)
         }
         fmt::print("  {:>6}\n", fmt::format("{:.3g}", c.wall));
     }
+    for (const Candidate& c : comparison.candidates)
+        for (const std::string& note : c.notes) fmt::print("  {}: {}\n", c.fabric, note);
+}
+
+/// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
+Candidate run_candidate(const Design& design, const std::string& fabric, const Comparison& comparison, const RunOptions& how,
+                        Backend& backend, RunControl& control, const CompareOptions& options, const std::string& about,
+                        std::map<std::string, CandidateMaps>& maps)
+try {
+    std::shared_ptr<const Frame> first, last;
+    const FinishedRun finished = run_with_bar(design, fabric, comparison.experiment, how, backend, control, options.quiet, about,
+                                              [&](const std::shared_ptr<const Frame>& frame) {
+                                                  if (!first) first = frame;
+                                                  last = frame;
+                                              });
+    if (!options.output.empty()) {
+        const Frame start = start_of_maps(finished.run, *first);
+        maps[fabric] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
+                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
+    }
+    return candidate_of(finished.run, finished.metrics, comparison.criteria);
+} catch (const Cancelled&) {
+    throw;
+} catch (const std::exception& error) {
+    Candidate candidate;
+    candidate.fabric = fabric;
+    candidate.failure = error.what();
+    return candidate;
 }
 
 int compare(const CompareOptions& options)
@@ -136,49 +155,33 @@ int compare(const CompareOptions& options)
     comparison.criteria = criteria_of(experiment.type);
     comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
     make_folder(options.output);
+    write_numbers(comparison, options.output); // a folder that cannot be written to is told before the first run
     const std::unique_ptr<Backend> backend = open_backend(options);
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     std::map<std::string, CandidateMaps> maps;
-    bool cancelled = false, failed = false;
-    for (std::size_t i = 0; i < fabrics.size() && !cancelled; ++i) {
-        const std::string& fabric = fabrics[i];
-        std::shared_ptr<const Frame> first, last;
-        const auto see = [&](const std::shared_ptr<const Frame>& frame) {
-            if (!first) first = frame;
-            last = frame;
-        };
-        try {
-            const FinishedRun finished = run_with_bar(design, fabric, experiment.name, how, *backend, control, options.quiet,
-                                                      fmt::format("{} ({} of {}) ", fabric, i + 1, fabrics.size()), see);
-            comparison.candidates.push_back(candidate_of(finished.run, finished.metrics, comparison.criteria));
-            if (!options.output.empty()) maps[fabric] = maps_of(finished.run, *first, *last);
-        } catch (const Cancelled&) {
-            cancelled = true;
-        } catch (const Stop&) {
-            throw;
-        } catch (const Error& error) {
-            failed = true;
-            Candidate candidate;
-            candidate.fabric = fabric;
-            candidate.failure = error.what();
-            comparison.candidates.push_back(std::move(candidate));
+    bool failed = false;
+    try {
+        for (std::size_t i = 0; i < fabrics.size(); ++i) {
+            comparison.candidates.push_back(run_candidate(design, fabrics[i], comparison, how, *backend, control, options,
+                                                          fmt::format("{} ({} of {}) ", fabrics[i], i + 1, fabrics.size()), maps));
+            failed = failed || !comparison.candidates.back().failure.empty();
+            comparison.complete = i + 1 == fabrics.size();
+            rank(comparison);
+            write_numbers(comparison, options.output);
         }
-    }
-    rank(comparison);
-    if (!options.output.empty()) {
-        const std::filesystem::path folder = options.output;
-        write_file(folder / "comparison.json", comparison_json(comparison));
-        write_file(folder / "comparison.csv", comparison_csv(comparison));
-        write_pictures(comparison, maps, folder);
-        if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
+    } catch (const Cancelled&) {
     }
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
     else
         print_comparison(comparison);
-    if (cancelled) {
+    if (!options.output.empty()) {
+        write_pictures(maps, fabrics, options.output);
+        if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
+    }
+    if (!comparison.complete) {
         fmt::print(stderr, "Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
         return exit_cancelled;
     }

@@ -3,7 +3,6 @@
 #include "app/cli.h"
 #include "app/cli_metrics.h"
 
-#include "core/analysis/map_image.h"
 #include "core/base/units.h"
 #include "core/sim/recording.h"
 
@@ -33,24 +32,11 @@ void write_map(const Recording& recording, const MeasureOptions& options)
 
     const RunRecord& run = recording.run();
     const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
-    const CellMap map = cell_map(run.textile, frame, start_of_maps(run, recording.frame(0)), side, options.cells);
-    if (ending == ".csv") {
-        write_cell_map_csv(map, run, frame.time, side, options.output);
-    } else {
-        MapImageOptions image;
-        image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
-                          fmt::format("{} after {:.4g} s, cells of {} x {}", options.map == "total" ? "water" : options.map + " face",
-                                      frame.time, options.cells, options.cells)};
-        if (side != MapSide::total) {
-            const Circle circle = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
-            if (circle.radius > 0) {
-                image.circle = circle;
-                image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
-            }
-        }
-        write_png(draw_map(map, run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch, image),
-                  options.output);
-    }
+    const MapPicture picture = map_picture(run, frame, start_of_maps(run, recording.frame(0)), side, options.cells);
+    if (ending == ".csv")
+        write_cell_map_csv(picture.map, run, frame.time, side, options.output);
+    else
+        write_picture(picture, options.output);
     if (!options.quiet) fmt::print(stderr, "The map at {:.4g} s is in {}.\n", frame.time, options.output);
 }
 
@@ -153,6 +139,30 @@ void print_results(const RunRecord& run, const Metrics& m)
 }
 
 } // namespace
+
+MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell)
+{
+    const Textile& t = run.textile;
+    MapPicture picture;
+    picture.map = cell_map(t, frame, start, side, crossings_per_cell);
+    picture.width = t.ends() * t.warp.pitch;
+    picture.height = t.picks() * t.weft.pitch;
+    const char* what = side == MapSide::top ? "top face" : side == MapSide::bottom ? "bottom face" : "water";
+    picture.image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
+                              fmt::format("{} after {:.4g} s, cells of {} x {}", what, frame.time, crossings_per_cell, crossings_per_cell)};
+    if (side == MapSide::total) return picture;
+    const Circle circle = wetted_circle(t, frame, side == MapSide::top ? Face::top : Face::bottom);
+    if (circle.radius > 0) {
+        picture.image.circle = circle;
+        picture.image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
+    }
+    return picture;
+}
+
+void write_picture(const MapPicture& picture, const std::filesystem::path& path)
+{
+    write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
+}
 
 void print_metrics(const RunRecord& run, const Metrics& m, bool json)
 {

@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 namespace hygroloom {
@@ -93,7 +95,9 @@ std::vector<std::string> words_of(const std::string& list)
     std::vector<std::string> words;
     for (std::size_t at = 0; at < list.size();) {
         const std::size_t comma = std::min(list.find(',', at), list.size());
-        words.push_back(list.substr(at, comma - at));
+        const std::size_t first = std::min(list.find_first_not_of(' ', at), comma);
+        const std::size_t last = list.find_last_not_of(' ', comma - (comma > first ? 1 : 0));
+        words.push_back(first == comma ? "" : list.substr(first, last + 1 - first));
         at = comma + 1;
     }
     return words;

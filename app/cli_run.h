@@ -46,7 +46,7 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
                          Backend& backend, RunControl& control, bool quiet, const std::string& about,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});
 
-/// "a,b" -> "a", "b"; none of an empty text.
+/// "a, b" -> "a", "b", without the spaces around; none of an empty text.
 std::vector<std::string> words_of(const std::string& list);
 
 /// Makes a folder for results, unless it has no name. Throws Stop.

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -191,7 +192,7 @@ int tradeoff(const TradeoffOptions& options)
 {
     ApartRun scene;
     scene.options = run_options(options);
-    const std::vector<TradeoffVariant> variants = asked_variants(options, knob_settings(options));
+    const std::vector<TradeoffVariant> variants = asked_variants(options, std::exchange(scene.options.knobs, {}));
     scene.design = load_project(options);
     require_valid(scene.design, options);
     const Fabric& fabric = chosen_fabric(scene.design, options);
@@ -231,7 +232,8 @@ int tradeoff(const TradeoffOptions& options)
 /// For --help: what the shipped scenes took, fidelity by fidelity.
 std::string measured_help()
 {
-    std::string text = "Measured on the scenes that ship (error: the largest of all numbers and of the map, against the reference):\n";
+    std::string text =
+        "Measured on the scenes that ship (error: the largest of all numbers, all contents and 1 - overlap, against the reference):\n";
     for (const MeasuredScene& scene : shipped_measurements()) {
         text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
         for (const MeasuredRun& run : scene.runs)
@@ -249,10 +251,12 @@ void add_tradeoff(CLI::App& app, Verb& chosen)
     auto options = std::make_shared<TradeoffOptions>();
     CLI::App& verb =
         *app.add_subcommand("tradeoff", "Speed against accuracy of one scene, measured: every fidelity, and one knob at a time");
-    verb.footer("Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
-                "Runs the reference as well, which may take long; plan says how long. The folder gets tradeoff.json, .csv and .svg after\n"
-                "every run; Ctrl-C leaves what was measured until then. The machine should do nothing else meanwhile.\n\n" +
-                measured_help() + "\n" + knob_help());
+    verb.footer([] {
+        return "Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
+               "Runs the reference as well, which may take long; plan says how long. The folder gets tradeoff.json, .csv and .svg after\n"
+               "every run; Ctrl-C leaves what was measured until then. The machine should do nothing else meanwhile.\n\n" +
+               measured_help() + "\n" + knob_help();
+    });
     add_project_options(verb, *options, true);
     options->takes_knobs = true;
     verb.add_option("--fidelities", options->fidelities, "Points of the ladder to run, with commas between; errors need the reference");

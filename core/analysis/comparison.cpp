@@ -17,11 +17,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr bool most = true, least = false;
 
+std::string one_line(std::string text)
+{
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return text;
+}
+
 /// A CSV field.
-std::string quoted(const std::string& text)
+std::string csv_field(const std::string& text)
 {
     std::string inside;
-    for (const char c : text) inside += c == '"' ? "\"\"" : c == '\n' || c == '\r' ? " " : std::string(1, c);
+    for (const char c : one_line(text)) inside += c == '"' ? "\"\"" : std::string(1, c);
     return '"' + inside + '"';
 }
 
@@ -60,7 +67,7 @@ Criterion criterion_named(const std::vector<Criterion>& criteria, const std::str
 
 Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::vector<Criterion>& criteria)
 {
-    Candidate candidate{run.fabric, metrics_json(run, metrics), {}, {}, run.wall};
+    Candidate candidate{run.fabric, metrics_json(run, metrics), {}, {}, metrics.notes, run.wall};
     const Json all = Json::parse(candidate.metrics).at("metrics");
     for (const Criterion& criterion : criteria)
         if (const auto found = all.find(criterion.name); found != all.end() && found->is_number())
@@ -102,6 +109,7 @@ std::string comparison_json(const Comparison& comparison)
                 {"experiment", comparison.experiment},
                 {"ranked_by", comparison.ranked_by.name},
                 {"first", comparison.ranked_by.most_first ? "most" : "least"},
+                {"complete", comparison.complete},
                 {"candidates", candidates}}
                .dump(2) +
            "\n";
@@ -109,17 +117,20 @@ std::string comparison_json(const Comparison& comparison)
 
 std::string comparison_csv(const Comparison& comparison)
 {
-    std::string text = fmt::format("# experiment={}\n# ranked_by={}\nrank,fabric", comparison.experiment, order_text(comparison));
+    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
+                                   order_text(comparison), comparison.complete ? "yes" : "no");
     for (const Criterion& criterion : comparison.criteria) text += "," + criterion.name;
-    text += ",wall_s,failure\n";
+    text += ",wall_s,notes\n";
     int rank = 0;
     for (const Candidate& c : comparison.candidates) {
-        text += fmt::format("{},{}", ++rank, quoted(c.fabric));
+        text += fmt::format("{},{}", ++rank, csv_field(c.fabric));
         for (const Criterion& criterion : comparison.criteria) {
             const auto found = c.numbers.find(criterion.name);
             text += found == c.numbers.end() ? "," : fmt::format(",{:.6g}", found->second);
         }
-        text += fmt::format(",{:.4g},{}\n", c.wall, c.failure.empty() ? "" : quoted(c.failure));
+        std::string notes = c.failure;
+        for (const std::string& note : c.notes) notes += (notes.empty() ? "" : " ") + note;
+        text += fmt::format(",{:.4g},{}\n", c.wall, csv_field(notes));
     }
     return text;
 }

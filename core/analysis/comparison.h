@@ -23,6 +23,7 @@ struct Candidate {
     std::string metrics;                   ///< the metrics file; empty: the run failed
     std::string failure;                   ///< why, in a sentence
     std::map<std::string, double> numbers; ///< of the criteria; one that could not be determined is absent
+    std::vector<std::string> notes;        ///< what limits them, in sentences
     double wall = 0;                       ///< s
 };
 
@@ -31,11 +32,13 @@ struct Comparison {
     std::vector<Criterion> criteria; ///< of the experiment's type
     Criterion ranked_by;
     std::vector<Candidate> candidates;
+    bool complete = false; ///< whether all that were asked for are among them
 };
 
 /// The named criterion, the first for an empty name. Throws Error naming those there are.
 Criterion criterion_named(const std::vector<Criterion>& criteria, const std::string& name);
 
+/// What a finished run gave of the criteria.
 Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::vector<Criterion>& criteria);
 
 /// Best first; those without the number after them, those that failed last, equal ones as they stand.
@@ -44,6 +47,7 @@ void rank(Comparison& comparison);
 /// How the table says in which order it stands: "maximum_wetted_radius_top_mm, the most first".
 std::string order_text(const Comparison& comparison);
 
+/// With the metrics file of each.
 std::string comparison_json(const Comparison& comparison);
 /// UTF-8, comma, dot decimals; first lines "# key=value", then a header. Numbers that could not be determined are empty.
 std::string comparison_csv(const Comparison& comparison);

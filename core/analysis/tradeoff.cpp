@@ -38,15 +38,21 @@ double relative(double value, double reference, double scale)
     return value == reference ? 0.0 : scale > 0 ? std::abs(value - reference) / scale : 1.0;
 }
 
+/// What a metric's error is a share of.
+double scale_of(const std::string& name, double value, double air_temperature_c)
+{
+    if (name == "surface_temperature_steady_c") return std::max(1.0, std::abs(value - air_temperature_c));
+    if (name == "one_way_transport_pct") return std::max(100.0, std::abs(value)); // a difference; its grades lie about 100 % apart
+    return std::abs(value);
+}
+
 void compare_metrics(const TradeoffOutcome& run, const TradeoffOutcome& reference, TradeoffErrors& errors)
 {
     for (const auto& [name, wanted] : reference.metrics) {
         const auto found = run.metrics.find(name);
         MetricError m{name, found == run.metrics.end() ? std::nullopt : found->second, wanted, 0};
         if (m.value && m.reference) {
-            const bool temperature = name == "surface_temperature_steady_c";
-            const double scale = temperature ? std::max(1.0, std::abs(*m.reference - reference.air_temperature_c)) : std::abs(*m.reference);
-            m.error = relative(*m.value, *m.reference, scale);
+            m.error = relative(*m.value, *m.reference, scale_of(name, *m.reference, reference.air_temperature_c));
         } else if (m.value || m.reference) {
             m.error = 1;
         }

@@ -29,20 +29,14 @@ public:
     /// The longest first.
     std::vector<StageTime> times() const
     {
-        std::map<std::string, StageTime> named; // one name may stand in several files
-        for (const auto& [name, stage] : stages_) {
-            StageTime& sum = named[name];
-            sum.seconds += stage.seconds;
-            sum.calls += stage.calls;
-        }
         std::vector<StageTime> list;
-        for (auto& [name, stage] : named) list.push_back({name, stage.seconds, stage.calls});
+        for (const auto& [name, stage] : stages_) list.push_back({name, stage.seconds, stage.calls});
         std::sort(list.begin(), list.end(), [](const StageTime& a, const StageTime& b) { return a.seconds > b.seconds; });
         return list;
     }
 
 private:
-    std::map<const char*, StageTime> stages_;
+    std::map<std::string, StageTime> stages_;
 };
 
 /// Times its own life for a clock; without one it does nothing.

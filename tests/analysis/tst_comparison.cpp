@@ -23,6 +23,7 @@ Candidate full_candidate(ExperimentType type)
     run.experiment = run.design.experiments[0].name;
     run.plan = plan_model(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);
     Metrics m;
+    m.ledger.water_delivered = 1e-6;
     m.absorbency_time = m.horizontal_rate = 1.0;
     m.management.emplace().top.wetting_time = 1.0;
     m.wicking = WickingResult{1.0, 1.0};
@@ -101,15 +102,17 @@ private Q_SLOTS:
     void theFilesSayWhatTheTableSays()
     {
         Comparison c = of_drops({{"a \"fine\", washed", 3.25}, {"b", {}}});
+        c.candidates[0].notes = {"Water reached the edge."};
         c.candidates[1].failure = "too large";
         rank(c);
         const std::string csv = comparison_csv(c);
         QVERIFY2(csv.find("# ranked_by=maximum_wetted_radius_top_mm, the most first\n") != std::string::npos, csv.c_str());
-        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,,,0,\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,,,0,\"Water reached the edge.\"\n") != std::string::npos, csv.c_str());
         QVERIFY2(csv.find("\n2,\"b\",,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object();
         QCOMPARE(json["format"].toString(), QString("hygroloom-comparison"));
         QCOMPARE(json["first"].toString(), QString("most"));
+        QVERIFY(!json["complete"].toBool() && csv.find("# complete=no\n") != std::string::npos);
         const QJsonArray candidates = json["candidates"].toArray();
         QCOMPARE(candidates.size(), 2);
         QCOMPARE(candidates[0].toObject()["fabric"].toString(), QString("a \"fine\", washed"));

@@ -69,6 +69,16 @@ private Q_SLOTS:
         QCOMPARE(error_of(errors, "absorbency_time_s"), 1.0);
         QVERIFY(!errors.map && !errors.overlap); // no water moved, nothing got wet
     }
+    void oneWayTransportCountsByItsGrades()
+    {
+        TradeoffOutcome reference, other;
+        reference.metrics["one_way_transport_pct"] = -0.02;
+        other.metrics["one_way_transport_pct"] = 0.98;
+        QVERIFY(near(error_of(tradeoff_errors(other, reference), "one_way_transport_pct"), 0.01));
+        reference.metrics["one_way_transport_pct"] = 400;
+        other.metrics["one_way_transport_pct"] = 380;
+        QVERIFY(near(error_of(tradeoff_errors(other, reference), "one_way_transport_pct"), 0.05));
+    }
     void theFrontIsWhatNothingBeats()
     {
         std::vector<TradeoffPoint> points{point("fast", 1, 0.2), point("slow and worse", 3, 0.1), point("good", 2, 0.05),

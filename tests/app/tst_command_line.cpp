@@ -19,7 +19,7 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "tradeoff"}) {
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "compare", "tradeoff"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
@@ -45,6 +45,9 @@ private Q_SLOTS:
         QTest::newRow("no such knob") << QStringList{"plan", f, "--set", "fidelity.fibre_shels=3"};
         QTest::newRow("knob out of range") << QStringList{"simulate", f, "--set", "fidelity.fibre_shells=99"};
         QTest::newRow("knob of nothing that runs") << QStringList{"check", f, "--set", "fidelity.fibre_shells=3"};
+        QTest::newRow("comparison of one") << QStringList{"compare", f};
+        QTest::newRow("comparison in no folder")
+            << QStringList{"compare", example("three-candidates.hygro"), "--experiment", "one drop", "-o", "/dev/null/x"};
         QTest::newRow("no such knob to vary") << QStringList{"tradeoff", f, "--knobs", "fibre_shells,speed"};
         QTest::newRow("no such rung") << QStringList{"tradeoff", f, "--fidelities", "draft,best"};
         QTest::newRow("no repeats of a trade-off") << QStringList{"tradeoff", f, "--repeats", "0"};

@@ -138,20 +138,26 @@ private Q_SLOTS:
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonArray candidates = answer.json()["candidates"].toArray();
         QCOMPARE(candidates.size(), 3);
+        QVERIFY(answer.json()["complete"].toBool());
         double before = 1e9;
         for (const QJsonValue& candidate : candidates) {
             const QJsonObject run = candidate.toObject()["run"].toObject();
             const double radius = run["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble(-1);
-            QVERIFY(radius >= 0 && radius <= before);
+            QVERIFY(radius > 0 && radius < before);
             before = radius;
         }
-        QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 3 + candidates.size());
+        QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 4 + candidates.size());
         QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * candidates.size());
-        QCOMPARE(run_cli(compare + scene + QStringList{"--by", "ommc"}).code, 2);
+        QVERIFY(run_cli(compare + scene + QStringList{"--by", "ommc"}).err.contains("no number \"ommc\""));
+        const Answer least =
+            run_cli(compare + scene + QStringList{"--by", "absorbency_time_s", "--fabrics", "Hemp plain, Cotton plain"}, 300);
+        QVERIFY2(least.code == 0 && least.out.contains("ranked by absorbency_time_s, the least first"), least.err);
+        QVERIFY(least.out.contains("Hemp plain") && !least.out.contains("Cotton twill"));
         const QString first = candidates[0].toObject()["fabric"].toString();
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two fabrics or more"));
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + "," + first}).err.contains("named twice"));
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",no such"}).err.contains("no fabric \"no such\""));
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",,"}).err.contains("A name is empty"));
     }
     void mapsAreWrittenAsPictureAndTable()
     {

@@ -161,10 +161,6 @@ private Q_SLOTS:
             worst = std::max({worst, time, 1 / time});
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
-        QEXPECT_FAIL("small-drying-of-wool.json", "known miss: the rough count of a drying's steps leaves out how long it dries", Continue);
-        constexpr const char* other_work = "known miss: measured on a machine that had other work, where times differ by half";
-        QEXPECT_FAIL("small-droplet-on-cotton.json", other_work, Continue);
-        QEXPECT_FAIL("small-humidity-step-on-wool.json", other_work, Continue);
         QVERIFY(worst < 1.5);
     }
 };

@@ -182,6 +182,37 @@ private:
     std::vector<Quad> place_, motion_, predicted_, surface_;
 };
 
+/// One particle without neighbours between the yarns.
+struct LoneParticle {
+    Vec3 x, v;
+    Real distance = 0;
+    int segment = no_wall;
+
+    /// A step of it from start to x.
+    void meet(const TextileShape& shape, const Vec3& start, Real reach, Real touching)
+    {
+        Vec3 normal;
+        std::uint8_t alive = 1;
+        Quad place{start.x, start.y, start.z, 0};
+        std::int64_t content = 0, dripped = 0;
+        ClothField open;
+        Particles p;
+        p.cloth = &open;
+        p.position = &x;
+        p.velocity = &v;
+        p.place = &place;
+        p.wall_distance = &distance;
+        p.wall_normal = &normal;
+        p.wall_segment = &segment;
+        p.alive = &alive;
+        p.content = &content;
+        StepNumbers step;
+        step.friction = Real(0.2);
+        step.drag = 1;
+        MeetYarns{p, shape, {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
+    }
+};
+
 } // namespace
 
 class TestLiquid : public QObject {
@@ -367,27 +398,9 @@ private Q_SLOTS:
             const Vec3 way{within(3, 6e-4), within(4, 6e-4), within(5, 6e-4)}; // of up to several yarns
             const NearestSkin at_start = nearest_skin(cloth.shape(), start, reach);
             if (at_start.distance < touching) continue;
-            Vec3 x = start + way, v = Real(1e3) * way, normal;
-            Real distance = at_start.distance;
-            int segment = at_start.segment;
-            std::uint8_t alive = 1;
-            Quad place{start.x, start.y, start.z, 0};
-            std::int64_t content = 0, dripped = 0;
-            ClothField open;
-            Particles p;
-            p.cloth = &open;
-            p.position = &x;
-            p.velocity = &v;
-            p.place = &place;
-            p.wall_distance = &distance;
-            p.wall_normal = &normal;
-            p.wall_segment = &segment;
-            p.alive = &alive;
-            p.content = &content;
-            StepNumbers step;
-            step.friction = Real(0.2);
-            step.drag = 1;
-            MeetYarns{p, cloth.shape(), {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
+            LoneParticle one{start + way, Real(1e3) * way, at_start.distance, at_start.segment};
+            one.meet(cloth.shape(), start, reach, touching);
+            const Vec3& x = one.x;
             ++moves;
             QVERIFY(nearest_skin(cloth.shape(), x, reach).distance > Real(0.49) * touching);
             // Where the free way ends, by small pieces; behind it the particle may not be.
@@ -402,6 +415,41 @@ private Q_SLOTS:
             QVERIFY2(behind < Real(4e-5), qPrintable(QString("%1 um behind a skin").arg(1e6 * double(behind))));
         }
         QVERIFY(moves > 1000 && stopped > 300);
+    }
+    void wedgesAreLeftAlongTheirSkins()
+    {
+        const Design design = thick_and_thin();
+        const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
+        const Scene scene = build_scene(design, textile, design.experiments[0],
+                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+        const HostCloth cloth(scene);
+        const Real reach = Real(3e-4), touching = Real(2e-5);
+        int places = 0, wedges = 0, left = 0, kept = 0;
+        for (std::uint64_t k = 0; k < 20000; ++k) {
+            const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(8, axis, k) - 1) * half); };
+            const Vec3 start{within(0, 2e-3), within(1, 2e-3), within(2, scene.half_thickness)};
+            const NearestSkin at_start = nearest_skin(cloth.shape(), start, reach);
+            if (at_start.distance >= touching || at_start.distance < 0) continue;
+            const Vec3 pushed = start + (touching - at_start.distance) * at_start.normal;
+            const bool wedge = nearest_skin(cloth.shape(), pushed, reach).distance < Real(0.9) * touching;
+            LoneParticle one{start, {within(3, 1), within(4, 1), within(5, 1)}, at_start.distance, at_start.segment};
+            const Real before = length(one.v);
+            one.meet(cloth.shape(), start, reach, touching);
+            ++places;
+            wedges += wedge;
+            QVERIFY(length(one.v) <= Real(1.0001) * before);
+            QVERIFY(length(one.x - start) < Real(8) * touching);
+            const NearestSkin now = nearest_skin(cloth.shape(), one.x, reach);
+            if (now.distance < Real(0.89) * touching) continue;
+            left += wedge;
+            // Yarns bend: a skin's normal turns a little over the way.
+            const auto approaches = [&](const Vec3& normal) { return dot(one.v, normal) < Real(-0.05) * before; };
+            kept += approaches(at_start.normal);
+        }
+        const QString counts =
+            QString("%1 places, %2 wedges, %3 left, %4 still towards the first skin").arg(places).arg(wedges).arg(left).arg(kept);
+        QVERIFY2(places > 1000 && wedges > 100 && left > 0.75 * wedges && kept < 0.005 * places, qPrintable(counts));
+        qInfo("%s", qPrintable(counts));
     }
     void skinIsFoundOnTheSideOneIsOn()
     {

@@ -212,7 +212,8 @@ struct MeetYarns {
         p.wall_normal[i] = skin.normal;
         p.wall_segment[i] = skin.segment;
     }
-    /// Takes a place out of the yarns it is in: by the shortest way out of one, then along its skin out of the next.
+    /// Takes a place out of the yarns it is in: by the shortest way out of one, then along its skin out of the next. In a narrow wedge that
+    /// way would be long: it ends after twice the distance at which particles rest, and the place may be left too near.
     HL_FN NearestSkin leave(Vec3& x, Vec3& v, NearestSkin skin) const
     {
         lose_approach(v, skin.normal, step->friction);
@@ -220,15 +221,28 @@ struct MeetYarns {
         constexpr int most_ways = 4;
         for (int k = 1;; ++k) {
             const Vec3 before = skin.normal;
-            x += (touching - skin.distance) * way;
+            const Real longest = Real(2) * touching / length(way), wanted = touching - skin.distance;
+            x += (wanted < longest || k == 1 ? wanted : longest) * way;
             skin = nearest_skin(textile, x, reach);
-            if (k == most_ways || skin.distance >= Real(0.9) * touching) return skin;
+            if (skin.distance >= Real(0.9) * touching) return skin;
+            lose_approaches(v, before, skin.normal);
+            if (k == most_ways) return skin;
             const Real cosine = dot(before, skin.normal), sine2 = Real(1) - cosine * cosine;
-            constexpr Real least_sine2 = Real(0.05); // in a narrower wedge the way along a skin would be long
             way = sine2 > least_sine2 ? (Real(1) / sine2) * (skin.normal - cosine * before) : skin.normal;
-            lose_approach(v, (Real(1) / length(way)) * way, Real(0));
-            lose_approach(v, before, Real(0));
         }
+    }
+    static constexpr Real least_sine2 = Real(0.05); // of the angle between two skins, below which they count as parallel
+    /// Between two skins: what is left of the velocity leads into neither.
+    HL_FN static void lose_approaches(Vec3& v, const Vec3& a, const Vec3& b)
+    {
+        const Real towards_b = dot(v, b);
+        if (towards_b >= 0) return;
+        v -= towards_b * b;
+        const Real towards_a = dot(v, a);
+        if (towards_a >= 0) return;
+        const Vec3 edge = cross(a, b);
+        const Real edge2 = dot(edge, edge);
+        v = edge2 > least_sine2 ? (dot(v, edge) / edge2) * edge : v - towards_a * a;
     }
     HL_FN void lose_approach(Vec3& v, const Vec3& normal, Real coefficient) const
     {
@@ -239,8 +253,8 @@ struct MeetYarns {
         const Real held = -coefficient * approach;
         v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
     }
-    /// Where a move ends: at the first place half as near to a skin as particles rest, so that they may slide. Goes on by what the
-    /// nearest skin leaves free, less a part since yarns bend.
+    /// Where a move ends: at the first place about half as near to a skin as particles rest (a quarter, at the least), so that they may
+    /// slide. Goes on by what the nearest skin leaves free, less a part since yarns bend.
     HL_FN Vec3 stopped(const Vec3& start, const Vec3& end, Real free_at_start) const
     {
         const Real way = length(end - start);
