@@ -41,6 +41,13 @@ QString expectation(const ModelPlan& plan)
         .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error, QString::fromStdString(plan.expectation_source).toHtmlEscaped());
 }
 
+QString shortExpectation(const ModelPlan& plan)
+{
+    const QString cost = PlanDialog::tr("%1, %2").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes));
+    const bool known = plan.expected_error && *plan.expected_error > 0; // the reference's is none by definition
+    return known ? PlanDialog::tr("%1, error %2 %").arg(cost, shownNumber(100 * *plan.expected_error, 1)) : cost;
+}
+
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
     : QDialog(parent)
 {

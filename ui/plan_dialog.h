@@ -19,5 +19,7 @@ QString fidelityName(Fidelity fidelity);
 QString roughDuration(double seconds);
 /// "about 20 s, 45 MB of memory, error 3 %" and where that comes from; safe as HTML.
 QString expectation(const ModelPlan& plan);
+/// The same in few words, to stand beside a choice: "about 57 s, 35 MB, error 0.7 %".
+QString shortExpectation(const ModelPlan& plan);
 
 } // namespace hygroloom

@@ -86,7 +86,7 @@ void QuantityEdit::setHelp(const QString& sentence)
 
 QSize QuantityEdit::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance("0000.000 /cm") + 24, QLineEdit::sizeHint().height()};
+    return {fontMetrics().horizontalAdvance("auto 0.000 mm") + 24, QLineEdit::sizeHint().height()};
 }
 
 QSize QuantityEdit::minimumSizeHint() const

@@ -222,7 +222,7 @@ void SimulationPanel::showExpectations()
 {
     for (std::size_t i = 0; i < plans_.size(); ++i) {
         const auto& plan = plans_[i].plan;
-        expected_[i]->setText(plan ? roughDuration(plan->expected_seconds) : QString());
+        expected_[i]->setText(plan ? shortExpectation(*plan) : QString());
         expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1").arg(expectation(*plan)) + "</p>" : QString());
     }
 }
