@@ -86,12 +86,12 @@ void QuantityEdit::setHelp(const QString& sentence)
 
 QSize QuantityEdit::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance("auto 0.000 mm") + 24, QLineEdit::sizeHint().height()};
+    return {fontMetrics().horizontalAdvance("0000.000 /cm") + 24, QLineEdit::sizeHint().height()};
 }
 
 QSize QuantityEdit::minimumSizeHint() const
 {
-    return {fontMetrics().horizontalAdvance("00.000 /cm") + 12, QLineEdit::minimumSizeHint().height()};
+    return {fontMetrics().horizontalAdvance("auto 0.000 mm") + 16, QLineEdit::minimumSizeHint().height()};
 }
 
 void QuantityEdit::keyPressEvent(QKeyEvent* event)
