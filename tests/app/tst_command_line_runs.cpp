@@ -139,13 +139,10 @@ private Q_SLOTS:
         const QJsonArray candidates = answer.json()["candidates"].toArray();
         QCOMPARE(candidates.size(), 3);
         QVERIFY(answer.json()["complete"].toBool());
-        double before = 1e9;
-        for (const QJsonValue& candidate : candidates) {
-            const QJsonObject run = candidate.toObject()["run"].toObject();
-            const double radius = run["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble(-1);
-            QVERIFY(radius > 0 && radius < before);
-            before = radius;
-        }
+        const auto radius_of = [&](qsizetype i) {
+            return candidates[i].toObject()["run"].toObject()["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble();
+        };
+        QVERIFY(radius_of(0) >= radius_of(1) && radius_of(1) >= radius_of(2) && radius_of(0) > radius_of(2) && radius_of(2) > 0);
         QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 4 + candidates.size());
         QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * candidates.size());
         QVERIFY(run_cli(compare + scene + QStringList{"--by", "ommc"}).err.contains("no number \"ommc\""));
