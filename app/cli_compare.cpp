@@ -18,6 +18,7 @@ namespace hygroloom {
 namespace {
 
 struct CompareOptions : RunVerbOptions {
+    std::string fidelity = "standard";
     std::vector<std::string> fabrics;
     std::string by;
     std::string output;

@@ -10,7 +10,6 @@
 namespace hygroloom {
 
 struct RunVerbOptions : ProjectOptions {
-    std::string fidelity = "standard";
     std::string physics;
     std::string backend = "auto";
     int threads = 0;

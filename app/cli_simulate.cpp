@@ -17,6 +17,7 @@ namespace hygroloom {
 namespace {
 
 struct SimulateOptions : RunVerbOptions {
+    std::string fidelity = "standard";
     std::string error, time; ///< of --fidelity auto
     std::string output;
     bool profile = false;
