@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
+#include <optional>
 #include <set>
+#include <thread>
 
 namespace hygroloom {
 namespace {
@@ -22,6 +23,7 @@ struct CompareOptions : RunVerbOptions {
     std::vector<std::string> fabrics;
     std::string by;
     std::string output;
+    int at_once = 0;
 };
 
 /// The maps of a candidate's last frame.
@@ -76,16 +78,16 @@ void write_numbers(const Comparison& comparison, const std::filesystem::path& fo
 }
 
 /// All with the same colours, so that they can be laid side by side.
-void write_pictures(std::map<std::string, CandidateMaps>& maps, const std::vector<std::string>& fabrics,
+void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
                     const std::filesystem::path& folder)
 {
     double most = 0;
-    for (const auto& [fabric, m] : maps) most = std::max({most, m.top.map.maximum(), m.bottom.map.maximum()});
+    for (const auto& m : maps)
+        if (m) most = std::max({most, m->top.map.maximum(), m->bottom.map.maximum()});
     const std::vector<std::string> stems = file_stems(fabrics);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
-        const auto found = maps.find(fabrics[i]);
-        if (found == maps.end()) continue;
-        auto& [top, bottom] = found->second;
+        if (!maps[i]) continue;
+        auto& [top, bottom] = *maps[i];
         top.image.most = bottom.image.most = most;
         write_picture(top, folder / (stems[i] + "-top.png"));
         write_picture(bottom, folder / (stems[i] + "-bottom.png"));
@@ -117,30 +119,100 @@ void print_comparison(const Comparison& comparison)
         for (const std::string& note : c.notes) fmt::print("  {}: {}\n", c.fabric, note);
 }
 
-/// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
-Candidate run_candidate(const Design& design, const std::string& fabric, const Comparison& comparison, const RunOptions& how,
-                        Backend& backend, RunControl& control, const CompareOptions& options, const std::string& about,
-                        std::map<std::string, CandidateMaps>& maps)
-try {
-    std::shared_ptr<const Frame> first, last;
-    const FinishedRun finished = run_with_bar(design, fabric, comparison.experiment, how, backend, control, options.quiet, about,
-                                              [&](const std::shared_ptr<const Frame>& frame) {
-                                                  if (!first) first = frame;
-                                                  last = frame;
-                                              });
-    if (!options.output.empty()) {
-        const Frame start = start_of_maps(finished.run, *first);
-        maps[fabric] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
-                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
+/// The comparison's runs, as they go on side by side.
+class CandidateRuns {
+public:
+    CandidateRuns(const Design& design, const std::vector<std::string>& fabrics, const RunOptions& how, const CompareOptions& options,
+                  RunControl& control, Comparison& comparison)
+        : design_(design), fabrics_(fabrics), how_(how), options_(options), control_(control), comparison_(comparison),
+          experiment_(comparison.experiment), criteria_(comparison.criteria), maps_(fabrics.size()), candidates_(fabrics.size()),
+          bar_(options.quiet, fabrics.size())
+    {
     }
-    return candidate_of(finished.run, finished.metrics, comparison.criteria);
-} catch (const Cancelled&) {
-    throw;
-} catch (const std::exception& error) {
-    Candidate candidate;
-    candidate.fabric = fabric;
-    candidate.failure = error.what();
-    return candidate;
+
+    /// One thread per backend; each takes the next fabric until none is left or all is cancelled. The numbers are written after every run.
+    /// Throws what writing them threw.
+    void run(const std::vector<std::unique_ptr<Backend>>& backends)
+    {
+        std::vector<std::thread> threads;
+        for (const auto& backend : backends) threads.emplace_back([this, &backend] { take_turns(*backend); });
+        for (std::thread& thread : threads) thread.join();
+        bar_.clear();
+        if (failure_) std::rethrow_exception(failure_);
+    }
+    std::vector<std::optional<CandidateMaps>>& maps() { return maps_; }
+
+private:
+    void take_turns(Backend& backend)
+    try {
+        for (std::size_t i = next_++; i < fabrics_.size() && !control_.cancel; i = next_++) keep(i, run_one(i, backend));
+    } catch (const Cancelled&) {
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::current_exception();
+        control_.cancel = true;
+    }
+    /// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
+    Candidate run_one(std::size_t i, Backend& backend)
+    try {
+        std::shared_ptr<const Frame> first, last;
+        const FinishedRun finished = run_with_bar(design_, fabrics_[i], experiment_, how_, backend, control_, bar_, i,
+                                                  [&](const std::shared_ptr<const Frame>& frame) {
+                                                      if (!first) first = frame;
+                                                      last = frame;
+                                                  });
+        if (!options_.output.empty()) {
+            const Frame start = start_of_maps(finished.run, *first);
+            maps_[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
+                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
+        }
+        return candidate_of(finished.run, finished.metrics, criteria_);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
+        Candidate candidate;
+        candidate.fabric = fabrics_[i];
+        candidate.failure = error.what();
+        return candidate;
+    }
+    /// In the order of the fabrics, whichever ends first.
+    void keep(std::size_t i, Candidate candidate)
+    {
+        const std::lock_guard lock(mutex_);
+        candidates_[i] = std::move(candidate);
+        comparison_.candidates.clear();
+        for (const auto& known : candidates_)
+            if (known) comparison_.candidates.push_back(*known);
+        comparison_.complete = comparison_.candidates.size() == fabrics_.size();
+        rank(comparison_);
+        write_numbers(comparison_, options_.output);
+    }
+
+    const Design& design_;
+    const std::vector<std::string>& fabrics_;
+    const RunOptions& how_;
+    const CompareOptions& options_;
+    RunControl& control_;
+    Comparison& comparison_;
+    const std::string experiment_;
+    const std::vector<Criterion> criteria_;
+    std::vector<std::optional<CandidateMaps>> maps_; // each thread writes its own
+    std::atomic<std::size_t> next_{0};
+    std::mutex mutex_; // of what follows, and of the comparison
+    std::vector<std::optional<Candidate>> candidates_;
+    std::exception_ptr failure_;
+    RunBar bar_;
+};
+
+/// The memory that the largest of the runs takes, by the plan.
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
+                             const RunOptions& how)
+{
+    double most = 0;
+    for (const std::string& fabric : fabrics)
+        most = std::max(most,
+                        plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs).expected_bytes);
+    return static_cast<std::size_t>(most);
 }
 
 int compare(const CompareOptions& options)
@@ -157,35 +229,27 @@ int compare(const CompareOptions& options)
     comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
     make_folder(options.output);
     write_numbers(comparison, options.output); // a folder that cannot be written to is told before the first run
-    const std::unique_ptr<Backend> backend = open_backend(options);
+    const auto backends =
+        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
-    std::map<std::string, CandidateMaps> maps;
-    bool failed = false;
-    try {
-        for (std::size_t i = 0; i < fabrics.size(); ++i) {
-            comparison.candidates.push_back(run_candidate(design, fabrics[i], comparison, how, *backend, control, options,
-                                                          fmt::format("{} ({} of {}) ", fabrics[i], i + 1, fabrics.size()), maps));
-            failed = failed || !comparison.candidates.back().failure.empty();
-            comparison.complete = i + 1 == fabrics.size();
-            rank(comparison);
-            write_numbers(comparison, options.output);
-        }
-    } catch (const Cancelled&) {
-    }
+    CandidateRuns runs(design, fabrics, how, options, control, comparison);
+    runs.run(backends);
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
     else
         print_comparison(comparison);
     if (!options.output.empty()) {
-        write_pictures(maps, fabrics, options.output);
+        write_pictures(runs.maps(), fabrics, options.output);
         if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
     }
     if (!comparison.complete) {
         fmt::print(stderr, "Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
         return exit_cancelled;
     }
+    const bool failed = std::any_of(comparison.candidates.begin(), comparison.candidates.end(),
+                                    [](const Candidate& candidate) { return !candidate.failure.empty(); });
     return failed ? exit_failed : exit_ok;
 }
 
@@ -209,6 +273,9 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.add_option("--fidelity", options->fidelity, "draft, standard or reference; the same for all");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
+    verb.add_option("--at-once", options->at_once,
+                    "Fabrics that run at the same time; 0: one on a CPU, as many as fit on GPUs. Results do not depend on it")
+        ->check(CLI::Range(0, 1024));
     verb.add_option("-o,--output", options->output, "Folder to write the table and the maps to");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

@@ -12,21 +12,43 @@
 #include <filesystem>
 
 namespace hygroloom {
-namespace {
 
-void draw_progress(const std::string& about, const RunProgress& progress)
+RunBar::RunBar(bool quiet, std::size_t runs) : shown_(!quiet && isatty(STDERR_FILENO)), runs_(runs) {}
+
+void RunBar::tell(std::size_t run, const RunProgress& progress)
 {
+    if (!shown_) return;
+    const std::lock_guard lock(mutex_);
+    runs_[run] = progress;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - drawn_ < std::chrono::milliseconds(90)) return;
+    drawn_ = now;
+
+    double share = 0;
+    std::size_t done = 0;
+    long particles = 0;
+    for (const RunProgress& p : runs_) {
+        share += p.duration > 0 ? p.simulated / p.duration / static_cast<double>(runs_.size()) : 0;
+        done += p.duration > 0 && p.simulated >= p.duration ? 1 : 0;
+        particles += p.particles;
+    }
     constexpr int width = 30;
-    const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     const int full = static_cast<int>(share * width);
-    const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", progress.wall * (1 - share) / share) : std::string();
-    fmt::print(stderr, "\r\033[K{}[{}{}] {:.3g} of {:.3g} s, {:.0f} s taken{}, {} particles", about,
-               std::string(static_cast<std::size_t>(full), '#'), std::string(static_cast<std::size_t>(width - full), '.'),
-               progress.simulated, progress.duration, progress.wall, left, progress.particles);
+    const double wall = std::chrono::duration<double>(now - start_).count();
+    const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", wall * (1 - share) / share) : std::string();
+    const std::string far = runs_.size() == 1 ? fmt::format("{:.3g} of {:.3g} s", progress.simulated, progress.duration)
+                                              : fmt::format("{} of {} runs", done, runs_.size());
+    fmt::print(stderr, "\r\033[K[{}{}] {}, {:.0f} s taken{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
+               std::string(static_cast<std::size_t>(width - full), '.'), far, wall, left, particles);
     std::fflush(stderr);
 }
 
-} // namespace
+void RunBar::clear()
+{
+    if (!shown_) return;
+    const std::lock_guard lock(mutex_);
+    fmt::print(stderr, "\r\033[K");
+}
 
 void add_physics_option(CLI::App& verb, RunVerbOptions& options)
 {
@@ -50,44 +72,33 @@ RunOptions run_options(const RunVerbOptions& options)
     return run;
 }
 
-std::unique_ptr<Backend> open_backend(const RunVerbOptions& options)
-{
-    try {
-        return make_backend(options.backend);
-    } catch (const DeviceError& error) {
-        throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
-    }
+std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return std::move(open_backends(options, 1, 1, 0).front()); }
+
+std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each)
+try {
+    return make_backends(options.backend, asked, scenes, bytes_each);
+} catch (const DeviceError& error) {
+    throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
 }
 
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
-                         Backend& backend, RunControl& control, bool quiet, const std::string& about,
+                         Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see)
-{
-    const bool bar = !quiet && isatty(STDERR_FILENO);
+try {
     MetricsCollector collector;
     RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
+    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
     callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
         collector.add(*frame);
         if (see) see(frame);
     };
-    if (bar) callbacks.progress = [&](const RunProgress& progress) { draw_progress(about, progress); };
-    const auto clear_bar = [&] {
-        if (bar) fmt::print(stderr, "\r\033[K");
-    };
-    try {
-        FinishedRun finished;
-        finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
-        clear_bar();
-        finished.metrics = collector.metrics();
-        return finished;
-    } catch (const DeviceError& error) {
-        clear_bar();
-        throw Stop(exit_failed, std::string(error.what()) + " Run again with --backend cpu.");
-    } catch (...) {
-        clear_bar();
-        throw;
-    }
+    callbacks.progress = [&](const RunProgress& progress) { bar.tell(run, progress); };
+    FinishedRun finished;
+    finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
+    finished.metrics = collector.metrics();
+    return finished;
+} catch (const DeviceError& error) {
+    throw Stop(exit_failed, std::string(error.what()) + " Run again with --backend cpu.");
 }
 
 std::vector<std::string> words_of(const std::string& list)

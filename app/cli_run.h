@@ -7,6 +7,9 @@
 #include "core/analysis/metrics.h"
 #include "core/sim/backend.h"
 
+#include <chrono>
+#include <mutex>
+
 namespace hygroloom {
 
 struct RunVerbOptions : ProjectOptions {
@@ -34,15 +37,35 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options);
 RunOptions run_options(const RunVerbOptions& options);
 /// Throws Stop.
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
+/// For runs side by side: see make_backends(). Throws Stop.
+std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each);
+
+/// Tells on a terminal how far runs are that go on at the same time. Any thread may call it.
+class RunBar {
+public:
+    RunBar(bool quiet, std::size_t runs);
+    ~RunBar() { clear(); }
+    RunBar(const RunBar&) = delete;
+    RunBar& operator=(const RunBar&) = delete;
+
+    void tell(std::size_t run, const RunProgress& progress);
+    void clear();
+
+private:
+    const bool shown_;
+    std::mutex mutex_;
+    std::vector<RunProgress> runs_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), drawn_;
+};
 
 struct FinishedRun {
     RunRecord run;
     Metrics metrics;
 };
 
-/// Runs to the end with a bar on a terminal, after what is said of it. Throws Cancelled, Stop when the device fails, and Error.
+/// Runs to the end and tells the bar, as that run of it. Throws Cancelled, Stop when the device fails, and Error.
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
-                         Backend& backend, RunControl& control, bool quiet, const std::string& about,
+                         Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});
 
 /// "a, b" -> "a", "b", without the spaces around; none of an empty text.

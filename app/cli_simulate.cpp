@@ -127,7 +127,8 @@ int simulate(const SimulateOptions& options)
     const InterruptCancels cancels(control.cancel);
     FinishedRun finished;
     try {
-        finished = run_with_bar(design, fabric, experiment, how, *backend, control, options.quiet, "");
+        RunBar bar(options.quiet, 1);
+        finished = run_with_bar(design, fabric, experiment, how, *backend, control, bar, 0);
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
     }

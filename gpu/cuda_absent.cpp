@@ -7,6 +7,8 @@ namespace hygroloom {
 
 std::vector<BackendInfo> find_cuda_devices() { return {{"cuda", "", false, "This build has no CUDA."}}; }
 
-std::unique_ptr<Backend> make_cuda_backend() { throw DeviceError("This build has no CUDA."); }
+std::unique_ptr<Backend> make_cuda_backend(int) { throw DeviceError("This build has no CUDA."); }
+
+std::size_t free_cuda_memory(int) { throw DeviceError("This build has no CUDA."); }
 
 } // namespace hygroloom

@@ -9,24 +9,37 @@ namespace {
 
 class CudaBackend : public Backend {
 public:
-    CudaBackend()
+    explicit CudaBackend(int device) : number_(device)
     {
         cudaDeviceProp properties;
-        check_cuda(cudaGetDeviceProperties(&properties, 0), "asking for its properties");
+        check_cuda(cudaGetDeviceProperties(&properties, device), "asking for its properties");
         device_ = properties.name;
+    }
+    ~CudaBackend() override
+    {
+        if (!solver_) return;
+        cudaSetDevice(number_);
+        cudaDeviceSynchronize(); // a thread that is no more may have asked for what still runs
     }
     std::string name() const override { return "cuda"; }
     std::string device() const override { return device_; }
     void set_threads(int) override {}
-    void load(const Scene& scene) override { solver_.load(scene); }
-    double advance(double until) override { return solver_.advance(until, 0.05); }
-    Frame frame() override { return solver_.frame(); }
-    long liquid_steps() const override { return solver_.liquid_steps(); }
-    int particles() const override { return solver_.particles(); }
+    /// The thread that loads a scene is the one that advances it and asks for its frames.
+    void load(const Scene& scene) override
+    {
+        check_cuda(cudaSetDevice(number_), "choosing it");
+        if (!solver_) solver_ = std::make_unique<Solver<CudaExecutor>>();
+        solver_->load(scene);
+    }
+    double advance(double until) override { return solver_->advance(until, 0.05); }
+    Frame frame() override { return solver_->frame(); }
+    long liquid_steps() const override { return solver_->liquid_steps(); }
+    int particles() const override { return solver_->particles(); }
 
 private:
+    int number_;
     std::string device_;
-    Solver<CudaExecutor> solver_;
+    std::unique_ptr<Solver<CudaExecutor>> solver_; ///< on that GPU
 };
 
 } // namespace
@@ -39,7 +52,10 @@ std::vector<BackendInfo> find_cuda_devices()
     std::vector<BackendInfo> found;
     for (int i = 0; i < count; ++i) {
         cudaDeviceProp properties;
-        if (cudaGetDeviceProperties(&properties, i) != cudaSuccess) continue;
+        if (const cudaError_t refusal = cudaGetDeviceProperties(&properties, i); refusal != cudaSuccess) {
+            found.push_back({"cuda", "", false, std::string("It does not answer: ") + cudaGetErrorString(refusal) + "."});
+            continue;
+        }
         BackendInfo info{"cuda", properties.name, properties.major * 10 + properties.minor >= 75, ""};
         if (!info.usable) info.reason = "It is older than compute capability 7.5.";
         found.push_back(std::move(info));
@@ -48,6 +64,14 @@ std::vector<BackendInfo> find_cuda_devices()
     return found;
 }
 
-std::unique_ptr<Backend> make_cuda_backend() { return std::make_unique<CudaBackend>(); }
+std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
+
+std::size_t free_cuda_memory(int device)
+{
+    std::size_t left = 0, all = 0;
+    check_cuda(cudaSetDevice(device), "choosing it");
+    check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");
+    return left;
+}
 
 } // namespace hygroloom

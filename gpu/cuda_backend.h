@@ -9,7 +9,10 @@ namespace hygroloom {
 /// At least one entry: every GPU, or one that says why there is none.
 std::vector<BackendInfo> find_cuda_devices();
 
-/// Throws DeviceError.
-std::unique_ptr<Backend> make_cuda_backend();
+/// On the GPU of that place among find_cuda_devices(). Throws DeviceError.
+std::unique_ptr<Backend> make_cuda_backend(int device);
+
+/// Bytes that are free on that GPU. Throws DeviceError.
+std::size_t free_cuda_memory(int device);
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs stages on a GPU: each stage is one kernel over its elements; the host waits only where it reads. A sequence of stages is recorded
-// once as a CUDA graph, with its loops and branches as conditional nodes, and replayed.
+// once as a CUDA graph, with its loops and branches as conditional nodes, and replayed. Everything goes through the stream of the calling
+// thread, so scenes that run in threads of their own share the GPU and do not wait for each other.
 #pragma once
 
 #include "core/base/error.h"
@@ -19,6 +20,21 @@ namespace hygroloom {
 inline void check_cuda(cudaError_t result, const char* what)
 {
     if (result != cudaSuccess) throw DeviceError(std::string("The GPU failed (") + what + "): " + cudaGetErrorString(result) + ".");
+}
+
+/// Of the calling thread, beside those of all others.
+inline const cudaStream_t own_stream = cudaStreamPerThread;
+
+inline void copy_to_gpu(void* to, const void* from, std::size_t bytes)
+{
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, own_stream), "copying to the GPU");
+}
+
+/// Waits for what the stream has been asked for.
+inline void copy_from_gpu(void* to, const void* from, std::size_t bytes)
+{
+    check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, own_stream), "copying from the GPU");
+    check_cuda(cudaStreamSynchronize(own_stream), "copying from the GPU");
 }
 
 /// Threads that share an element.
@@ -104,7 +120,7 @@ struct FindOrder {
 
 class CudaExecutor {
 public:
-    /// An array on the GPU; resizing does not keep its values.
+    /// An array on the GPU; resizing does not keep its values, and never gives memory back, for which all scenes would have to wait.
     template <typename T> class Buffer {
     public:
         Buffer() = default;
@@ -115,18 +131,20 @@ public:
         void resize(std::size_t count)
         {
             if (count == size_) return;
-            check_cuda(cudaFree(data_), "freeing memory");
-            data_ = nullptr;
-            size_ = 0;
-            if (count > 0) check_cuda(cudaMalloc(&data_, count * sizeof(T)), "taking memory");
+            if (count > room_) {
+                size_ = room_ = 0;
+                check_cuda(cudaFree(std::exchange(data_, nullptr)), "freeing memory");
+                check_cuda(cudaMalloc(&data_, count * sizeof(T)), "taking memory");
+                room_ = count;
+            }
             size_ = count;
-            if (count > 0) check_cuda(cudaMemset(data_, 0, count * sizeof(T)), "clearing memory");
+            if (count > 0) check_cuda(cudaMemsetAsync(data_, 0, count * sizeof(T), own_stream), "clearing memory");
         }
         void fill(T value)
         {
             if (size_ > 0)
-                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256>>>({nullptr, static_cast<int>(size_)},
-                                                                               FillStage<T>{data_, value}, Nothing{}, nullptr);
+                run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256, 0, own_stream>>>(
+                    {nullptr, static_cast<int>(size_)}, FillStage<T>{data_, value}, Nothing{}, nullptr);
             check_cuda(cudaGetLastError(), "filling memory");
         }
         void upload(const std::vector<T>& values)
@@ -136,23 +154,23 @@ public:
         }
         void write_range(std::size_t first, const std::vector<T>& values)
         {
-            check_cuda(cudaMemcpy(data_ + first, values.data(), values.size() * sizeof(T), cudaMemcpyHostToDevice), "copying to the GPU");
+            copy_to_gpu(data_ + first, values.data(), values.size() * sizeof(T));
         }
         std::vector<T> download() const
         {
             std::vector<T> values(size_);
-            check_cuda(cudaMemcpy(values.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost), "copying from the GPU");
+            copy_from_gpu(values.data(), data_, size_ * sizeof(T));
             return values;
         }
         T read(std::size_t index) const
         {
             T value;
-            check_cuda(cudaMemcpy(&value, data_ + index, sizeof(T), cudaMemcpyDeviceToHost), "copying from the GPU");
+            copy_from_gpu(&value, data_ + index, sizeof(T));
             return value;
         }
         void write(std::size_t index, T value)
         {
-            check_cuda(cudaMemcpy(data_ + index, &value, sizeof(T), cudaMemcpyHostToDevice), "copying to the GPU");
+            copy_to_gpu(data_ + index, &value, sizeof(T));
         }
         T* data() { return data_; }
         std::size_t size() const { return size_; }
@@ -160,21 +178,24 @@ public:
         {
             std::swap(data_, other.data_);
             std::swap(size_, other.size_);
+            std::swap(room_, other.room_);
         }
 
     private:
         T* data_ = nullptr;
         std::size_t size_ = 0;
+        std::size_t room_ = 0; ///< for so many
     };
 
     CudaExecutor()
     {
-        for (cudaStream_t& stream : streams_) check_cuda(cudaStreamCreate(&stream), "making a stream");
+        for (cudaStream_t& stream : inner_streams_)
+            check_cuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
         came_.resize(1);
     }
     ~CudaExecutor()
     {
-        for (cudaStream_t stream : streams_) cudaStreamDestroy(stream);
+        for (cudaStream_t stream : inner_streams_) cudaStreamDestroy(stream);
     }
     CudaExecutor(const CudaExecutor&) = delete;
     CudaExecutor& operator=(const CudaExecutor&) = delete;
@@ -266,7 +287,7 @@ private:
         cudaGraphConditionalHandle handle;
     };
 
-    cudaStream_t stream() const { return streams_[depth_]; }
+    cudaStream_t stream() const { return depth_ == 0 ? own_stream : inner_streams_[depth_ - 1]; }
 
     template <typename Body> void record(Sequence& sequence, const Body& body)
     {
@@ -278,8 +299,7 @@ private:
         check_cuda(cudaGraphInstantiate(&sequence.graph_, graph, 0), "preparing what was recorded");
         check_cuda(cudaGraphDestroy(graph), "recording");
         for (const Condition& condition : conditions_)
-            check_cuda(cudaMemcpy(&condition.flag->handle, &condition.handle, sizeof condition.handle, cudaMemcpyHostToDevice),
-                       "copying to the GPU");
+            copy_to_gpu(&condition.flag->handle, &condition.handle, sizeof condition.handle);
     }
     /// Puts a condition behind what was recorded last, and records its body in a stream of its own.
     template <typename Body> void add_condition(Flag* flag, cudaGraphConditionalNodeType type, const Body& body)
@@ -317,8 +337,8 @@ private:
             return InTurn<CopyStage<T>, decltype(copies(others...))>{first, copies(others...)};
     }
 
-    static constexpr int most_depth = 4;
-    cudaStream_t streams_[most_depth] = {}; ///< one for each depth of loops and branches
+    static constexpr int most_depth = 3;
+    cudaStream_t inner_streams_[most_depth] = {}; ///< to record in, one for each depth of loops and branches
     int depth_ = 0;
     std::vector<Condition> conditions_;
     Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()

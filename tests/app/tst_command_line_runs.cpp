@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -145,6 +146,11 @@ private Q_SLOTS:
         QVERIFY(radius_of(0) >= radius_of(1) && radius_of(1) >= radius_of(2) && radius_of(0) > radius_of(2) && radius_of(2) > 0);
         QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 4 + candidates.size());
         QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * candidates.size());
+        const auto without_walls = [](const QByteArray& json) {
+            return QString::fromUtf8(json).remove(QRegularExpression("\"wall_s\": [^,\n]*"));
+        };
+        const Answer together = run_cli(compare + scene + QStringList{"--at-once", "3", "--json"}, 300);
+        QCOMPARE(without_walls(together.out), without_walls(answer.out));
         QVERIFY(run_cli(compare + scene + QStringList{"--by", "ommc"}).err.contains("no number \"ommc\""));
         const Answer least =
             run_cli(compare + scene + QStringList{"--by", "absorbency_time_s", "--fabrics", "Hemp plain, Cotton plain"}, 300);

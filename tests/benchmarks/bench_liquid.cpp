@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a step of the free liquid costs: a drop in the air, and the same drop lying on textile F of the paper.
-#include "core/project/project_file.h"
 #include "core/sim/cpu_executor.h"
 #include "core/sim/solver.h"
+#include "tests/benchmarks/scenes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -11,24 +11,6 @@
 using namespace hygroloom;
 
 namespace {
-
-constexpr double drop_volume_ul = 15;
-
-Scene drop_scene(int particles, double height_mm)
-{
-    Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
-    design.fabrics[0].contact_angle_deg = 120; // nothing is drunk: the number of particles stays
-    Experiment experiment = standard_experiment(ExperimentType::droplet);
-    experiment.sample_mm = {20, 20};
-    experiment.droplets[0].volume_ul = drop_volume_ul;
-    experiment.droplets[0].height_mm = height_mm;
-    design.experiments = {experiment};
-    const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::reference);
-    Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
-    scene.particles_per_droplet = particles;
-    scene.sorption = scene.vapour = scene.heat = false;
-    return scene;
-}
 
 /// Arguments: particles, fall in mm (a short one has the drop on the cloth after the warm-up), threads. Counts rounds of the pressure
 /// loop and listings of neighbours per step.
