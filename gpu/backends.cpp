@@ -53,7 +53,7 @@ std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int
     std::vector<int> room;
     for (const int gpu : gpus) {
         const double held =
-            share_of_memory * static_cast<double>(free_cuda_memory(gpu)) / static_cast<double>(std::max<std::size_t>(1, bytes_each));
+            share_of_memory * static_cast<double>(share_cuda_device(gpu)) / static_cast<double>(std::max<std::size_t>(1, bytes_each));
         room.push_back(static_cast<int>(std::clamp(held, 1.0, double(most_scenes_of_a_gpu))));
     }
     // In turn, so that all GPUs have about as many.

@@ -25,18 +25,23 @@ public:
     std::string device() const override { return device_; }
     void set_threads(int) override {}
     /// The thread that loads a scene is the one that advances it and asks for its frames.
-    void load(const Scene& scene) override
-    {
-        check_cuda(cudaSetDevice(number_), "choosing it");
-        if (!solver_) solver_ = std::make_unique<Solver<CudaExecutor>>();
-        solver_->load(scene);
-    }
+    void load(const Scene& scene) override { solver().load(scene); }
     double advance(double until) override { return solver_->advance(until, 0.05); }
     Frame frame() override { return solver_->frame(); }
     long liquid_steps() const override { return solver_->liquid_steps(); }
     int particles() const override { return solver_->particles(); }
+    void time_stages() override { solver().executor().time_stages(); }
+    std::vector<StageTime> stage_times() override { return solver().executor().stage_times(); }
 
 private:
+    /// From now on the calling thread's.
+    Solver<CudaExecutor>& solver()
+    {
+        check_cuda(cudaSetDevice(number_), "choosing it");
+        if (!solver_) solver_ = std::make_unique<Solver<CudaExecutor>>();
+        return *solver_;
+    }
+
     int number_;
     std::string device_;
     std::unique_ptr<Solver<CudaExecutor>> solver_; ///< on that GPU
@@ -66,10 +71,11 @@ std::vector<BackendInfo> find_cuda_devices()
 
 std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
 
-std::size_t free_cuda_memory(int device)
+std::size_t share_cuda_device(int device)
 {
     std::size_t left = 0, all = 0;
     check_cuda(cudaSetDevice(device), "choosing it");
+    check_cuda(cudaSetDeviceFlags(cudaDeviceScheduleBlockingSync), "asking it to let threads sleep");
     check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");
     return left;
 }

@@ -6,10 +6,13 @@
 
 #include "core/base/error.h"
 #include "core/sim/order.h"
+#include "core/sim/stage_clock.h"
 
-#include <cub/device/device_radix_sort.cuh>
+#include <cub/block/block_scan.cuh>
+#include <cub/device/device_scan.cuh>
 #include <cuda_runtime.h>
 
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -76,47 +79,105 @@ template <typename T> struct FillStage {
     HL_FN void operator()(int i) const { values[i] = value; }
 };
 
-template <typename T> struct CopyStage {
-    T* to;
-    const T* from; ///< null: nothing to copy
-    HL_FN void operator()(int i) const
+/// Arrays to copy from one place to another, element sizes in bytes.
+struct Copies {
+    static constexpr int most = 12;
+    void* to[most] = {};
+    const void* from[most] = {};
+    int size[most] = {};
+    int count = 0;
+};
+
+constexpr int elements_per_block = 128; // so that a block's part of any array begins where four numbers can be read at once
+
+/// Each block copies its part of each array, whatever its elements are, thread by thread side by side.
+__global__ inline void copy_arrays(Counted counted, Copies copies)
+{
+    const int first = static_cast<int>(blockIdx.x) * elements_per_block, left = *counted.count - first;
+    const int elements = left < elements_per_block ? left : elements_per_block;
+    if (elements <= 0) return;
+    for (int k = 0; k < copies.count; ++k) {
+        const std::int64_t begin = std::int64_t(first) * copies.size[k];
+        const int bytes = elements * copies.size[k], fours = bytes / 16, words = bytes / 4;
+        char* to = static_cast<char*>(copies.to[k]) + begin;
+        const char* from = static_cast<const char*>(copies.from[k]) + begin;
+        for (int i = static_cast<int>(threadIdx.x); i < fours; i += static_cast<int>(blockDim.x))
+            reinterpret_cast<int4*>(to)[i] = reinterpret_cast<const int4*>(from)[i];
+        for (int i = 4 * fours + static_cast<int>(threadIdx.x); i < words; i += static_cast<int>(blockDim.x))
+            reinterpret_cast<int*>(to)[i] = reinterpret_cast<const int*>(from)[i];
+    }
+}
+
+/// Gives each element a place among those of its cell, as they come.
+struct CountCells {
+    const int* key;
+    int* many; ///< of each cell
+    int* place;
+    HL_FN void operator()(int i) const { place[i] = take_number(many + key[i]); }
+    HL_FN static int take_number(int* many)
     {
-        if (from != nullptr) to[i] = from[i];
+#ifdef __CUDA_ARCH__
+        return atomicAdd(many, 1);
+#else
+        return (*many)++;
+#endif
     }
 };
 
-/// Numbers places before they are sorted; keys that are not meant sort last.
-struct PrepareKeys {
-    const int* count;
-    int* places;
-    int* keys;
-    int beyond;
+/// Lists the members of each cell, as they came, and leaves the counts at nothing.
+struct ListMembers {
+    const int* key;
+    const int* start;
+    const int* place;
+    int* many;
+    int* member;
     HL_FN void operator()(int i) const
     {
-        places[i] = i;
-        if (i >= *count) keys[i] = beyond;
+        member[start[key[i]] + place[i]] = i;
+        many[key[i]] = 0;
     }
 };
 
-/// Finds the place of one key in the order of all by counting those before it: the quickest way for few keys, as nothing waits.
-struct FindOrder {
-    const int* keys;
-    const int* count;
+/// Brings the members of each cell but the last into their order, which does not depend on who came first.
+struct OrderMembers {
+    const int* key;
+    const int* start;
+    const int* place;
+    const int* member;
+    const int* last;
     int* order;
-    static constexpr bool wide = true;
-
     HL_FN void operator()(int i) const
     {
-        const int own = keys[i], end = *count;
-        int before = 0, j = own_lane();
-#pragma unroll 8
-        for (; j < i; j += lanes) before += keys[j] <= own ? 1 : 0;
-#pragma unroll 8
-        for (; j < end; j += lanes) before += keys[j] < own ? 1 : 0;
-        for (int bit = lanes / 2; bit > 0; bit /= 2) before += of_other_lane(before, bit);
-        order[before] = i;
+        const int cell = key[i], first = start[cell];
+        int before = 0;
+        if (cell == *last)
+            before = place[i];
+        else
+            for (int k = first, end = start[cell + 1]; k < end; ++k) before += member[k] < i ? 1 : 0;
+        order[first + before] = i;
     }
 };
+
+constexpr int threads_adding_up = 1024;
+
+/// start[k] = many[0] + ... + many[k - 1] for k up to the largest key + 2.
+__global__ inline void add_up_in_block(const int* many, int* start, const int* largest)
+{
+    constexpr int each = 4;
+    using Scan = cub::BlockScan<int, threads_adding_up>;
+    __shared__ Scan::TempStorage scratch;
+    const int end = *largest + 3;
+    for (int first = 0, before = 0; first < end; first += each * threads_adding_up) {
+        const int own = first + each * static_cast<int>(threadIdx.x);
+        int values[each], all = 0;
+        for (int k = 0; k < each; ++k) values[k] = own + k < end ? many[own + k] : 0;
+        Scan(scratch).ExclusiveSum(values, values, all);
+        for (int k = 0; k < each; ++k)
+            if (own + k < end) start[own + k] = before + values[k];
+        before += all;
+        __syncthreads();
+    }
+}
 
 class CudaExecutor {
 public:
@@ -202,6 +263,10 @@ public:
 
     void set_threads(int) {}
 
+    /// From now on each stage is waited for and what it takes is added up; loops and branches are decided here, and nothing is recorded.
+    void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
+    std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
+
     /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0).
     template <typename Stage, typename Next = Nothing>
     void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
@@ -210,6 +275,7 @@ public:
         constexpr int each = threads_each<Stage>(), few = 1 << 16;
         const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
         const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
+        const Lap lap(stage_clock_.get(), name);
         run_stage<<<blocks, static_cast<unsigned>(block), 0, stream()>>>(counted, stage, next, came_.data());
         check_cuda(cudaGetLastError(), name);
     }
@@ -238,49 +304,84 @@ public:
     /// Does what the body does, which is gone through only the first time.
     template <typename Body> void run(Sequence& sequence, const Body& body)
     {
+        if (stage_clock_) return body();
         if (sequence.graph_ == nullptr) record(sequence, body);
         check_cuda(cudaGraphLaunch(sequence.graph_, stream()), "starting the liquid's steps");
     }
     /// Within a sequence: goes through the body as long as the flag is set.
-    template <typename Body> void loop(Flag* flag, const Body& body) { add_condition(flag, cudaGraphCondTypeWhile, body); }
+    template <typename Body> void loop(Flag* flag, const Body& body)
+    {
+        if (!stage_clock_) return add_condition(flag, cudaGraphCondTypeWhile, body);
+        while (is_set(flag)) body();
+    }
     /// Within a sequence: goes through the body if the flag is set.
-    template <typename Body> void when(Flag* flag, const Body& body) { add_condition(flag, cudaGraphCondTypeIf, body); }
+    template <typename Body> void when(Flag* flag, const Body& body)
+    {
+        if (!stage_clock_) return add_condition(flag, cudaGraphCondTypeIf, body);
+        if (is_set(flag)) body();
+    }
 
     /// The first of each two buffers gets the values of the second, which is left with anything.
     template <typename... Buffers> void take_over(const Counted& counted, Buffers&... buffers)
     {
-        for_each("take over", counted, copies(buffers...));
+        Copies copies;
+        add_copies(copies, buffers...);
+        const Lap lap(stage_clock_.get(), "take over");
+        const auto blocks = static_cast<unsigned>((counted.most + elements_per_block - 1) / elements_per_block);
+        copy_arrays<<<blocks, 256, 0, stream()>>>(counted, copies);
+        check_cuda(cudaGetLastError(), "take over");
     }
 
     /// Before the first sort of so many keys.
     void prepare_sort(int count, int largest)
     {
-        key_bits_ = 1;
-        while (key_bits_ < 31 && ((largest + 1) >> key_bits_) != 0) ++key_bits_;
-        places_.resize(static_cast<std::size_t>(count));
-        sorted_.resize(static_cast<std::size_t>(count));
+        many_.resize(static_cast<std::size_t>(largest) + 3);
+        many_.fill(0);
+        number_.resize(static_cast<std::size_t>(count));
+        member_.resize(static_cast<std::size_t>(count));
         std::size_t bytes = 0;
-        check_cuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, sorted_.data(), sorted_.data(), places_.data(), places_.data(), count, 0,
-                                                   key_bits_),
-                   "sorting");
+        check_cuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, many_.data(), many_.data(), static_cast<int>(many_.size())), "sorting");
         scratch_.resize(bytes);
     }
-    /// The order in which keys (0 <= key <= largest) rise, equal ones as they stand: order[i] is the place of the i-th.
-    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int*)
+    /// The order in which keys (0 <= key <= largest), which a stage finds, rise, equal ones as they stand but for those of the largest:
+    /// order[i] is the place of the i-th, and start[key] is where a key begins. start has room for three more.
+    template <typename FindKey>
+    void sort_into_cells(const FindKey& find_key, Buffer<int>& keys, Buffer<int>& order, Buffer<int>& start, const Counted& counted,
+                         const int* largest)
     {
-        constexpr int few = 16384;
-        if (counted.most <= few) {
-            for_each("sort", counted, FindOrder{keys.data(), counted.count, order.data()});
-            return;
-        }
-        for_each("number places", counted.most, PrepareKeys{counted.count, places_.data(), keys.data(), (1 << key_bits_) - 1});
-        std::size_t bytes = scratch_.size();
-        check_cuda(cub::DeviceRadixSort::SortPairs(scratch_.data(), bytes, keys.data(), sorted_.data(), places_.data(), order.data(),
-                                                   counted.most, 0, key_bits_, stream()),
-                   "sorting");
+        for_each("find cell", counted, InTurn<FindKey, CountCells>{find_key, {keys.data(), many_.data(), number_.data()}});
+        add_up(start, largest);
+        for_each("list members", counted, ListMembers{keys.data(), start.data(), number_.data(), many_.data(), member_.data()});
+        for_each("order members", counted, OrderMembers{keys.data(), start.data(), number_.data(), member_.data(), largest, order.data()});
     }
 
 private:
+    /// The GPU's time between its beginning and its end, for a clock; without one it does nothing.
+    class Lap {
+    public:
+        Lap(StageClock* clock, const char* name) : clock_(clock), name_(name)
+        {
+            if (clock_ == nullptr) return;
+            for (cudaEvent_t& event : events_) check_cuda(cudaEventCreate(&event), "timing");
+            check_cuda(cudaEventRecord(events_[0], own_stream), "timing");
+        }
+        ~Lap()
+        {
+            if (clock_ == nullptr) return;
+            float milliseconds = 0;
+            cudaEventRecord(events_[1], own_stream);
+            if (cudaEventSynchronize(events_[1]) == cudaSuccess && cudaEventElapsedTime(&milliseconds, events_[0], events_[1]) == cudaSuccess)
+                clock_->add(name_, 1e-3 * static_cast<double>(milliseconds));
+            for (cudaEvent_t event : events_) cudaEventDestroy(event);
+        }
+        Lap(const Lap&) = delete;
+        Lap& operator=(const Lap&) = delete;
+
+    private:
+        StageClock* clock_;
+        const char* name_;
+        cudaEvent_t events_[2] = {};
+    };
     /// A condition that a graph asks for, and where stages find it.
     struct Condition {
         Flag* flag;
@@ -289,6 +390,26 @@ private:
 
     cudaStream_t stream() const { return depth_ == 0 ? own_stream : inner_streams_[depth_ - 1]; }
 
+    /// Where each key begins, from how many there are of each.
+    void add_up(Buffer<int>& start, const int* largest)
+    {
+        const Lap lap(stage_clock_.get(), "add up");
+        constexpr std::size_t few = 1 << 18; // a single block is there first
+        if (many_.size() <= few) {
+            add_up_in_block<<<1, threads_adding_up, 0, stream()>>>(many_.data(), start.data(), largest);
+            return check_cuda(cudaGetLastError(), "sorting");
+        }
+        std::size_t bytes = scratch_.size();
+        check_cuda(
+            cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, many_.data(), start.data(), static_cast<int>(many_.size()), stream()),
+            "sorting");
+    }
+    static bool is_set(const Flag* flag)
+    {
+        int on = 0;
+        copy_from_gpu(&on, &flag->on, sizeof on);
+        return on != 0;
+    }
     template <typename Body> void record(Sequence& sequence, const Body& body)
     {
         conditions_.clear();
@@ -328,13 +449,15 @@ private:
         --depth_;
     }
 
-    template <typename T, typename... Others> static auto copies(Buffer<T>& to, Buffer<T>& from, Others&... others)
+    template <typename T, typename... Others> static void add_copies(Copies& copies, Buffer<T>& to, Buffer<T>& from, Others&... others)
     {
-        const CopyStage<T> first{to.data(), from.data()};
-        if constexpr (sizeof...(others) == 0)
-            return first;
-        else
-            return InTurn<CopyStage<T>, decltype(copies(others...))>{first, copies(others...)};
+        static_assert(sizeof(T) % 4 == 0);
+        if (from.size() > 0) {
+            copies.to[copies.count] = to.data();
+            copies.from[copies.count] = from.data();
+            copies.size[copies.count++] = sizeof(T);
+        }
+        if constexpr (sizeof...(others) > 0) add_copies(copies, others...);
     }
 
     static constexpr int most_depth = 3;
@@ -342,8 +465,11 @@ private:
     int depth_ = 0;
     std::vector<Condition> conditions_;
     Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()
-    int key_bits_ = 1;
-    Buffer<int> places_, sorted_;
+    std::unique_ptr<StageClock> stage_clock_; ///< none: nothing is timed
+    // To sort with.
+    Buffer<int> many_;           ///< elements of each key; nothing between sorts
+    Buffer<int> number_;         ///< of each element among those of its key, as they came
+    Buffer<int> member_;         ///< elements by keys
     Buffer<unsigned char> scratch_;
 };
 

@@ -24,6 +24,18 @@ HL_FN const Quad* at_slot(const Quad* first, int slot)
     return reinterpret_cast<const Quad*>(reinterpret_cast<const char*>(first) + slot);
 }
 
+/// Copies for all threads that share an element, each a part of it.
+template <typename T> HL_FN void copy_together(T& to, const T& from)
+{
+#ifdef __CUDA_ARCH__
+    static_assert(sizeof(T) % sizeof(int) == 0);
+    for (int k = own_lane(); k < static_cast<int>(sizeof(T) / sizeof(int)); k += lanes)
+        reinterpret_cast<int*>(&to)[k] = reinterpret_cast<const int*>(&from)[k];
+#else
+    to = from;
+#endif
+}
+
 /// Has memory brought that is read soon.
 HL_FN void bring(const void* memory)
 {

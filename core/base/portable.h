@@ -61,7 +61,9 @@ HL_FN void atomic_max_of_all(int* target, int value)
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
     const unsigned together = __activemask();
     const int most = __reduce_max_sync(together, value);
-    if (static_cast<int>(threadIdx.x % 32) == __ffs(static_cast<int>(together)) - 1) atomicMax(target, most);
+    if (static_cast<int>(threadIdx.x % 32) != __ffs(static_cast<int>(together)) - 1) return;
+    constexpr unsigned many_blocks = 1024; // among which most come too late to matter, so that waiting for the value pays
+    if (gridDim.x < many_blocks || most > *static_cast<volatile int*>(target)) atomicMax(target, most);
 #else
     atomic_max(target, value);
 #endif
@@ -78,10 +80,9 @@ HL_FN void atomic_min(int* target, int value)
 #endif
 }
 
-/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each: more of them than a CPU has, so that
-/// some thousand particles are enough to hide how long each number takes.
-constexpr int lanes = HL_LANE_IS_THREAD ? 16 : 8;
-constexpr int most_lanes = 16; ///< on any machine
+/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each: twice as many would be a little
+/// quicker with some thousand particles alone on the cloth, and a third slower with many or with several scenes.
+constexpr int lanes = 8;
 
 HL_FN int own_lane()
 {

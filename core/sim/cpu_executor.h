@@ -98,14 +98,20 @@ public:
 
     /// Before the first sort of so many keys.
     void prepare_sort(int, int) {}
-    /// The order in which keys (0 <= key <= largest) rise, equal ones as they stand: order[i] is the place of the i-th.
-    void sort_by_key(Buffer<int>& keys, Buffer<int>& order, const Counted& counted, const int* largest)
+    /// The order in which keys (0 <= key <= largest), which a stage finds, rise, equal ones as they stand but for those of the largest:
+    /// order[i] is the place of the i-th, and start[key] is where a key begins. start has room for three more.
+    template <typename FindKey>
+    void sort_into_cells(const FindKey& find_key, Buffer<int>& keys, Buffer<int>& order, Buffer<int>& start, const Counted& counted,
+                         const int* largest)
     {
+        for_each("find cell", counted, find_key);
         const StageLap lap(stage_clock_.get(), "sort");
-        places_.assign(static_cast<std::size_t>(*largest) + 2, 0);
-        for (int i = 0; i < *counted.count; ++i) ++places_[static_cast<std::size_t>(keys.data()[i]) + 1];
-        std::partial_sum(places_.begin(), places_.end(), places_.begin());
-        for (int i = 0; i < *counted.count; ++i) order.data()[places_[static_cast<std::size_t>(keys.data()[i])]++] = i;
+        const int *key = keys.data(), count = *counted.count;
+        int* next = start.data() + 1; // of each key; in the end where the next key begins
+        std::fill_n(start.data(), *largest + 3, 0);
+        for (int i = 0; i < count; ++i) ++next[key[i] + 1];
+        std::partial_sum(next, next + *largest + 2, next);
+        for (int i = 0; i < count; ++i) order.data()[next[key[i]]++] = i;
     }
 
 private:
@@ -149,7 +155,6 @@ private:
 
     std::unique_ptr<tbb::task_arena> arena_ = std::make_unique<tbb::task_arena>();
     std::unique_ptr<StageClock> stage_clock_; // none: nothing is timed
-    std::vector<int> places_;
 };
 
 } // namespace hygroloom

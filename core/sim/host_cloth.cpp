@@ -108,7 +108,7 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
 
     const HostCloth cloth(scene);
     const TextileShape& t = cloth.shape();
-    result.beads.resize(static_cast<std::size_t>(scene.segments()) * static_cast<std::size_t>(result.view.per_segment) + most_lanes);
+    result.beads.resize(static_cast<std::size_t>(scene.segments()) * static_cast<std::size_t>(result.view.per_segment) + lanes);
     for (bool is_warp : {true, false})
         for (int end = 0; end < scene.ends; ++end)
             for (int pick = 0; pick < scene.picks; ++pick) {

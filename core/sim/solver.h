@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, sort_by_key, and for what
+// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, sort_into_cells, and for what
 // stages decide themselves loop and when.
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
@@ -147,7 +147,7 @@ private:
     bool flow(double wall_seconds);
     void flow_on();
     void step_liquid();
-    void give_to_segments();
+    void give_to_segments(const int* count);
     void sort_particles();
     void list_neighbours();
     void correct_pressure();
@@ -201,7 +201,7 @@ private:
     int room_ = 0;                              ///< for so many particles
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
     double stress_since_ = 0; ///< s, when the stresses began to be summed
-    Buffer<Quad> place_, sorted_place_, motion_, predicted_, surface_;
+    Buffer<Quad> place_, sorted_place_, motion_, standing_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
     Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;

@@ -43,7 +43,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     for (const SceneDroplet& d : scene_.droplets) capacity += particles_of(d.volume);
     if (scene_.swelling > 0) capacity += capacity / 2; // for what swollen yarns give back
     room_ = static_cast<int>(capacity);
-    for (auto* b : {&place_, &sorted_place_, &motion_, &predicted_, &surface_}) {
+    for (auto* b : {&place_, &sorted_place_, &motion_, &standing_, &predicted_, &surface_}) {
         b->resize(capacity + lanes); // whole packs are read
         b->fill(far_away());
     }
@@ -85,7 +85,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     grid.whole_y = cells(height);
     grid.whole_z = cells(highest - lowest);
     const int most = std::max(most_cells, 2 * room_);
-    cell_start_.resize(static_cast<std::size_t>(most) + 2);
+    cell_start_.resize(static_cast<std::size_t>(most) + 3);
     grid.key = key_.data();
     grid.start = cell_start_.data();
     exec_.prepare_sort(room_, most);
@@ -204,8 +204,7 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     LiquidControl* control = control_.data();
     const CellGrid* grid = &control->grid;
     each_particle("find box", FindBox{particle_views(), grid, control->box}, FitGrid{control});
-    each_particle("find cell", FindCell{particle_views(), grid});
-    exec_.sort_by_key(key_, order_, all_particles(), &control->dead_key);
+    exec_.sort_into_cells(FindCell{particle_views(), grid}, key_, order_, cell_start_, all_particles(), &control->dead_key);
     Particles to = particle_views();
     to.position = sorted_position_.data();
     to.velocity = sorted_velocity_.data();
@@ -216,13 +215,14 @@ template <typename Executor> void Solver<Executor>::sort_particles()
     to.cloth_from = sorted_cloth_from_.data();
     to.place = sorted_place_.data();
     to.stress = sorted_stress_.data();
-    each_particle("reorder", Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                                     wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
-                                     cloth_from_.data(), key_.data(), &control->dead_key, to});
+    each_particle("reorder",
+                  Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
+                          wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
+                          cloth_from_.data(), key_.data(), &control->dead_key, to},
+                  LeaveDead{control});
     exec_.take_over(all_particles(), position_, sorted_position_, velocity_, sorted_velocity_, wall_normal_, sorted_normal_, wall_distance_,
                     sorted_distance_, wall_segment_, sorted_segment_, content_, sorted_content_, cloth_from_, sorted_cloth_from_, place_,
                     sorted_place_, stress_, sorted_stress_);
-    each_particle("cell starts", FindCellStarts{grid, order_.data(), &control->count}, LeaveDead{control});
 }
 
 /// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
@@ -270,18 +270,21 @@ template <typename Executor> void Solver<Executor>::step_liquid()
                          static_cast<Real>(-scene_.half_thickness - drip_distance),
                          &control->dripped};
     each_particle("move", InTurn<MoveParticles, MeetYarns>{move, meet}, EndStep{control, rules_});
-    if (drinks_) exec_.when(&control->drinks, [&] { give_to_segments(); });
+    if (drinks_) give_to_segments(&control->drinking);
     each_particle("speeds", SumSpeeds{particle_views(), &control->squares, &control->largest}, WatchMotion{control, rules_});
 }
 
-template <typename Executor> void Solver<Executor>::give_to_segments()
+/// From so many particles.
+template <typename Executor> void Solver<Executor>::give_to_segments(const int* count)
 {
     LiquidControl* control = control_.data();
-    each_particle("touch", TouchSegments{particle_views(), shape(), contact_.data()});
-    each_particle("give",
-                  GiveToSegments{
-                      particle_views(), shape(), segments(), scene_.climate.density, &control->drink_dt, {reach_.data()}, &control->drunk});
-    each_particle("forget", ForgetContact{particle_views(), shape(), contact_.data()});
+    const Counted givers{count, room_};
+    exec_.for_each("touch", givers, TouchSegments{particle_views(), shape(), contact_.data()});
+    exec_.for_each(
+        "give", givers,
+        GiveToSegments{
+            particle_views(), shape(), segments(), scene_.climate.density, &control->drink_dt, {reach_.data()}, &control->drunk});
+    exec_.for_each("forget", givers, ForgetContact{particle_views(), shape(), contact_.data()});
 }
 
 /// The liquid's steps up to the moment when it meets the yarns, or until its budget is spent. Only what the control says may change from
@@ -291,7 +294,7 @@ template <typename Executor> void Solver<Executor>::flow_on()
     LiquidControl* control = control_.data();
     exec_.for_each("begin flow", 1, BeginFlow{control, rules_});
     exec_.loop(&control->goes, [&] { step_liquid(); });
-    if (drinks_) exec_.when(&control->drains, [&] { give_to_segments(); });
+    if (drinks_) exec_.when(&control->drains, [&] { give_to_segments(&control->count); });
 }
 
 /// Takes the liquid towards the moment when it meets the yarns, for about the given wall time; whether it is there.
@@ -325,6 +328,7 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.velocity = velocity_.data();
     p.place = place_.data();
     p.motion = motion_.data();
+    p.standing = standing_.data();
     p.predicted = predicted_.data();
     p.surface = surface_.data();
     p.force = force_.data();

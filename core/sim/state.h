@@ -177,6 +177,7 @@ struct Particles {
     // What neighbours read.
     Quad* place = nullptr;          ///< position, and the pressure (Pa) that keeps the liquid from being pressed together
     Quad* motion = nullptr;         ///< velocity, and size
+    Quad* standing = nullptr;       ///< position, and size
     Quad* predicted = nullptr;      ///< position at the step's end, so far, and size
     Quad* surface = nullptr;        ///< tilt (Pa m) and pull (Pa) of the surface's energy: see SurfaceEnergy
     Vec3* force = nullptr;          ///< acceleration by all but pressure

@@ -118,6 +118,29 @@ BENCHMARK(liquid_step)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
+/// What each stage of a step takes alone, in us per call and, as "times", calls per step. Arguments: particles, fall in mm.
+void liquid_stages(benchmark::State& state)
+{
+    if (!has_gpu(state)) return;
+    const double time = state.range(1) < 5 ? 0.03 : 0.004;
+    const Scene scene = drop_scene(static_cast<int>(state.range(0)), static_cast<double>(state.range(1)));
+    const std::unique_ptr<Backend> backend = make_backend("cuda");
+    backend->time_stages();
+    for (auto _ : state) {
+        backend->load(scene);
+        advance_to(*backend, time);
+    }
+    const auto steps = static_cast<double>(backend->liquid_steps()) * static_cast<double>(state.iterations());
+    double sum = 0;
+    for (const StageTime& stage : backend->stage_times()) {
+        sum += stage.seconds;
+        state.counters[stage.name] = 1e6 * stage.seconds / static_cast<double>(stage.calls);
+        state.counters[stage.name + " times"] = static_cast<double>(stage.calls) / steps;
+    }
+    state.counters["all, us/step"] = 1e6 * sum / steps;
+}
+BENCHMARK(liquid_stages)->ArgNames({"particles", "fall_mm"})->Args({8000, 10})->Args({8000, 0})->Args({1000000, 10})->Iterations(1);
+
 /// Argument: side of the sample in mm.
 void network_step(benchmark::State& state, bool everything)
 {

@@ -103,15 +103,14 @@ struct Listed {
     {
         const auto n = x.size();
         view();
-        CpuExecutor::Buffer<int> key, order;
+        CpuExecutor::Buffer<int> key, order, start;
         key.resize(n);
         order.resize(n);
-        std::vector<int> start(static_cast<std::size_t>(grid.cells()) + 2);
+        start.resize(static_cast<std::size_t>(grid.cells()) + 3);
         grid.key = key.data();
         grid.start = start.data();
-        exec.for_each("cell", p.room, FindCell{p, &grid});
         const int dead_key = grid.cells();
-        exec.sort_by_key(key, order, {&p.room, p.room}, &dead_key);
+        exec.sort_into_cells(FindCell{p, &grid}, key, order, start, {&p.room, p.room}, &dead_key);
         const auto sort = [&](auto& values) {
             const auto before = values;
             for (std::size_t i = 0; i < n; ++i) values[i] = before[std::size_t(order.read(i))];
@@ -123,19 +122,18 @@ struct Listed {
             lists_.at[axis].assign(n + lanes, 0);
             for (std::size_t i = 0; i < n; ++i) lists_.at[axis][i] = axis == 0 ? x[i].x : axis == 1 ? x[i].y : x[i].z;
         }
-        exec.for_each("starts", p.room, FindCellStarts{&grid, order.data(), &p.room});
         lists_.near.assign(n * most_near, 0);
         lists_.distant.assign(n * most_distant, 0);
         lists_.near_count.assign(n, 0);
         lists_.distant_count.assign(n, 0);
         view();
-        exec.for_each("neighbours", start[std::size_t(grid.cells())], FindNeighbours{p, &grid, &skin});
+        exec.for_each("neighbours", start.read(std::size_t(grid.cells())), FindNeighbours{p, &grid, &skin});
     }
     /// With the particles where they are now.
     void find_surface()
     {
         const std::size_t room = x.size() + lanes;
-        for (auto* quads : {&place_, &motion_, &predicted_, &surface_}) quads->assign(room, far_away());
+        for (auto* quads : {&place_, &motion_, &standing_, &predicted_, &surface_}) quads->assign(room, far_away());
         std::vector<Vec3> still(x.size());
         std::vector<int> moved(6), no_walls(x.size(), no_wall);
         view();
@@ -174,12 +172,13 @@ private:
         p.listed_z = lists_.at[2].data();
         p.place = place_.data();
         p.motion = motion_.data();
+        p.standing = standing_.data();
         p.predicted = predicted_.data();
         p.surface = surface_.data();
     }
     std::vector<std::uint8_t> alive_;
     Lists lists_;
-    std::vector<Quad> place_, motion_, predicted_, surface_;
+    std::vector<Quad> place_, motion_, standing_, predicted_, surface_;
 };
 
 /// One particle without neighbours between the yarns.

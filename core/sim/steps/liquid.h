@@ -65,13 +65,13 @@ struct BeginStep {
     HL_FN std::int64_t operator()(int i) const
     {
         if (!p.alive[i]) {
-            p.place[i] = p.predicted[i] = far_away();
+            p.place[i] = p.standing[i] = p.predicted[i] = far_away();
             return 1;
         }
         const Vec3 &x = p.position[i], &v = p.velocity[i];
         p.place[i] = {x.x, x.y, x.z, kept_pressure * p.place[i].w};
         p.motion[i] = {v.x, v.y, v.z, p.size(i)};
-        p.predicted[i] = {x.x, x.y, x.z, p.size(i)};
+        p.standing[i] = {x.x, x.y, x.z, p.size(i)};
         const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
         for (int k = 0; k < 3; ++k) {
             const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
@@ -112,21 +112,6 @@ struct FindCell {
     }
 };
 
-/// After sorting by cell: the first particle of each cell, for every cell up to and including the dead's.
-struct FindCellStarts {
-    const CellGrid* grid;
-    const int* order;
-    const int* count;
-    HL_FN void operator()(int i) const
-    {
-        const CellGrid g = *grid;
-        const int before = i == 0 ? -1 : g.key[order[i - 1]], own = g.key[order[i]];
-        for (int cell = before + 1; cell <= own; ++cell) g.start[cell] = i;
-        if (i + 1 < *count) return;
-        for (int cell = own + 1; cell <= g.cells(); ++cell) g.start[cell] = i + 1;
-    }
-};
-
 /// The cells between which particles are, as maxima: of minus x, y and z, and of x, y and z.
 struct FindBox {
     Particles p;
@@ -161,6 +146,8 @@ struct Reorder {
     const int* key;
     const int* dead_key;
     Particles to;
+    static constexpr bool wide = true;
+
     HL_FN void operator()(int i) const
     {
         const int from = order[i];
@@ -170,13 +157,14 @@ struct Reorder {
         to.wall_distance[i] = wall_distance[from];
         to.wall_segment[i] = wall_segment[from];
         to.content[i] = content[from];
-        to.cloth_from[i] = cloth_from[from];
+        copy_together(to.cloth_from[i], cloth_from[from]);
         if (stress) to.stress[i] = stress[from];
         to.alive[i] = key[from] != *dead_key;
         const Vec3 &x = position[from], &v = velocity[from];
         to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, to.size(i)};
-        to.predicted[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
+        to.standing[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
+        to.predicted[i] = far_away(); // a living one's is foreseen before anyone asks for it
         to.listed_x[i] = x.x;
         to.listed_y[i] = x.y;
         to.listed_z[i] = x.z;
@@ -221,21 +209,24 @@ private:
         CellGrid g;
         Vec3 x;
         Real reach;
-        int x0, x1, y0, y1, z0, z1;
+        int y0, y1, z0, z1;
 
         HL_FN Cells(const CellGrid& grid, const Vec3& place, Real far) : g(grid), x(place), reach(far)
         {
-            x0 = g.inside(g.cell_x(x.x - reach), g.nx), x1 = g.inside(g.cell_x(x.x + reach), g.nx);
             y0 = g.inside(g.cell_y(x.y - reach), g.ny), y1 = g.inside(g.cell_y(x.y + reach), g.ny);
             z0 = g.inside(g.cell_z(x.z - reach), g.nz), z1 = g.inside(g.cell_z(x.z + reach), g.nz);
         }
         HL_FN Real gap_y(int y) const { return g.gap(x.y - g.origin.y, y + g.first_y, g.whole_y); }
         HL_FN Real gap_z(int z) const { return g.gap(x.z - g.origin.z, z + g.first_z, g.whole_z); }
-        /// Cells along x lie side by side, and so do their particles.
+        /// Cells along x lie side by side, and so do their particles. Of a row that far away the reach only touches the middle; none if it
+        /// is farther.
         HL_FN Run run(int y, int z) const
         {
+            const Real far_y = gap_y(y), far_z = gap_z(z), left = reach * reach - far_y * far_y - far_z * far_z;
+            if (!(left > 0)) return {0, 0};
+            const Real half = root(left);
             const int row = (z * g.ny + y) * g.nx;
-            return {g.start[row + x0], g.start[row + x1 + 1]};
+            return {g.start[row + g.inside(g.cell_x(x.x - half), g.nx)], g.start[row + g.inside(g.cell_x(x.x + half), g.nx) + 1]};
         }
     };
 
@@ -246,11 +237,7 @@ private:
         const int wide = cells.y1 - cells.y0 + 1, rows = wide * (cells.z1 - cells.z0 + 1);
         for (int first = 0; first < rows; first += lanes) {
             const int row = first + own_lane(), y = cells.y0 + row % wide, z = cells.z0 + row / wide;
-            Run own{0, 0};
-            if (row < rows) {
-                const Real gap_y = cells.gap_y(y), gap_z = cells.gap_z(z);
-                if (gap_y * gap_y + gap_z * gap_z < cells.reach * cells.reach) own = cells.run(y, z);
-            }
+            const Run own = row < rows ? cells.run(y, z) : Run{0, 0};
             for (unsigned left = lanes_where(own.first < own.end); left != 0; left &= left - 1) {
                 const int lane = lowest_bit(left), end = of_lane(own.end, lane);
                 for (int j = of_lane(own.first, lane); j < end; j += lanes) visit(j, end);
@@ -279,14 +266,11 @@ private:
     HL_FN static int find_runs(const Cells& cells, Run* runs)
     {
         int count = 0;
-        for (int z = cells.z0; z <= cells.z1; ++z) {
-            const Real gap_z = cells.gap_z(z);
+        for (int z = cells.z0; z <= cells.z1; ++z)
             for (int y = cells.y0; y <= cells.y1; ++y) {
-                const Real gap_y = cells.gap_y(y);
                 runs[count] = cells.run(y, z);
-                count += int(runs[count].first < runs[count].end) & int(gap_y * gap_y + gap_z * gap_z < cells.reach * cells.reach);
+                count += int(runs[count].first < runs[count].end);
             }
-        }
         runs[count] = {0, 0};
         return count;
     }
@@ -334,7 +318,7 @@ struct FindSurface {
         Pack kernels{};
         Packs slopes{};
         const auto add = [&](const int* slots) {
-            const Quads others = gather(p.predicted, slots); // as yet where they are
+            const Quads others = gather(p.standing, slots);
             const Packs d = between(own, others);
             const Pack r = root(dot(d, d));
             kernels += others.w * spline_kernel(r, p.reach);
@@ -406,7 +390,8 @@ struct FindForces {
             forces += quotient(drag * dot(between(motion, motions), d), r2 + smallest) * slope * d;
         });
         for_distant_neighbours(p, i, [&](const int* slots) {
-            forces += gather(p.motion, slots).w * surface_forces(p, surface, between(place, gather(p.place, slots)), slots);
+            const Quads others = gather(p.standing, slots);
+            forces += others.w * surface_forces(p, surface, between(place, others), slots);
         });
         Vec3 a = (volume / liquid.density) * sum_of(forces);
         a.z -= liquid.gravity;
@@ -491,8 +476,9 @@ struct FindStress {
         const Real before = p.stress[i];
         Pack sum{};
         const auto add_surface = [&](const int* slots) {
-            const Packs d = between(own, gather(p.place, slots));
-            sum += gather(p.motion, slots).w * dot(surface_forces(p, surface, d, slots), d);
+            const Quads others = gather(p.standing, slots);
+            const Packs d = between(own, others);
+            sum += others.w * dot(surface_forces(p, surface, d, slots), d);
         };
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);

@@ -53,12 +53,12 @@ struct LiquidControl {
     StepNumbers step;               ///< of this step
     int last = 0;                   ///< whether this step ends when liquid and yarns meet
     int count = 0;                  ///< particles, with those that died since neighbours were listed
+    int drinking = 0;               ///< particles that yarns drink from in this step: all or none
     int budget = 0;                 ///< steps to take before somebody else has a look
     std::int64_t steps = 0, rounds = 0, listings = 0;
     Flag goes;    ///< another step follows
     Flag lists;   ///< neighbours must be listed
     Flag presses; ///< another round of pressure follows
-    Flag drinks;  ///< yarns drink in this step
     Flag drains;  ///< the liquid sleeps until liquid and yarns meet: it only drains
 
     CellGrid grid;
@@ -242,7 +242,7 @@ struct EndStep {
         }
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
-        c.drinks.set(drink_after(c, c.dt, c.last, rules.settle_share > 0 ? steps_between_drinks : 1));
+        c.drinking = drink_after(c, c.dt, c.last, rules.settle_share > 0 ? steps_between_drinks : 1) ? c.count : 0;
     }
 };
 
