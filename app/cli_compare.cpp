@@ -166,7 +166,9 @@ private:
             maps_[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
                         map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
         }
-        return candidate_of(finished.run, finished.metrics, criteria_);
+        Candidate candidate = candidate_of(finished.run, finished.metrics, criteria_);
+        if (!finished.device_failure.empty()) candidate.notes.push_back(finished.device_failure);
+        return candidate;
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
@@ -219,6 +221,7 @@ int compare(const CompareOptions& options)
 {
     RunOptions how = run_options(options);
     how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);

@@ -84,7 +84,7 @@ try {
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see)
-try {
+{
     MetricsCollector collector;
     RunCallbacks callbacks;
     callbacks.started = [&](const RunRecord& record) { collector.start(record); };
@@ -94,11 +94,10 @@ try {
     };
     callbacks.progress = [&](const RunProgress& progress) { bar.tell(run, progress); };
     FinishedRun finished;
+    callbacks.device_failed = [&](const std::string& sentence) { finished.device_failure = sentence; };
     finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
     finished.metrics = collector.metrics();
     return finished;
-} catch (const DeviceError& error) {
-    throw Stop(exit_failed, std::string(error.what()) + " Run again with --backend cpu.");
 }
 
 std::vector<std::string> words_of(const std::string& list)

@@ -61,9 +61,10 @@ private:
 struct FinishedRun {
     RunRecord run;
     Metrics metrics;
+    std::string device_failure; ///< after which it went on on the CPU, a sentence; empty: none
 };
 
-/// Runs to the end and tells the bar, as that run of it. Throws Cancelled, Stop when the device fails, and Error.
+/// Runs to the end and tells the bar, as that run of it. Throws Cancelled and Error.
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});

@@ -28,6 +28,8 @@ public:
     void load(const Scene& scene) override { solver().load(scene); }
     double advance(double until) override { return solver_->advance(until, 0.05); }
     Frame frame() override { return solver_->frame(); }
+    std::vector<std::byte> state() override { return solver_->state(); }
+    void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
     long liquid_steps() const override { return solver_->liquid_steps(); }
     int particles() const override { return solver_->particles(); }
     void time_stages() override { solver().executor().time_stages(); }

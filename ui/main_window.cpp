@@ -429,6 +429,7 @@ void MainWindow::startRun()
     setWorkspace(Workspace::simulate);
     RunOptions options;
     options.fidelity = simulation_panel_->fidelity();
+    options.may_go_on_on_cpu = true;
     run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
     options.recording = run_path_.toStdString();
     run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_panel_->backend());

@@ -48,6 +48,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
         callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
         Outcome outcome = Outcome::finished;
         QString sentence;
+        callbacks.device_failed = [&](const std::string& failure) { sentence = QString::fromStdString(failure); };
         try {
             const std::unique_ptr<Backend> machine = make_backend(backend);
             run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks);

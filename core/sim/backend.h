@@ -5,6 +5,7 @@
 #include "core/sim/frame.h"
 #include "core/sim/stage_clock.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ public:
     /// Advances towards the given time, by at least one step and by about 0.05 s of wall time at most; returns the time reached.
     virtual double advance(double until) = 0;
     virtual Frame frame() = 0;
+    /// All that its scene has come to at a frame, on whatever machine it is to go on.
+    virtual std::vector<std::byte> state() = 0;
+    /// After load() of the same scene: goes on from what another backend had come to. Throws Error if it was another scene.
+    virtual void go_on_from(const std::vector<std::byte>& state) = 0;
     virtual long liquid_steps() const = 0;
     virtual int particles() const = 0;
     /// From now on adds up what each stage takes, where the backend can.

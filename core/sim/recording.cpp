@@ -161,6 +161,12 @@ void RecordingWriter::append(const Frame& frame)
     ++file_->frames;
 }
 
+void RecordingWriter::note_device(const std::string& device)
+{
+    const h5::Quiet quiet;
+    h5::write_text(h5::open_group(file_->file.get(), "provenance").get(), "all_devices", device);
+}
+
 void RecordingWriter::finish(double wall)
 {
     const h5::Quiet quiet;
@@ -194,7 +200,7 @@ try : file_(std::make_unique<File>()) {
     run.fabric = h5::read_text(provenance.get(), "fabric");
     run.experiment = h5::read_text(provenance.get(), "experiment");
     run.backend = h5::read_text(provenance.get(), "backend");
-    run.device = h5::read_text(provenance.get(), "device");
+    run.device = h5::read_text(provenance.get(), h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
     run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
     run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));

@@ -15,6 +15,8 @@ public:
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
     void append(const Frame& frame);
+    /// Where the run went on when its device failed, once.
+    void note_device(const std::string& device);
     /// Notes the wall time and closes; a recording that was never finished reads as one that was cut short.
     void finish(double wall);
 

@@ -6,6 +6,9 @@
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -24,6 +27,46 @@ void obey(const RunControl& control)
     while (control.pause && !control.cancel) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (control.cancel) throw Cancelled();
 }
+
+/// A backend with its scene, and the CPU that takes over when it fails, if that is wanted.
+class SafeMachine {
+public:
+    SafeMachine(Backend& backend, const Scene& scene, const RunOptions& options) : backend_(&backend), scene_(scene), options_(options) {}
+
+    Backend& backend() const { return *backend_; }
+    void load() { backend_->load(scene_); }
+    /// The frame that a failed device's run goes on from; 0: the start.
+    long kept_frame() const { return frame_; }
+    /// Keeps what has been come to at that frame, now and then, where the CPU may have to take over.
+    void keep(long frame)
+    {
+        if (!options_.may_go_on_on_cpu || cpu_ || backend_->name() == "cpu" || frame == 0 || seconds_since(kept_) < seconds_between) return;
+        state_ = backend_->state();
+        frame_ = frame;
+        kept_ = Clock::now();
+    }
+    /// Throws the error again if it may not.
+    void go_on_on_cpu(const DeviceError& error)
+    {
+        if (!options_.may_go_on_on_cpu || cpu_) throw DeviceError(error);
+        cpu_ = make_cpu_backend();
+        backend_ = cpu_.get();
+        cpu_->set_threads(options_.threads);
+        load();
+        if (frame_ > 0) cpu_->go_on_from(state_);
+    }
+
+private:
+    static constexpr double seconds_between = 2; // of wall time, for copying everything takes some
+
+    Backend* backend_;
+    const Scene& scene_;
+    const RunOptions& options_;
+    std::unique_ptr<Backend> cpu_;
+    std::vector<std::byte> state_;
+    long frame_ = 0;
+    Clock::time_point kept_ = Clock::now();
+};
 
 } // namespace
 
@@ -48,37 +91,64 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();
-    backend.load(build_scene(design, run.textile, *experiment, run.plan, options.seed));
+    const Scene scene = build_scene(design, run.textile, *experiment, run.plan, options.seed);
 
     std::optional<RecordingWriter> recording;
-    if (!options.recording.empty()) recording.emplace(options.recording, run);
-    if (callbacks.started) callbacks.started(run);
-
-    const auto publish = [&](double time) {
-        auto frame = std::make_shared<Frame>(backend.frame());
-        frame->time = time;
+    const auto publish = [&](Frame frame, double time) {
+        frame.time = time;
         // Water may not appear or vanish; if it does, the result is worth nothing.
-        const Ledger& l = frame->ledger;
+        const Ledger& l = frame.ledger;
         if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
             throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
-        if (recording) recording->append(*frame);
-        if (callbacks.frame) callbacks.frame(frame);
+        if (recording) recording->append(frame);
+        if (callbacks.frame) callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
+    };
+    Clock::time_point told;
+    const auto tell = [&](double reached, bool ends, const Backend& on) {
+        if (!callbacks.progress || (seconds_since(told) <= 0.1 && !ends)) return;
+        told = Clock::now();
+        callbacks.progress({reached, experiment->duration_s, seconds_since(start), on.liquid_steps(), on.particles()});
     };
 
-    publish(0);
-    auto told = Clock::now();
+    SafeMachine machine(backend, scene, options);
     const auto frames = static_cast<long>(std::ceil(experiment->duration_s / run.plan.frame_interval - 1e-9));
-    for (long k = 1; k <= frames; ++k) {
-        const double until = k == frames ? experiment->duration_s : static_cast<double>(k) * run.plan.frame_interval;
-        for (double reached = 0; reached < until;) {
-            obey(control);
-            reached = backend.advance(until);
-            if (callbacks.progress && (seconds_since(told) > 0.1 || (k == frames && reached >= until))) {
-                told = Clock::now();
-                callbacks.progress({reached, experiment->duration_s, seconds_since(start), backend.liquid_steps(), backend.particles()});
-            }
+    const auto time_of = [&](long k) { return k == frames ? experiment->duration_s : static_cast<double>(k) * run.plan.frame_interval; };
+    const auto go_on = [&](const DeviceError& error) {
+        machine.go_on_on_cpu(error);
+        const double from = time_of(machine.kept_frame());
+        run.device += fmt::format("; from {:.3g} s on {}", from, machine.backend().device());
+        if (recording) recording->note_device(run.device);
+        if (callbacks.device_failed)
+            callbacks.device_failed(fmt::format("{} The run went on on the CPU, from {:.3g} s.", error.what(), from));
+    };
+    const auto try_to = [&](const auto& act) {
+        try {
+            act();
+            return true;
+        } catch (const DeviceError& error) {
+            go_on(error);
+            return false;
         }
-        publish(until);
+    };
+
+    try_to([&] { machine.load(); });
+    if (!options.recording.empty()) recording.emplace(options.recording, run);
+    if (callbacks.started) callbacks.started(run);
+    long published = -1;
+    for (long k = 0; k <= frames;) {
+        const double until = time_of(k);
+        const bool done = try_to([&] {
+            Backend& on = machine.backend();
+            for (double reached = 0; reached < until;) {
+                obey(control);
+                reached = on.advance(until);
+                tell(reached, k == frames && reached >= until, on);
+            }
+            if (k > published) publish(on.frame(), until);
+            published = std::max(published, k);
+            machine.keep(k);
+        });
+        k = done ? k + 1 : machine.kept_frame() + (machine.kept_frame() > 0 ? 1 : 0);
     }
     run.wall = seconds_since(start);
     if (recording) recording->finish(run.wall);

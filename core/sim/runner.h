@@ -21,6 +21,7 @@ struct RunOptions {
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
     int threads = 0;                 ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;   ///< when the device fails
     std::filesystem::path recording; ///< empty: none is written
 };
 
@@ -48,7 +49,7 @@ struct RunRecord {
     std::uint64_t seed = 1;
     int threads = 0;
     std::string backend; ///< "cpu", "cuda"
-    std::string device;  ///< in words
+    std::string device;  ///< in words, and where it went on when that failed
     double wall = 0;     ///< s, of the run; 0 while it runs
 };
 
@@ -56,6 +57,7 @@ struct RunCallbacks {
     std::function<void(const RunRecord&)> started;
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
     std::function<void(const RunProgress&)> progress;        ///< several times a second
+    std::function<void(const std::string&)> device_failed;   ///< the run goes on on the CPU; a sentence
 };
 
 /// Runs to the end. Throws Cancelled when asked to stop (within 0.2 s; the recording so far is complete and readable),

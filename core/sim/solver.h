@@ -8,6 +8,7 @@
 #include "core/sim/frame.h"
 #include "core/sim/host_cloth.h"
 #include "core/sim/order.h"
+#include "core/sim/state_archive.h"
 #include "core/sim/steps/cloth_field.h"
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
@@ -83,6 +84,20 @@ public:
 
     Frame frame();
 
+    /// All that the scene has come to, between calls of advance() that reached what they were asked for.
+    std::vector<std::byte> state()
+    {
+        StateWriter writer;
+        pass_state(writer);
+        return writer.take();
+    }
+    /// After load() of the same scene, goes on from there. Throws Error if it is another one's.
+    void go_on_from(const std::vector<std::byte>& state)
+    {
+        StateReader reader(state);
+        pass_state(reader);
+    }
+
 private:
     static double elapsed(std::chrono::steady_clock::time_point start)
     {
@@ -103,6 +118,7 @@ private:
         exec_.for_each(name, all_particles(), stage, next);
     }
 
+    template <typename Archive> void pass_state(Archive& archive);
     void load_segments();
     void note_start(std::vector<double>& regain);
     double largest_change(const YarnParameters& yarn) const;
@@ -220,4 +236,5 @@ private:
 } // namespace hygroloom
 
 #include "core/sim/solver_liquid.h"
+#include "core/sim/solver_state.h"
 #include "core/sim/solver_yarns.h"

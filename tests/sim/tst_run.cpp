@@ -3,12 +3,15 @@
 #include "core/base/error.h"
 #include "core/sim/backend.h"
 #include "core/sim/model_plan.h"
+#include "core/sim/recording.h"
 #include "core/sim/runner.h"
 #include "core/sim/scene.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
 
+#include <QDir>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <thread>
@@ -31,6 +34,43 @@ std::vector<Frame> run(const Design& design, int threads, const ForcedParts& for
     run_experiment(design, "cloth", "drop", options, *backend, control, callbacks);
     return frames;
 }
+
+/// A device that fails: when it is to load, or at the given call of advance().
+class FailingBackend : public Backend {
+public:
+    explicit FailingBackend(int fails_at) : left_(fails_at) {}
+    std::string name() const override { return "cuda"; }
+    std::string device() const override { return "a device"; }
+    void set_threads(int threads) override { cpu_->set_threads(threads); }
+    void load(const Scene& scene) override
+    {
+        if (left_ == 0) fail();
+        cpu_->load(scene);
+    }
+    double advance(double until) override
+    {
+        if (--left_ == 0) fail();
+        std::this_thread::sleep_for(pause);
+        return cpu_->advance(until);
+    }
+    Frame frame() override { return cpu_->frame(); }
+    std::vector<std::byte> state() override
+    {
+        ++states;
+        return cpu_->state();
+    }
+    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
+    long liquid_steps() const override { return cpu_->liquid_steps(); }
+    int particles() const override { return cpu_->particles(); }
+
+    int states = 0; ///< asked for
+    std::chrono::milliseconds pause{0};
+
+private:
+    [[noreturn]] static void fail() { throw DeviceError("The device failed."); }
+    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
+    int left_;
+};
 
 } // namespace
 
@@ -104,6 +144,91 @@ private Q_SLOTS:
                 QVERIFY((*other)[k].positions == one[k].positions);
             }
     }
+    void stateGoesOnWhereItWasTaken()
+    {
+        const Design design = drop_design(35, 0.2);
+        const ModelPlan plan =
+            plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"vapour", true}, {"heat", true}});
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
+        const auto one = make_cpu_backend(), other = make_cpu_backend();
+        const auto advance = [](Backend& backend, double until) {
+            for (double reached = 0; reached < until;) reached = backend.advance(until);
+        };
+        one->load(scene);
+        advance(*one, 0.1);
+        other->load(scene);
+        other->go_on_from(one->state());
+        const Frame a = one->frame(), b = other->frame();
+        QVERIFY(!a.positions.empty() && a.ledger.water_liquid > 0);
+        QCOMPARE(b.time, a.time);
+        QCOMPARE(b.saturation, a.saturation);
+        QCOMPARE(b.regain, a.regain);
+        QCOMPARE(b.temperature, a.temperature);
+        QVERIFY(b.positions == a.positions && b.velocities == a.velocities);
+        QCOMPARE(b.ledger.water_imbalance(), a.ledger.water_imbalance());
+
+        advance(*one, 0.2);
+        advance(*other, 0.2);
+        const Ledger end = one->frame().ledger, moved = other->frame().ledger;
+        QVERIFY(std::abs(moved.water_imbalance()) <= 1e-12 * moved.water_delivered);
+        QVERIFY(std::abs(moved.water_liquid - end.water_liquid) < 0.01 * end.water_delivered); // neighbours in another order
+        Scene larger = scene;
+        larger.particles_per_droplet *= 2;
+        other->load(larger);
+        QVERIFY_EXCEPTION_THROWN(other->go_on_from(one->state()), Error);
+    }
+    void runGoesOnOnTheCpu_data()
+    {
+        QTest::addColumn<int>("failsAt");
+        QTest::addColumn<int>("pauseMs");
+        QTest::addColumn<bool>("keepsState");
+        QTest::newRow("not enough memory") << 0 << 0 << false;
+        QTest::newRow("at once") << 1 << 0 << false;
+        QTest::newRow("before anything was kept") << 30 << 0 << false;
+        QTest::newRow("after some seconds") << 60 << 60 << true;
+    }
+    void runGoesOnOnTheCpu()
+    {
+        QFETCH(int, failsAt);
+        QFETCH(int, pauseMs);
+        QFETCH(bool, keepsState);
+        const Design design = drop_design(35, 0.2);
+        RunOptions options;
+        options.fidelity = Fidelity::draft;
+        options.recording = QDir(folder_.path()).filePath("moved.hygrorec").toStdString();
+        RunControl control;
+        std::vector<Frame> frames;
+        QString told;
+        RunCallbacks callbacks;
+        callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { frames.push_back(*frame); };
+        callbacks.device_failed = [&](const std::string& sentence) { told += QString::fromStdString(sentence); };
+        {
+            FailingBackend gives_up(failsAt);
+            QVERIFY_EXCEPTION_THROWN(run_experiment(design, "cloth", "drop", options, gives_up, control, callbacks), DeviceError);
+        }
+        QVERIFY(told.isEmpty());
+        frames.clear();
+        options.may_go_on_on_cpu = true;
+        FailingBackend fails(failsAt);
+        fails.pause = std::chrono::milliseconds(pauseMs);
+        const RunRecord record = run_experiment(design, "cloth", "drop", options, fails, control, callbacks);
+        QCOMPARE(fails.states > 0, keepsState);
+        QCOMPARE(told.count("went on on the CPU"), 1);
+        QVERIFY2(told.contains("The device failed."), qPrintable(told));
+        const Recording recording(options.recording);
+        QVERIFY(recording.finished());
+        QCOMPARE(recording.run().device, record.device);
+        QVERIFY(QString::fromStdString(record.device).startsWith("a device; from "));
+        const std::vector<Frame> expected = run(design, 0);
+        QCOMPARE(recording.frames(), int(expected.size()));
+        QCOMPARE(frames.size(), expected.size());
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            QCOMPARE(frames[k].time, expected[k].time);
+            QVERIFY(std::abs(frames[k].ledger.water_liquid - expected[k].ledger.water_liquid) <
+                    0.02 * expected.back().ledger.water_delivered);
+        }
+    }
     void lessWettingClothDrinksMoreSlowly()
     {
         double before = 1e9;
@@ -146,6 +271,9 @@ private Q_SLOTS:
         // A fifth of a second on a machine that does nothing else; here only a run that does not hear at all shall fail.
         QVERIFY2(since.elapsed() < 5000, qPrintable(QString::number(since.elapsed())));
     }
+
+private:
+    QTemporaryDir folder_;
 };
 
 QTEST_APPLESS_MAIN(TestRun)

@@ -89,6 +89,18 @@ struct LiquidControl {
     std::int64_t drunk = 0;                        ///< quanta since the liquid fell asleep
 };
 
+/// The same control on another machine, which has memory and conditions of its own and lists neighbours anew.
+inline LiquidControl moved_to(LiquidControl control, const LiquidControl& own)
+{
+    control.grid = own.grid;
+    control.listed_for = 0;
+    control.goes = own.goes;
+    control.lists = own.lists;
+    control.presses = own.presses;
+    control.drains = own.drains;
+    return control;
+}
+
 /// Numbers of the next step, and everything that it counts from anew.
 HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
 {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a solver has come to, as bytes that one on another machine of the same kind of processor goes on from.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstddef>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace hygroloom {
+
+/// Appends numbers and arrays.
+class StateWriter {
+public:
+    static constexpr bool reads = false;
+
+    template <typename T> void value(const T& value) { append(&value, sizeof value); }
+    template <typename T> void values(const std::vector<T>& values)
+    {
+        value(values.size());
+        append(values.data(), values.size() * sizeof(T));
+    }
+    template <typename Buffer> void buffer(const Buffer& buffer) { values(buffer.download()); }
+    std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    void append(const void* from, std::size_t bytes)
+    {
+        const auto* first = static_cast<const std::byte*>(from);
+        bytes_.insert(bytes_.end(), first, first + bytes);
+    }
+    std::vector<std::byte> bytes_;
+};
+
+/// Reads them again, in the same order. Throws Error when they are of another scene.
+class StateReader {
+public:
+    static constexpr bool reads = true;
+
+    explicit StateReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
+    template <typename T> void value(T& value) { take(&value, sizeof value); }
+    template <typename T> void values(std::vector<T>& values)
+    {
+        std::size_t count = 0;
+        value(count);
+        if (count != values.size()) throw Error("The state of a run is of another scene.");
+        take(values.data(), count * sizeof(T));
+    }
+    template <typename Buffer> void buffer(Buffer& buffer)
+    {
+        auto all = buffer.download();
+        values(all);
+        buffer.upload(all);
+    }
+
+private:
+    void take(void* to, std::size_t bytes)
+    {
+        if (bytes > bytes_.size() - at_) throw Error("The state of a run is cut short.");
+        if (bytes > 0) std::memcpy(to, bytes_.data() + at_, bytes);
+        at_ += bytes;
+    }
+    const std::vector<std::byte>& bytes_;
+    std::size_t at_ = 0;
+};
+
+} // namespace hygroloom
