@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, sort_by_key, and for what
-// stages decide themselves loop and when.
+// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, for_each_line, sort_by_key,
+// and for what stages decide themselves loop and when.
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
@@ -96,7 +96,10 @@ private:
     {
         exec_.for_each(name, yarns().visited_crossings(), stage);
     }
-    template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
+    template <typename Stage> void each_line(const char* name, const Stage& stage)
+    {
+        exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()), stage);
+    }
     Counted all_particles() { return {&control_.data()->count, room_}; }
     template <typename Stage, typename Next = Nothing> void each_particle(const char* name, const Stage& stage, const Next& next = {})
     {

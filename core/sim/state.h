@@ -98,7 +98,7 @@ struct Segments : Yarns {
     double* evaporated = nullptr;          ///< kg to the air since the start
     double* released = nullptr;            ///< J by phase change since the start
     double* lost = nullptr;                ///< J to the air since the start
-    double* work0 = nullptr;               ///< scratch of the line solves
+    double* work0 = nullptr;               ///< scratch of what goes along lines
     double* work1 = nullptr;
     double* work2 = nullptr;
     double* flux = nullptr; ///< kg that crossed to the next segment along the yarn in this step

@@ -158,13 +158,13 @@ struct EstimateWicking {
     const double* before;
     std::int64_t* sum;
 
-    HL_FN void operator()(int index) const
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
         std::int64_t quanta = 0;
-        for (int i = line.first; i < line.last; ++i)
-            quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
-        if (quanta > 0) atomic_add(sum, quanta);
+        team.each(line.first, line.last,
+                  [&](int i) { quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum); });
+        team.add(sum, quanta);
     }
 };
 
@@ -178,11 +178,11 @@ struct EstimateExchange {
     std::int64_t* sums; ///< of water and of heat
 
     static constexpr double heat_quantum = 0x1.0p-50; ///< J
-    HL_FN void operator()(int index) const
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
         std::int64_t water = 0, joules = 0;
-        for (int i = line.first; i < line.last; ++i) {
+        team.each(line.first, line.last, [&](int i) {
             const double bound_now = bound_water(s, line.yarn, i);
             const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
@@ -190,9 +190,9 @@ struct EstimateExchange {
             if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
             bound[i] = bound_now;
             heat[i] = heat_now;
-        }
-        if (water > 0) atomic_add(sums, water);
-        if (joules > 0) atomic_add(sums + 1, joules);
+        });
+        team.add(sums, water);
+        team.add(sums + 1, joules);
     }
 };
 
