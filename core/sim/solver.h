@@ -211,8 +211,7 @@ private:
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> content_, sorted_content_;
-    Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> largest_change_;  ///< of saturation: see TrackChange
+    Buffer<YarnTotals> totals_; ///< one, of this step
     Buffer<ClothField> cloth_;
     Buffer<ClothExpansion> cloth_from_, sorted_cloth_from_;
     Buffer<Quad> bead_;

@@ -220,22 +220,21 @@ private Q_SLOTS:
     void errorsAddUpToTheSame()
     {
         Network n = hanging_yarn(280);
-        std::int64_t found[2][3] = {};
+        YarnTotals found[2];
         for (int k : {0, 1}) {
-            std::vector<double> rates(3 * n.liquid.size(), 0.0), before(3 * n.liquid.size(), 0.0);
             const std::size_t all = n.liquid.size();
+            std::vector<double> rates(3 * all, 0.0), before(3 * all, 0.0);
+            double *rate = rates.data(), *was = before.data();
             with_team(128 * k, false, n.picks, [&](const auto& team) {
-                EstimateWicking{n.views(), {rates.data(), 0.1, 0.2, true}, before.data(), found[k]}(team, 0);
-                EstimateExchange{n.views(),
-                                 {rates.data() + all, 0.1, 0.2, true},
-                                 {rates.data() + 2 * all, 0.1, 0.2, true},
-                                 before.data() + all,
-                                 before.data() + 2 * all,
-                                 found[k] + 1}(team, 0);
+                EstimateWicking{n.views(), {rate, 0.1, 0.2, true}, was, &found[k].wicking_error}(team, 0);
+                EstimateExchange{n.views(), {rate + all, 0.1, 0.2, true}, {rate + 2 * all, 0.1, 0.2, true}, was + all, was + 2 * all,
+                                 &found[k]}(team, 0);
             });
         }
-        for (int k : {0, 1, 2}) QCOMPARE(found[0][k], found[1][k]);
-        QVERIFY(found[0][0] > 0 && found[0][2] > 0);
+        QVERIFY(found[0].wicking_error > 0 && found[0].heat_error > 0);
+        QCOMPARE(found[1].wicking_error, found[0].wicking_error);
+        QCOMPARE(found[1].bound_error, found[0].bound_error);
+        QCOMPARE(found[1].heat_error, found[0].heat_error);
     }
 };
 

@@ -47,6 +47,23 @@ private Q_SLOTS:
             for (int i = found.first; i < found.last; ++i) QCOMPARE(y.line_of(i), line);
         }
     }
+    void everyCrossingIsVisitedOnce()
+    {
+        for (int ends : {1, 7, 8, 9, 30})
+            for (const Unvisited out : {Unvisited{}, Unvisited{0, 0, 1, 2}, Unvisited{ends / 2, ends / 3, 2, 0}}) {
+                Yarns y;
+                y.ends = ends;
+                y.picks = 5;
+                y.unvisited = out;
+                std::vector<int> visits(static_cast<std::size_t>(ends * 5), 0);
+                for (int k = 0; k < y.visited_crossings(); ++k) {
+                    const Crossing c = y.visited_place(k);
+                    QVERIFY(c.end >= out.ends_before && c.end < ends - out.ends_after);
+                    QVERIFY(c.pick >= out.picks_before && c.pick < 5 - out.picks_after);
+                    QCOMPARE(++visits[static_cast<std::size_t>(c.end * 5 + c.pick)], 1);
+                }
+            }
+    }
     void wickingKeepsTheLiquidAndItsBounds_data()
     {
         QTest::addColumn<double>("dt");

@@ -42,6 +42,16 @@ struct FedFace {
     }
 };
 
+/// What stages count for the host in a step of the yarns.
+struct YarnTotals {
+    std::int64_t asked = 0, given = 0; ///< quanta
+    std::int64_t swollen = 0;          ///< segments, see Swell
+    std::int64_t wicking_error = 0;    ///< quanta
+    std::int64_t bound_error = 0;      ///< quanta
+    std::int64_t heat_error = 0;       ///< see EstimateExchange
+    int largest_change = 0;            ///< of saturation: see TrackChange
+};
+
 /// What each fed segment could take now, in quanta, summed up.
 struct AskPool {
     Segments s;
@@ -175,7 +185,7 @@ struct EstimateExchange {
     RateHistory bound_history, heat_history;
     double* bound;
     double* heat;
-    std::int64_t* sums; ///< of water and of heat
+    YarnTotals* totals;
 
     static constexpr double heat_quantum = 0x1.0p-50; ///< J
     template <typename Team> HL_FN void operator()(const Team& team, int index) const
@@ -191,8 +201,8 @@ struct EstimateExchange {
             bound[i] = bound_now;
             heat[i] = heat_now;
         });
-        team.add(sums, water);
-        team.add(sums + 1, joules);
+        team.add(&totals->bound_error, water);
+        team.add(&totals->heat_error, joules);
     }
 };
 
