@@ -265,7 +265,7 @@ public:
     template <typename Stage> void for_each_line(const char* name, int lines, int longest, const Stage& stage)
     {
         if (lines <= 0) return;
-        constexpr int places_each = 4, blocks_each = 4; // for a thread, for a processor
+        constexpr int places_each = 4, blocks_each = 2; // for a thread, for a processor
         int threads = least_team;
         while (threads < most_team && threads * places_each < longest) threads *= 2;
         const std::size_t columns = static_cast<std::size_t>(Team<Block>::per_place) * static_cast<std::size_t>(longest);

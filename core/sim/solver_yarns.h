@@ -236,10 +236,7 @@ template <typename Executor> void Solver<Executor>::drink(double dt)
         totals_.write(0, {});
         const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, &totals_.data()->asked};
         each_segment("ask pool", ask);
-        const std::int64_t asked = totals_.read(0).asked;
-        if (asked <= 0) continue;
-        const double share = asked > pool_[k] ? static_cast<double>(pool_[k]) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
-        each_segment("take from pool", TakeFromPool{ask, share, &totals_.data()->given});
+        each_segment("take from pool", TakeFromPool{ask, pool_[k], &totals_.data()->given});
         pool_[k] -= totals_.read(0).given;
     }
 }
@@ -250,8 +247,8 @@ template <typename Executor> void Solver<Executor>::sweat(double dt)
     const double each = scene_.sweat * scene_.cell_area * scene_.climate.density * dt;
     const std::int64_t offered = static_cast<std::int64_t>(each / water_quantum) * scene_.crossings();
     totals_.write(0, {});
-    const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, nullptr};
-    each_segment("sweat", TakeFromPool{ask, 1.0, &totals_.data()->given});
+    const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, &totals_.data()->asked};
+    each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
     pumped_ += offered;
     ran_off_ += offered - totals_.read(0).given;
 }

@@ -59,7 +59,7 @@ struct AskPool {
     double density;
     double dt;
     double evenly; ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
-    std::int64_t* asked;
+    std::int64_t* total;
 
     HL_FN std::int64_t wanted(int i) const
     {
@@ -71,26 +71,26 @@ struct AskPool {
         const double drawn = evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity;
         return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
     }
-    HL_FN void operator()(int index) const
-    {
-        const std::int64_t quanta = wanted(s.visited_segment(index));
-        if (quanta > 0) atomic_add(asked, quanta);
-    }
+    HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
 };
 
-/// Gives each what it asked for, or the same share of it, in whole quanta.
+/// Gives each what it asked for, or the same share of it, in whole quanta; sums up what is given.
 struct TakeFromPool {
     AskPool ask;
-    double share;
-    std::int64_t* given;
+    std::int64_t offered; ///< quanta, for all who asked
+    std::int64_t* total;
 
-    HL_FN void operator()(int index) const
+    HL_FN double share() const
+    {
+        const std::int64_t asked = *ask.total;
+        return asked > offered ? static_cast<double>(offered) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
+    }
+    HL_FN std::int64_t operator()(int index) const
     {
         const int i = ask.s.visited_segment(index);
-        const auto quanta = static_cast<std::int64_t>(share * static_cast<double>(ask.wanted(i)));
-        if (quanta <= 0) return;
-        ask.s.absorbed[i] += quanta;
-        atomic_add(given, quanta);
+        const auto quanta = static_cast<std::int64_t>(share() * static_cast<double>(ask.wanted(i)));
+        if (quanta > 0) ask.s.absorbed[i] += quanta;
+        return quanta;
     }
 };
 
