@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Runs stages on a GPU: each stage is one kernel over its elements; the host waits only where it reads. A sequence of stages is recorded
-// once as a CUDA graph, with its loops and branches as conditional nodes, and replayed. Everything goes through the stream of the calling
-// thread, so scenes that run in threads of their own share the GPU and do not wait for each other.
+// Runs stages on a GPU: each stage is one kernel over its elements, or over lines with a block of threads each; the host waits only where
+// it reads. A sequence of stages is recorded once as a CUDA graph, with its loops and branches as conditional nodes, and replayed.
+// Everything goes through the stream of the calling thread, so scenes that run in threads of their own share the GPU and do not wait for
+// each other.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/sim/order.h"
 #include "core/sim/stage_clock.h"
+#include "core/sim/team.h"
 
 #include <cub/block/block_scan.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cuda_runtime.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -71,6 +74,41 @@ template <typename Stage, typename Next> __global__ void run_stage(Counted count
     }
     if constexpr (!std::is_same_v<Next, Nothing>)
         if (is_last_block(came)) next(0);
+}
+
+/// The threads of a block.
+struct Block {
+    __device__ int size() const { return static_cast<int>(blockDim.x); }
+    template <typename F> __device__ void all(const F& f) const
+    {
+        f(static_cast<int>(threadIdx.x));
+        __syncthreads();
+    }
+    __device__ bool any(bool own) const { return __syncthreads_or(own ? 1 : 0) != 0; }
+    __device__ void add(std::int64_t* total, std::int64_t own) const
+    {
+        for (int apart = 16; apart > 0; apart /= 2) own += __shfl_down_sync(0xffffffffu, own, apart);
+        if (threadIdx.x % 32 == 0 && own != 0) atomic_add(total, own);
+    }
+};
+
+constexpr int least_team = 32, most_team = 512; ///< threads
+
+/// The room of lines that shared memory has no room for; none if it has.
+struct LineRoom {
+    double* columns; ///< for each block
+    int longest;
+};
+
+/// A line after the other for each block.
+template <typename Stage> __global__ void __launch_bounds__(most_team) run_lines(int lines, LineRoom room, Stage stage)
+{
+    extern __shared__ double shared[];
+    using BlockTeam = Team<Block>;
+    double* columns = shared + BlockTeam::per_thread * blockDim.x;
+    if (room.columns != nullptr) columns = room.columns + static_cast<std::size_t>(BlockTeam::per_place) * room.longest * blockIdx.x;
+    const BlockTeam team(Block{}, columns, room.longest, shared);
+    for (int line = static_cast<int>(blockIdx.x); line < lines; line += static_cast<int>(gridDim.x)) stage(team, line);
 }
 
 template <typename T> struct FillStage {
@@ -253,6 +291,10 @@ public:
         for (cudaStream_t& stream : inner_streams_)
             check_cuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
         came_.resize(1);
+        int device = 0;
+        check_cuda(cudaGetDevice(&device), "asking for its properties");
+        check_cuda(cudaDeviceGetAttribute(&most_shared_, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "asking for its properties");
+        check_cuda(cudaDeviceGetAttribute(&processors_, cudaDevAttrMultiProcessorCount, device), "asking for its properties");
     }
     ~CudaExecutor()
     {
@@ -282,6 +324,31 @@ public:
     template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
     {
         for_each(name, Counted{nullptr, count}, stage, next);
+    }
+
+    /// Calls stage(team, line) for 0 <= line < lines, none of more than so many places. A team's threads have few places each; elimination
+    /// works in shared memory, or where that is too small, in as much of the GPU's as some blocks need.
+    template <typename Stage> void for_each_line(const char* name, int lines, int longest, const Stage& stage)
+    {
+        if (lines <= 0) return;
+        constexpr int places_each = 4, blocks_each = 2; // for a thread, for a processor
+        int threads = least_team;
+        while (threads < most_team && threads * places_each < longest) threads *= 2;
+        const std::size_t columns = static_cast<std::size_t>(Team<Block>::per_place) * static_cast<std::size_t>(longest);
+        std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::per_thread * threads);
+        LineRoom room{nullptr, longest};
+        int blocks = lines;
+        if (bytes + sizeof(double) * columns <= static_cast<std::size_t>(most_shared_)) {
+            bytes += sizeof(double) * columns;
+            check_cuda(cudaFuncSetAttribute(run_lines<Stage>, cudaFuncAttributeMaxDynamicSharedMemorySize, most_shared_), name);
+        } else {
+            blocks = std::min(lines, blocks_each * processors_);
+            line_room_.resize(columns * static_cast<std::size_t>(blocks));
+            room.columns = line_room_.data();
+        }
+        const Lap lap(stage_clock_.get(), name);
+        run_lines<<<static_cast<unsigned>(blocks), static_cast<unsigned>(threads), bytes, stream()>>>(lines, room, stage);
+        check_cuda(cudaGetLastError(), name);
     }
 
     /// Stages in an order that never changes but by loop() and when().
@@ -466,10 +533,12 @@ private:
     std::vector<Condition> conditions_;
     Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()
     std::unique_ptr<StageClock> stage_clock_; ///< none: nothing is timed
+    int most_shared_ = 0, processors_ = 0; ///< bytes of shared memory for a block; what blocks run on
+    Buffer<double> line_room_;             ///< see LineRoom
     // To sort with.
-    Buffer<int> many_;           ///< elements of each key; nothing between sorts
-    Buffer<int> number_;         ///< of each element among those of its key, as they came
-    Buffer<int> member_;         ///< elements by keys
+    Buffer<int> many_;   ///< elements of each key; nothing between sorts
+    Buffer<int> number_; ///< of each element among those of its key, as they came
+    Buffer<int> member_; ///< elements by keys
     Buffer<unsigned char> scratch_;
 };
 

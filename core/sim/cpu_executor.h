@@ -5,6 +5,7 @@
 
 #include "core/sim/order.h"
 #include "core/sim/stage_clock.h"
+#include "core/sim/team.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -71,6 +72,21 @@ public:
     void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
     {
         for_each(name, *counted.count, stage, next);
+    }
+
+    /// Calls stage(team, line) for 0 <= line < lines, none of more than so many places.
+    template <typename Stage> void for_each_line(const char* name, int lines, int longest, const Stage& stage)
+    {
+        const StageLap lap(stage_clock_.get(), name);
+        constexpr int grain = 4;
+        arena_->execute([&] {
+            tbb::parallel_for(tbb::blocked_range<int>(0, lines, grain), [&](const tbb::blocked_range<int>& range) {
+                const std::unique_ptr<double[]> room(
+                    new double[static_cast<std::size_t>(Alone::per_place) * static_cast<std::size_t>(longest)]);
+                const Alone alone(room.get(), longest);
+                for (int line = range.begin(); line < range.end(); ++line) stage(alone, line);
+            });
+        });
     }
 
     /// Goes through the body as long as the flag is set.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, sort_into_cells, and for what
-// stages decide themselves loop and when.
+// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, for_each_line, sort_into_cells,
+// and for what stages decide themselves loop and when.
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
@@ -111,7 +111,10 @@ private:
     {
         exec_.for_each(name, yarns().visited_crossings(), stage);
     }
-    template <typename Stage> void each_line(const char* name, const Stage& stage) { exec_.for_each(name, yarns().visited_lines(), stage); }
+    template <typename Stage> void each_line(const char* name, const Stage& stage)
+    {
+        exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()), stage);
+    }
     Counted all_particles() { return {&control_.data()->count, room_}; }
     template <typename Stage, typename Next = Nothing> void each_particle(const char* name, const Stage& stage, const Next& next = {})
     {
@@ -224,8 +227,7 @@ private:
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> content_, sorted_content_;
-    Buffer<std::int64_t> supply_; ///< asked, given, error of water, error of heat
-    Buffer<int> largest_change_;  ///< of saturation: see TrackChange
+    Buffer<YarnTotals> totals_; ///< one, of this step
     Buffer<ClothField> cloth_;
     Buffer<ClothExpansion> cloth_from_, sorted_cloth_from_;
     Buffer<Quad> bead_;

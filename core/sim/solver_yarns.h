@@ -14,19 +14,20 @@ struct TrackChange {
     Segments s;
     double density;
     double* before;
-    int* largest;
+    int* largest; ///< null: nobody asks
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
         const double change = s.liquid[i] - before[i];
         if (change == 0) return;
+        before[i] = s.liquid[i];
+        if (largest == nullptr) return;
         union {
             float value;
             int bits;
         } moved;
         moved.value = static_cast<float>((change < 0 ? -change : change) / (density * s.pores[i]));
         if (moved.value > 0) atomic_max(largest, moved.bits);
-        before[i] = s.liquid[i];
     }
 };
 
@@ -68,10 +69,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     absorbed_.fill(0);
     contact_.resize(n);
     contact_.fill(no_particle);
-    supply_.resize(5);
-    supply_.fill(0);
-    largest_change_.resize(1);
-    largest_change_.fill(0);
+    totals_.resize(1);
 
     std::vector<double> vapour(n), regain(n * shells), pores(n);
     const ClimateParameters& climate = scene_.climate;
@@ -235,15 +233,11 @@ template <typename Executor> void Solver<Executor>::drink(double dt)
         const double volume = static_cast<double>(pool_[k]) * water_quantum / density;
         const double radius = std::max({std::cbrt(1.5 * volume / pi), scene_.warp_pitch, scene_.weft_pitch});
         visit_around(radius);
-        supply_.write(0, 0);
-        supply_.write(1, 0);
-        const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, supply_.data()};
+        totals_.write(0, {});
+        const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, &totals_.data()->asked};
         each_segment("ask pool", ask);
-        const std::int64_t asked = supply_.read(0);
-        if (asked <= 0) continue;
-        const double share = asked > pool_[k] ? static_cast<double>(pool_[k]) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
-        each_segment("take from pool", TakeFromPool{ask, share, supply_.data() + 1});
-        pool_[k] -= supply_.read(1);
+        each_segment("take from pool", TakeFromPool{ask, pool_[k], &totals_.data()->given});
+        pool_[k] -= totals_.read(0).given;
     }
 }
 
@@ -252,11 +246,11 @@ template <typename Executor> void Solver<Executor>::sweat(double dt)
 {
     const double each = scene_.sweat * scene_.cell_area * scene_.climate.density * dt;
     const std::int64_t offered = static_cast<std::int64_t>(each / water_quantum) * scene_.crossings();
-    supply_.write(1, 0);
-    const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, nullptr};
-    each_segment("sweat", TakeFromPool{ask, 1.0, supply_.data() + 1});
+    totals_.write(0, {});
+    const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, &totals_.data()->asked};
+    each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
     pumped_ += offered;
-    ran_off_ += offered - supply_.read(1);
+    ran_off_ += offered - totals_.read(0).given;
 }
 
 template <typename Executor> void Solver<Executor>::step_network(double dt, bool frame_due)
@@ -265,11 +259,11 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     supply(dt);
     visit_what_changed();
     const ClimateParameters& climate = scene_.climate;
-    each_segment("take absorbed", TakeAbsorbed{segments()});
-    largest_change_.write(0, 0);
-    each_segment("remember", TrackChange{segments(), climate.density, before_.data(), largest_change_.data()});
-    if (scene_.wicking || scene_.heat) {
-        largest_change_.write(0, 0);
+    totals_.write(0, {});
+    const bool changes = scene_.wicking || scene_.heat;
+    const TrackChange remember{segments(), climate.density, before_.data(), changes ? nullptr : &totals_.data()->largest_change};
+    each_segment("take absorbed", InTurn<TakeAbsorbed, TrackChange>{{segments()}, remember});
+    if (changes) {
         if (scene_.wicking) each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
         if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
         each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false, 0, false});
@@ -287,22 +281,24 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
 {
     const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
     const bool watched = scene_.step_error > 0 && !drops_about();
-    double grow = 1.5;
-    if (watched && scene_.wicking) {
-        supply_.write(2, 0);
-        each_line("wicking error",
-                  EstimateWicking{
-                      segments(), {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known}, before_.data(), supply_.data() + 2});
-        grow = growth(static_cast<double>(supply_.read(2)) * water_quantum / water_at_stake());
-    }
+    const bool estimates = watched && scene_.wicking, tracks = !watched || standing;
+    YarnTotals* totals = totals_.data();
+    if (estimates)
+        each_line("wicking error", EstimateWicking{segments(),
+                                                   {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known},
+                                                   before_.data(),
+                                                   &totals->wicking_error});
     wicking_watch_ = {dt, watched};
-    if (!watched || standing) {
-        each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), largest_change_.data()});
+    if (tracks) each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), &totals->largest_change});
+    const YarnTotals found = estimates || tracks ? totals_.read(0) : YarnTotals{};
+    double grow = 1.5;
+    if (estimates) grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake());
+    if (tracks) {
         union {
             float value;
             int bits;
         } change;
-        change.bits = largest_change_.read(0);
+        change.bits = found.largest_change;
         const double wanted = 0.8 * scene_.saturation_change / std::max(1e-9, static_cast<double>(change.value));
         grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
     }
@@ -312,17 +308,16 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
 template <typename Executor> void Solver<Executor>::choose_exchange_step(double dt)
 {
     if (scene_.step_error <= 0) return;
-    supply_.write(3, 0);
-    supply_.write(4, 0);
     const Watch& watch = exchange_watch_;
     each_line("exchange error", EstimateExchange{segments(),
                                                  {bound_rate_.data(), dt, watch.dt, watch.known},
                                                  {heat_rate_.data(), dt, watch.dt, watch.known},
                                                  bound_.data(),
                                                  heat_.data(),
-                                                 supply_.data() + 3});
-    const double water = static_cast<double>(supply_.read(3)) * water_quantum / water_at_stake();
-    const double heat = static_cast<double>(supply_.read(4)) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
+                                                 totals_.data()});
+    const YarnTotals found = totals_.read(0);
+    const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake();
+    const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
     exchange_watch_ = {dt, true};
     exchange_dt_ =
         std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
@@ -347,9 +342,8 @@ template <typename Executor> void Solver<Executor>::swell()
 {
     constexpr double least_part = 0.25; // of a particle
     const double least = least_part * static_cast<double>(particle_mass_);
-    supply_.write(1, 0);
-    each_segment("swell", Swell{segments(), scene_.climate.density, scene_.swelling, least, supply_.data() + 1});
-    if (room_ == 0 || supply_.read(1) == 0) return;
+    each_segment("swell", Swell{segments(), scene_.climate.density, scene_.swelling, least, &totals_.data()->swollen});
+    if (room_ == 0 || totals_.read(0).swollen == 0) return;
     std::size_t kept = 0; // for drops to come
     for (std::size_t k = next_droplet_; k < scene_.droplets.size(); ++k) kept += particles_of(scene_.droplets[k].volume);
     const std::size_t room = static_cast<std::size_t>(room_ - flow_.count) - kept;

@@ -27,6 +27,10 @@ struct YarnLine {
     bool starts, stops; ///< whether the yarn's own start and end are among them
 };
 
+struct Crossing {
+    int end, pick;
+};
+
 /// The cloth's yarns: lines of segments, all ends, then all picks. A yarn is of one type along its whole length.
 /// Stages go through the visited lines, crossings and segments by an index of their own.
 struct Yarns {
@@ -66,6 +70,14 @@ struct Yarns {
         return {parameters[type[ends + pick]], first + out.ends_before, first + ends - out.ends_after, false,
                 out.ends_before == 0,          out.ends_after == 0};
     }
+    /// Crossings are visited in strips of some ends, so that those side by side in the order lie side by side along picks, too.
+    HL_FN Crossing visited_place(int index) const
+    {
+        constexpr int strip = 8;
+        const int height = visited_picks(), first = index / (strip * height) * strip;
+        const int width = visited_ends() - first < strip ? visited_ends() - first : strip, place = index - first * height;
+        return {unvisited.ends_before + first + place % width, unvisited.picks_before + place / width};
+    }
     HL_FN int visited_crossing(int index) const
     {
         if (!unvisited.any()) return index;
@@ -98,11 +110,12 @@ struct Segments : Yarns {
     double* evaporated = nullptr;          ///< kg to the air since the start
     double* released = nullptr;            ///< J by phase change since the start
     double* lost = nullptr;                ///< J to the air since the start
-    double* work0 = nullptr;               ///< scratch of the line solves
+    double* work0 = nullptr;               ///< scratch of what goes along lines
     double* work1 = nullptr;
     double* work2 = nullptr;
     double* flux = nullptr; ///< kg that crossed to the next segment along the yarn in this step
 
+    HL_FN int warp_of(int end, int pick) const { return end * picks + pick; }
     HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
     HL_FN int crossing_of(int segment) const
     {

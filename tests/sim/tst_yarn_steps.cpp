@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The network's stages alone: conserved, bounded, and in agreement with what they approximate.
-#include "core/sim/steps/supply.h"
+#include "tests/sim/network.h"
 
 #include <QTest>
 
@@ -10,95 +10,12 @@ using namespace hygroloom;
 
 namespace {
 
-/// Arrays behind the views, one line of segments in each system unless said.
-struct Network {
-    int ends, picks, shells;
-    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake,
-        supplied;
-    std::vector<std::uint8_t> warp_up, type, fed;
-    std::vector<YarnParameters> yarns;
-    CrossingParameters crossing;
-    std::vector<std::int64_t> absorbed;
-    std::vector<int> contact;
-
-    Network(int ends_, int picks_, const YarnParameters& warp, const YarnParameters& weft, int shells_ = 4)
-        : ends(ends_), picks(picks_), shells(shells_), yarns{warp, weft}
-    {
-        type.assign(static_cast<std::size_t>(ends), 0);
-        type.resize(static_cast<std::size_t>(ends + picks), 1);
-        const auto n = static_cast<std::size_t>(2 * ends * picks);
-        for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux, &uptake, &supplied})
-            v->assign(n, 0.0);
-        length.assign(n, 3e-4);
-        pores.assign(n / 2, warp.pore_area * 3e-4);
-        pores.resize(n, weft.pore_area * 3e-4);
-        regain.assign(n * static_cast<std::size_t>(shells), 0.0);
-        warp_up.assign(n / 2, 1);
-        absorbed.assign(n, 0);
-        contact.assign(n, no_particle);
-    }
-    Segments views()
-    {
-        Segments s;
-        s.ends = ends;
-        s.picks = picks;
-        s.type = type.data();
-        s.parameters = yarns.data();
-        s.crossing = &crossing;
-        s.shells = shells;
-        s.length = length.data();
-        s.warp_up = warp_up.data();
-        s.fed = fed.empty() ? nullptr : fed.data();
-        s.pores = pores.data();
-        s.uptake = uptake.data();
-        s.supplied = supplied.data();
-        s.liquid = liquid.data();
-        s.vapour = vapour.data();
-        s.warmth = warmth.data();
-        s.regain = regain.data();
-        s.absorbed = absorbed.data();
-        s.contact = contact.data();
-        s.evaporated = evaporated.data();
-        s.released = released.data();
-        s.lost = lost.data();
-        s.work0 = work0.data();
-        s.work1 = work1.data();
-        s.work2 = work2.data();
-        s.flux = flux.data();
-        return s;
-    }
-};
-
-YarnParameters cotton()
+/// The stage on the first line, by one thread.
+template <typename Stage> void along(const Stage& stage)
 {
-    YarnParameters y;
-    y.pore_area = 1.6e-8;
-    y.fibre_area = 1.6e-8;
-    y.fibre_radius = 8e-6;
-    y.fibre_density = 1550;
-    y.fibre_specific_heat = 1250;
-    y.fibre_conductivity = 0.35;
-    y.isotherm = {0.071, 0.24, 0.03331, 10.48, 0.8627};
-    y.diffusivity = {DiffusionLaw::constant, 5e-14};
-    y.liquid_diffusivity = 2e-5;
-    y.exponent = 2;
-    y.vapour_diffusivity = 2e-5;
-    y.suction_radius = 1e-5;
-    return y;
-}
-
-ClimateParameters room()
-{
-    ClimateParameters c;
-    c.temperature = 298.15;
-    c.humidity = 0.65;
-    c.vapour = 0.65 * saturation_concentration(c.temperature);
-    c.heat_transfer = 9;
-    c.mass_transfer = 3.2e-3;
-    c.surface_tension = 0.072;
-    c.viscosity = 0.9e-3;
-    c.density = 997;
-    return c;
+    const YarnLine line = stage.s.visited_line(0);
+    std::vector<double> room(static_cast<std::size_t>(Alone::per_place * (line.last - line.first)));
+    stage(Alone(room.data(), line.last - line.first), 0);
 }
 
 double total(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
@@ -130,6 +47,23 @@ private Q_SLOTS:
             for (int i = found.first; i < found.last; ++i) QCOMPARE(y.line_of(i), line);
         }
     }
+    void everyCrossingIsVisitedOnce()
+    {
+        for (int ends : {1, 7, 8, 9, 30})
+            for (const Unvisited out : {Unvisited{}, Unvisited{0, 0, 1, 2}, Unvisited{ends / 2, ends / 3, 2, 0}}) {
+                Yarns y;
+                y.ends = ends;
+                y.picks = 5;
+                y.unvisited = out;
+                std::vector<int> visits(static_cast<std::size_t>(ends * 5), 0);
+                for (int k = 0; k < y.visited_crossings(); ++k) {
+                    const Crossing c = y.visited_place(k);
+                    QVERIFY(c.end >= out.ends_before && c.end < ends - out.ends_after);
+                    QVERIFY(c.pick >= out.picks_before && c.pick < 5 - out.picks_after);
+                    QCOMPARE(++visits[static_cast<std::size_t>(c.end * 5 + c.pick)], 1);
+                }
+            }
+    }
     void wickingKeepsTheLiquidAndItsBounds_data()
     {
         QTest::addColumn<double>("dt");
@@ -147,7 +81,7 @@ private Q_SLOTS:
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 97; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity * (i % 7 == 0 ? 1.0 : i % 3 == 0 ? 0.4 : 0.0);
         const double before = total(n.liquid);
-        for (int step = 0; step < 20; ++step) WickAlongYarn{n.views(), room(), dt, 0, 0}(0);
+        for (int step = 0; step < 20; ++step) along(WickAlongYarn{n.views(), room(), dt, 0, 0});
         QVERIFY(std::abs(total(n.liquid) - before) < 1e-14 * before);
         for (int i = 0; i < 97; ++i) {
             QVERIFY(n.liquid[static_cast<std::size_t>(i)] >= 0);
@@ -160,7 +94,7 @@ private Q_SLOTS:
         Network n(1, 30, yarn, yarn);
         const double capacity = 997 * yarn.pore_area * n.length[0];
         for (int i = 0; i < 15; ++i) n.liquid[static_cast<std::size_t>(i)] = capacity;
-        for (int step = 0; step < 400; ++step) WickAlongYarn{n.views(), room(), 10, 0, 0}(0);
+        for (int step = 0; step < 400; ++step) along(WickAlongYarn{n.views(), room(), 10, 0, 0});
         for (int i = 0; i < 30; ++i) QVERIFY(std::abs(n.liquid[static_cast<std::size_t>(i)] / capacity - 0.5) < 1e-3);
     }
     void wickingAgreesWithTinyExplicitSteps()
@@ -178,7 +112,7 @@ private Q_SLOTS:
                 flux[i + 1] = yarn.liquid_diffusivity * (std::pow(s[i], 3) - std::pow(s[i + 1], 3)) / 3.0 / (h * h);
             for (std::size_t i = 0; i < 40; ++i) s[i] += dt * (flux[i] - flux[i + 1]);
         }
-        for (int step = 0; step < 1000; ++step) WickAlongYarn{n.views(), room(), time / 1000, 0, 0}(0);
+        for (int step = 0; step < 1000; ++step) along(WickAlongYarn{n.views(), room(), time / 1000, 0, 0});
         for (std::size_t i = 0; i < 40; ++i) QVERIFY(std::abs(n.liquid[i] / capacity - s[i]) < 2e-3);
     }
     void heatAlongAYarnIsConservedWhileLiquidCarriesIt()
@@ -200,8 +134,8 @@ private Q_SLOTS:
         ClimateParameters still = room();
         still.heat_transfer = 0;
         for (double dt : {1e-4, 1e-2, 1.0}) {
-            WickAlongYarn{s, room(), dt, 0, 0}(0);
-            ConductAlongYarn{s, still, dt}(0);
+            along(WickAlongYarn{s, room(), dt, 0, 0});
+            along(ConductAlongYarn{s, still, dt});
             QVERIFY(std::abs(heat() - before) < 1e-12 * std::abs(before));
             for (double w : n.warmth) QVERIFY(w <= 5.0 + 1e-12 && w >= -3.0 - 1e-12);
         }
@@ -226,7 +160,7 @@ private Q_SLOTS:
         n.fed[0] = 1;
         for (int step = 0; step < 3000; ++step) {
             KeepFed{n.views(), climate.density}(0);
-            WickAlongYarn{n.views(), climate, 10, gravity_acceleration, 0}(0);
+            along(WickAlongYarn{n.views(), climate, 10, gravity_acceleration, 0});
         }
         const double capacity = climate.density * n.pores[0];
         for (std::size_t i = 1; i < 100; ++i) {
@@ -249,7 +183,7 @@ private Q_SLOTS:
             Network n(1, 2, yarn, yarn);
             n.liquid[0] = climate.density * n.pores[0];
             n.warmth[0] = n.warmth[1] = warmth;
-            WickAlongYarn{n.views(), climate, 1e-9, 0, 0}(0);
+            along(WickAlongYarn{n.views(), climate, 1e-9, 0, 0});
             return n.liquid[1];
         };
         QVERIFY(std::abs(moved(10) / moved(0) - 1.2) < 1e-6);
@@ -375,7 +309,7 @@ private Q_SLOTS:
                 n.vapour[i] = (i > 0 ? climate.vapour : squeezed ? 20 * saturated : saturated) * air;
             }
             const double before = n.vapour[1];
-            DiffuseVapourAlongYarn{n.views(), climate, 0.3, 8e-8, true}(0);
+            along(DiffuseVapourAlongYarn{n.views(), climate, 0.3, 8e-8, true});
             left[squeezed] = n.vapour[1] - before;
         }
         QVERIFY(left[0] > 0);

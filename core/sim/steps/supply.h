@@ -42,6 +42,16 @@ struct FedFace {
     }
 };
 
+/// What stages count for the host in a step of the yarns.
+struct YarnTotals {
+    std::int64_t asked = 0, given = 0; ///< quanta
+    std::int64_t swollen = 0;          ///< segments, see Swell
+    std::int64_t wicking_error = 0;    ///< quanta
+    std::int64_t bound_error = 0;      ///< quanta
+    std::int64_t heat_error = 0;       ///< see EstimateExchange
+    int largest_change = 0;            ///< of saturation: see TrackChange
+};
+
 /// What each fed segment could take now, in quanta, summed up.
 struct AskPool {
     Segments s;
@@ -49,7 +59,7 @@ struct AskPool {
     double density;
     double dt;
     double evenly; ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
-    std::int64_t* asked;
+    std::int64_t* total;
 
     HL_FN std::int64_t wanted(int i) const
     {
@@ -61,26 +71,26 @@ struct AskPool {
         const double drawn = evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity;
         return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
     }
-    HL_FN void operator()(int index) const
-    {
-        const std::int64_t quanta = wanted(s.visited_segment(index));
-        if (quanta > 0) atomic_add(asked, quanta);
-    }
+    HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
 };
 
-/// Gives each what it asked for, or the same share of it, in whole quanta.
+/// Gives each what it asked for, or the same share of it, in whole quanta; sums up what is given.
 struct TakeFromPool {
     AskPool ask;
-    double share;
-    std::int64_t* given;
+    std::int64_t offered; ///< quanta, for all who asked
+    std::int64_t* total;
 
-    HL_FN void operator()(int index) const
+    HL_FN double share() const
+    {
+        const std::int64_t asked = *ask.total;
+        return asked > offered ? static_cast<double>(offered) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
+    }
+    HL_FN std::int64_t operator()(int index) const
     {
         const int i = ask.s.visited_segment(index);
-        const auto quanta = static_cast<std::int64_t>(share * static_cast<double>(ask.wanted(i)));
-        if (quanta <= 0) return;
-        ask.s.absorbed[i] += quanta;
-        atomic_add(given, quanta);
+        const auto quanta = static_cast<std::int64_t>(share() * static_cast<double>(ask.wanted(i)));
+        if (quanta > 0) ask.s.absorbed[i] += quanta;
+        return quanta;
     }
 };
 
@@ -158,13 +168,13 @@ struct EstimateWicking {
     const double* before;
     std::int64_t* sum;
 
-    HL_FN void operator()(int index) const
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
         std::int64_t quanta = 0;
-        for (int i = line.first; i < line.last; ++i)
-            quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum);
-        if (quanta > 0) atomic_add(sum, quanta);
+        team.each(line.first, line.last,
+                  [&](int i) { quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum); });
+        team.add(sum, quanta);
     }
 };
 
@@ -175,14 +185,14 @@ struct EstimateExchange {
     RateHistory bound_history, heat_history;
     double* bound;
     double* heat;
-    std::int64_t* sums; ///< of water and of heat
+    YarnTotals* totals;
 
     static constexpr double heat_quantum = 0x1.0p-50; ///< J
-    HL_FN void operator()(int index) const
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
         std::int64_t water = 0, joules = 0;
-        for (int i = line.first; i < line.last; ++i) {
+        team.each(line.first, line.last, [&](int i) {
             const double bound_now = bound_water(s, line.yarn, i);
             const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
@@ -190,9 +200,9 @@ struct EstimateExchange {
             if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
             bound[i] = bound_now;
             heat[i] = heat_now;
-        }
-        if (water > 0) atomic_add(sums, water);
-        if (joules > 0) atomic_add(sums + 1, joules);
+        });
+        team.add(&totals->bound_error, water);
+        team.add(&totals->heat_error, joules);
     }
 };
 

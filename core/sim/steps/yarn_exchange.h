@@ -19,9 +19,8 @@ struct ExchangeAtCrossing {
 
     HL_FN void operator()(int index) const
     {
-        const int a = s.visited_crossing(index);
-        const int end = a / s.picks, pick = a % s.picks;
-        const int b = s.weft_of(end, pick);
+        const auto [end, pick] = s.visited_place(index);
+        const int a = s.warp_of(end, pick), b = s.weft_of(end, pick);
         const YarnParameters& warp = s.parameters[s.type_of_end(end)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
         const CrossingParameters& crossing = s.crossing_at(end, pick);

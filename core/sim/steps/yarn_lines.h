@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Transport along a yarn: implicit Euler on the line of its segments, one functor call per yarn.
+// Transport along a yarn: implicit Euler on the line of its segments, each yarn by a team of threads.
 // Matrices are M-matrices: positive and conservative at any step; the masses moved are the fluxes of the converged solution.
 #pragma once
 
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
 #include "core/sim/state.h"
+#include "core/sim/team.h"
 
 namespace hygroloom {
 
@@ -37,100 +38,99 @@ struct WickAlongYarn {
     {
         return gravity > 0 ? flow(i) * yarn.fall * gravity : 0.0;
     }
-    HL_FN static double potential(const YarnParameters& yarn, double saturation) { return spreading_potential(saturation, yarn.exponent); }
 
-    HL_FN void operator()(int index) const
+    // Along the line while Newton's rounds go on; flux has the joints until there are fluxes.
+    HL_FN double* saturation() const { return s.work0; }
+    HL_FN double* power() const { return s.work1; }     ///< of the saturation
+    HL_FN double* potential() const { return s.work2; } ///< of the saturation
+    HL_FN void saturate(const YarnParameters& yarn, int i, double value) const
+    {
+        saturation()[i] = value;
+        power()[i] = saturation_power(value, yarn.exponent);
+        potential()[i] = value * power()[i] / (yarn.exponent + 1.0);
+    }
+
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
-        double held = 0;
-        for (int i = a; i < b; ++i) {
-            s.flux[i] = 0;
-            held += s.liquid[i];
+        if (yarn.liquid_diffusivity <= 0 || !team.any_of(a, b, [&](int i) { return s.liquid[i] > 0; })) {
+            team.each(a, b, [&](int i) { s.flux[i] = 0; });
+            return;
         }
-        if (held <= 0 || yarn.liquid_diffusivity <= 0) return;
-
+        team.each(a, b, [&](int i) {
+            saturate(yarn, i, is_fed(i) ? 1.0 : s.liquid[i] / capacity(i));
+            s.flux[i] = i < b - 1 ? joint(yarn, i) : 0.0;
+        });
         const double gravity = line.is_warp ? gravity_along_warp : gravity_along_weft;
-        double* saturation = s.work0;
-        for (int i = a; i < b; ++i) saturation[i] = is_fed(i) ? 1.0 : s.liquid[i] / capacity(i);
-        for (int round = 0; round < most_newton_rounds; ++round)
-            if (newton_round(line, gravity) < 1e-13) break;
+        bool closes_in = true;
+        for (int round = 0; round < most_newton_rounds && closes_in; ++round) closes_in = newton_round(team, line, gravity);
 
-        for (int i = a; i < b - 1; ++i)
-            s.flux[i] = joint(yarn, i) * (potential(yarn, saturation[i]) - potential(yarn, saturation[i + 1])) -
-                        fall(yarn, gravity, i) * saturation[i + 1];
-        for (int i = a; i < b; ++i) {
+        team.each(a, b - 1, [&](int i) {
+            s.flux[i] = s.flux[i] * (potential()[i] - potential()[i + 1]) - fall(yarn, gravity, i) * saturation()[i + 1];
+        });
+        team.each(a, b, [&](int i) {
             const double gained = (i > a ? s.flux[i - 1] : 0.0) - s.flux[i];
             if (is_fed(i))
                 s.supplied[i] -= gained;
             else
                 s.liquid[i] += gained;
-        }
-        carry_rounding(line);
+        });
+        carry_rounding(team, line);
     }
 
-    /// One Newton round by elimination; returns the largest change of saturation.
-    HL_FN double newton_round(const YarnLine& line, double gravity) const
+    /// One Newton round by elimination; returns whether any saturation changed too much for it to be the last.
+    template <typename Team> HL_FN bool newton_round(const Team& team, const YarnLine& line, double gravity) const
     {
+        constexpr double little = 1e-13;
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
-        double* saturation = s.work0;
-        double* upper = s.work1;
-        double* right = s.work2;
-        double before = 0, before_slope = 0, before_joint = 0, before_fall = 0;
-        double own = potential(yarn, saturation[a]);
-        double own_slope = saturation_power(saturation[a], yarn.exponent);
-        for (int i = a; i < b; ++i) {
-            const bool last = i == b - 1;
-            const double next = last ? 0.0 : potential(yarn, saturation[i + 1]);
-            const double next_slope = last ? 0.0 : saturation_power(saturation[i + 1], yarn.exponent);
-            const double next_joint = last ? 0.0 : joint(yarn, i);
-            const double next_fall = last ? 0.0 : fall(yarn, gravity, i);
-            if (is_fed(i)) { // cannot change
-                upper[i] = right[i] = 0;
-            } else {
-                const double cap = capacity(i);
-                const double residual = cap * saturation[i] - s.liquid[i] + before_joint * (own - before) + next_joint * (own - next) +
-                                        before_fall * saturation[i] - (last ? 0.0 : next_fall * saturation[i + 1]);
-                const double lower = -before_joint * before_slope;
-                const double pivot = cap + (before_joint + next_joint) * own_slope + before_fall - (i > a ? lower * upper[i - 1] : 0.0);
-                upper[i] = (-next_joint * next_slope - next_fall) / pivot;
-                right[i] = (-residual - (i > a ? lower * right[i - 1] : 0.0)) / pivot;
-            }
-            before = own;
-            before_slope = own_slope;
-            before_joint = next_joint;
-            before_fall = next_fall;
-            own = next;
-            own_slope = next_slope;
-        }
-        double largest = 0, change = 0;
-        for (int i = b - 1; i >= a; --i) {
-            change = right[i] - (i < b - 1 ? upper[i] * change : 0.0);
-            double updated = saturation[i] + change;
+        const auto row = [&](int i) -> Equation {
+            if (is_fed(i)) return {0, 1, 0, 0}; // cannot change
+            const bool first = i == a, last = i == b - 1;
+            const double before_joint = first ? 0.0 : s.flux[i - 1], next_joint = last ? 0.0 : s.flux[i];
+            const double before_fall = first ? 0.0 : fall(yarn, gravity, i - 1), next_fall = last ? 0.0 : fall(yarn, gravity, i);
+            const double own = potential()[i], before = first ? 0.0 : potential()[i - 1], next = last ? 0.0 : potential()[i + 1];
+            const double cap = capacity(i);
+            const double residual = cap * saturation()[i] - s.liquid[i] + before_joint * (own - before) + next_joint * (own - next) +
+                                    before_fall * saturation()[i] - (last ? 0.0 : next_fall * saturation()[i + 1]);
+            return {first ? 0.0 : -before_joint * power()[i - 1], cap + (before_joint + next_joint) * power()[i] + before_fall,
+                    last ? 0.0 : -next_joint * power()[i + 1] - next_fall, -residual};
+        };
+        bool moved = false;
+        team.solve(a, b, row, [&](int i, double change) {
+            const double before = saturation()[i];
+            double updated = before + change;
             updated = updated < 0 ? 0.0 : updated > 1 ? 1.0 : updated;
-            const double moved = updated > saturation[i] ? updated - saturation[i] : saturation[i] - updated;
-            if (moved > largest) largest = moved;
-            saturation[i] = updated;
-        }
-        return largest;
+            moved = moved || updated - before >= little || before - updated >= little;
+            saturate(yarn, i, updated);
+        });
+        return team.any(moved);
     }
 
     /// Passes on what rounding, or a full place below, left outside 0..capacity, so that neither bound nor the total is touched.
-    HL_FN void carry_rounding(const YarnLine& line) const
+    template <typename Team> HL_FN void carry_rounding(const Team& team, const YarnLine& line) const
     {
-        for (int i = line.first; i < line.last - 1; ++i) s.flux[i] += pass(i, i + 1);
-        for (int i = line.last - 1; i > line.first; --i) s.flux[i - 1] -= pass(i, i - 1);
-    }
-    HL_FN double pass(int from, int to) const
-    {
-        const double cap = capacity(from);
-        const double bounded = s.liquid[from] < 0 ? 0.0 : s.liquid[from] > cap ? cap : s.liquid[from];
-        const double moved = s.liquid[from] - bounded;
-        s.liquid[to] += moved;
-        s.liquid[from] = bounded;
-        return moved;
+        const auto bounded = [&](int i) {
+            const double cap = capacity(i);
+            return s.liquid[i] < 0 ? 0.0 : s.liquid[i] > cap ? cap : s.liquid[i];
+        };
+        if (!team.any_of(line.first, line.last, [&](int i) { return s.liquid[i] != bounded(i); })) return;
+        team.carry(
+            line.first, line.last,
+            [&](int i) {
+                const double kept = bounded(i), over = s.liquid[i] - kept;
+                if (over != 0) s.liquid[i] = kept;
+                return over;
+            },
+            [&](int from, int to, double amount) {
+                if (from < to)
+                    s.flux[from] += amount;
+                else
+                    s.flux[to] -= amount;
+            },
+            [&](int i, double amount) { s.liquid[i] += amount; });
     }
 };
 
@@ -177,52 +177,52 @@ struct ConductAlongYarn {
         return dt * parallel_conductivity(yarn.fibre_area / area, yarn.fibre_conductivity, liquid) * area / distance;
     }
 
-    HL_FN void operator()(int index) const
+    HL_FN bool is_fed(int i) const { return s.fed != nullptr && s.fed[i] != 0; }
+
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
-        const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
-        bool any = climate.air_warmth != 0;
-        for (int i = a; i < b && !any; ++i) any = s.warmth[i] != 0;
-        if (!any) return;
+        if (climate.air_warmth == 0 && !team.any_of(a, b, [&](int i) { return s.warmth[i] != 0; })) return;
 
-        const double end =
-            face_only ? 0.0 : dt * climate.heat_transfer * (yarn.fibre_area + yarn.pore_area); // W/K x s, of a cut end in the air
-        double before_joint = 0;
-        for (int i = a; i < b; ++i) {
-            if (s.fed != nullptr && s.fed[i] != 0) { // has the liquid's temperature that it hangs in
-                s.work1[i] = s.work2[i] = 0;
-                before_joint = i < b - 1 ? joint(yarn, i) : 0.0;
-                continue;
-            }
-            const double in = i > a ? s.flux[i - 1] : 0.0; // from the segment before
-            const double out = s.flux[i];
-            const double next_joint = i < b - 1 ? joint(yarn, i) : 0.0;
-            const double came = (in > 0 ? in : 0.0) - (out < 0 ? out : 0.0);
-            const double now = heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
-            const double then = now - water_specific_heat * (in - out);
-            const double lower = -before_joint - water_specific_heat * (in > 0 ? in : 0.0);
-            const double higher = -next_joint + water_specific_heat * (out < 0 ? out : 0.0);
-            const double ends = (i == a && line.starts ? end : 0.0) + (i == b - 1 && line.stops ? end : 0.0);
-            const double pivot =
-                then + water_specific_heat * came + before_joint + next_joint + ends - (i > a ? lower * s.work1[i - 1] : 0.0);
-            s.work1[i] = higher / pivot;
-            s.work2[i] = (then * s.warmth[i] + ends * climate.air_warmth - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
-            before_joint = next_joint;
-        }
-        for (int i = b - 1; i >= a; --i) s.warmth[i] = s.work2[i] - (i < b - 1 ? s.work1[i] * s.warmth[i + 1] : 0.0);
+        double* joints = s.work0;
+        team.each(a, b - 1, [&](int i) { joints[i] = joint(line.yarn, i); });
+        const double end = // W/K x s, of a cut end in the air
+            face_only ? 0.0 : dt * climate.heat_transfer * (line.yarn.fibre_area + line.yarn.pore_area);
         const auto lose = [&](int i) {
-            if (s.fed == nullptr || s.fed[i] == 0) s.lost[i] += end * (s.warmth[i] - climate.air_warmth);
+            if (!is_fed(i)) s.lost[i] += end * (s.warmth[i] - climate.air_warmth);
         };
-        if (line.starts) lose(a);
-        if (line.stops) lose(b - 1);
+        team.solve(
+            a, b, [&](int i) { return row(line, i, end, joints); },
+            [&](int i, double warmth) {
+                s.warmth[i] = warmth;
+                if (line.starts && i == a) lose(i);
+                if (line.stops && i == b - 1) lose(i);
+            });
         if (s.fed == nullptr) return;
-        for (int i = a; i < b - 1; ++i) {
-            const double passed =
-                joint(yarn, i) * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
-            if (s.fed[i] != 0) s.lost[i] -= passed;
-            if (s.fed[i + 1] != 0) s.lost[i + 1] += passed;
-        }
+        const auto passed = [&](int i) {
+            return joints[i] * (s.warmth[i] - s.warmth[i + 1]) + water_specific_heat * s.flux[i] * s.warmth[s.flux[i] > 0 ? i : i + 1];
+        };
+        team.each(a, b, [&](int i) {
+            if (!is_fed(i)) return;
+            if (i > a) s.lost[i] += passed(i - 1);
+            if (i < b - 1) s.lost[i] -= passed(i);
+        });
+    }
+    HL_FN Equation row(const YarnLine& line, int i, double end, const double* joints) const
+    {
+        if (is_fed(i)) return {0, 1, 0, 0}; // has the liquid's temperature that it hangs in
+        const bool first = i == line.first, last = i == line.last - 1;
+        const double in = first ? 0.0 : s.flux[i - 1]; // from the segment before
+        const double out = s.flux[i];
+        const double before_joint = first ? 0.0 : joints[i - 1], next_joint = last ? 0.0 : joints[i];
+        const double came = (in > 0 ? in : 0.0) - (out < 0 ? out : 0.0);
+        const double now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_water(s, line.yarn, i));
+        const double then = now - water_specific_heat * (in - out);
+        const double ends = (first && line.starts ? end : 0.0) + (last && line.stops ? end : 0.0);
+        return {-before_joint - water_specific_heat * (in > 0 ? in : 0.0),
+                then + water_specific_heat * came + before_joint + next_joint + ends,
+                -next_joint + water_specific_heat * (out < 0 ? out : 0.0), then * s.warmth[i] + ends * climate.air_warmth};
     }
 };
 
@@ -284,75 +284,68 @@ struct DiffuseVapourAlongYarn {
     bool face_only = false; ///< cut ends are closed
 
     HL_FN double air(int i) const { return pore_air(s.pores[i], s.liquid[i], climate.density); }
-    HL_FN double joint(const YarnParameters& yarn, int i, double own_air, double next_air) const // m3
+    HL_FN double joint(const YarnParameters& yarn, int i) const // m3
     {
+        const double own_air = air(i), next_air = air(i + 1);
         const double distance = 0.5 * (s.length[i] + s.length[i + 1]);
         const double narrow = own_air / s.length[i] < next_air / s.length[i + 1] ? own_air / s.length[i] : next_air / s.length[i + 1];
         return dt * (yarn.vapour_diffusivity * narrow + yarn.open_vapour) / distance;
     }
-    HL_FN double cut_ends(const YarnLine& line, int i, double own_air) const // m3, through the ends of the yarn to the air
+    HL_FN double cut_ends(const YarnLine& line, int i) const // m3, through the ends of the yarn to the air
     {
         const int ends = (line.starts && i == line.first ? 1 : 0) + (line.stops && i == line.last - 1 ? 1 : 0);
         if (face_only || ends == 0) return 0;
         const YarnParameters& yarn = line.yarn;
-        const double inside = 2.0 * (yarn.vapour_diffusivity * own_air / s.length[i] + yarn.open_vapour) / s.length[i];
+        const double inside = 2.0 * (yarn.vapour_diffusivity * air(i) / s.length[i] + yarn.open_vapour) / s.length[i];
         const double outside = climate.mass_transfer * (yarn.fibre_area + yarn.pore_area);
         return inside > 0 && outside > 0 ? ends * dt * inside * outside / (inside + outside) : 0.0;
     }
 
-    HL_FN void operator()(int index) const
+    HL_FN bool is_disturbed(int i) const
+    {
+        const double difference = s.vapour[i] / air(i) - climate.vapour;
+        return s.liquid[i] > 0 || difference > 1e-9 * climate.vapour || difference < -1e-9 * climate.vapour;
+    }
+
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
         const YarnLine line = s.visited_line(index);
-        const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
-        bool disturbed = false;
-        for (int i = a; i < b && !disturbed; ++i) {
-            const double difference = s.vapour[i] / air(i) - climate.vapour;
-            disturbed = s.liquid[i] > 0 || difference > 1e-9 * climate.vapour || difference < -1e-9 * climate.vapour;
-        }
-        if (!disturbed) {
-            for (int i = a; i < b; ++i) s.work2[i] = climate.vapour;
+        double *joints = s.work0, *concentration = s.work2;
+        if (!team.any_of(a, b, [&](int i) { return is_disturbed(i); })) {
+            team.each(a, b, [&](int i) { concentration[i] = climate.vapour; });
             return;
         }
 
         const ForeseeVapour foresee{s, climate, dt, face_area, heat};
-        double before_joint = 0;
-        double own_air = air(a);
-        for (int i = a; i < b; ++i) {
-            const double next_air = i < b - 1 ? air(i + 1) : 0.0;
-            const double next_joint = i < b - 1 ? joint(yarn, i, own_air, next_air) : 0.0;
-            const VapourAtHome home = foresee(yarn, i);
-            const double end = cut_ends(line, i, own_air);
-            const double lower = -before_joint;
-            const double pivot = home.pivot + end + before_joint + next_joint - (i > a ? lower * s.work1[i - 1] : 0.0);
-            s.work1[i] = -next_joint / pivot;
-            s.work2[i] = (home.known + end * climate.vapour - (i > a ? lower * s.work2[i - 1] : 0.0)) / pivot;
-            before_joint = next_joint;
-            own_air = next_air;
-        }
-        for (int i = b - 1; i >= a; --i) s.work2[i] -= i < b - 1 ? s.work1[i] * s.work2[i + 1] : 0.0;
+        team.each(a, b - 1, [&](int i) { joints[i] = joint(line.yarn, i); });
+        const auto row = [&](int i) -> Equation {
+            const double before_joint = i > a ? joints[i - 1] : 0.0, next_joint = i < b - 1 ? joints[i] : 0.0;
+            const VapourAtHome home = foresee(line.yarn, i);
+            const double end = cut_ends(line, i);
+            return {-before_joint, home.pivot + end + before_joint + next_joint, -next_joint, home.known + end * climate.vapour};
+        };
+        team.solve(a, b, row, [&](int i, double found) { concentration[i] = found; });
         // Masses follow from the fluxes of the solution, so vapour is neither made nor lost.
-        double arriving = 0;
-        own_air = air(a);
-        for (int i = a; i < b; ++i) {
-            const double next_air = i < b - 1 ? air(i + 1) : 0.0;
-            const double leaving = i < b - 1 ? joint(yarn, i, own_air, next_air) * (s.work2[i] - s.work2[i + 1]) : 0.0;
-            const double temperature = climate.temperature + s.warmth[i];
-            const double saturated = saturation_concentration(temperature);
-            const double evaporated = foresee.supply(yarn, i, saturated) * (saturated - s.work2[i]);
-            const double through_end = cut_ends(line, i, own_air) * (s.work2[i] - climate.vapour);
-            s.vapour[i] += arriving - leaving + evaporated - through_end; // less than nothing is what fibres and air will give
-            s.evaporated[i] += through_end;
-            if (heat && evaporated != 0) {
-                const double released = -heat_of_evaporation(temperature) * evaporated;
-                s.warmth[i] += released / heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
-                s.released[i] += released;
-                s.lost[i] += water_specific_heat * evaporated * s.warmth[i];
-            }
-            s.liquid[i] -= evaporated;
-            arriving = leaving;
-            own_air = next_air;
+        const auto passed = [&](int i) { return joints[i] * (concentration[i] - concentration[i + 1]); };
+        team.each(a, b, [&](int i) { take(line, i, foresee, (i > a ? passed(i - 1) : 0.0) - (i < b - 1 ? passed(i) : 0.0)); });
+    }
+    HL_FN void take(const YarnLine& line, int i, const ForeseeVapour& foresee, double gained) const
+    {
+        const double concentration = s.work2[i];
+        const double temperature = climate.temperature + s.warmth[i];
+        const double saturated = saturation_concentration(temperature);
+        const double evaporated = foresee.supply(line.yarn, i, saturated) * (saturated - concentration);
+        const double through_end = cut_ends(line, i) * (concentration - climate.vapour);
+        s.vapour[i] += gained + evaporated - through_end; // less than nothing is what fibres and air will give
+        s.evaporated[i] += through_end;
+        if (heat && evaporated != 0) {
+            const double released = -heat_of_evaporation(temperature) * evaporated;
+            s.warmth[i] += released / heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_water(s, line.yarn, i));
+            s.released[i] += released;
+            s.lost[i] += water_specific_heat * evaporated * s.warmth[i];
         }
+        s.liquid[i] -= evaporated;
     }
 };
 
