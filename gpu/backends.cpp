@@ -5,11 +5,12 @@
 #include "gpu/cuda_backend.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace hygroloom {
 namespace {
 
-constexpr int most_scenes_of_a_gpu = 64; // more of them gain nothing
+constexpr int most_scenes_of_a_gpu = 16; // more of them are slower: see the benchmarks
 constexpr double share_of_memory = 0.8;  // of a GPU's, that scenes may take
 
 /// The numbers of the GPUs that can be used; none means the CPU. Throws as make_backend().
@@ -50,10 +51,11 @@ std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int
         while (backends.size() < most) backends.push_back(make_backend(name));
         return backends;
     }
+    const bool threads_sleep = std::min(most, gpus.size() * most_scenes_of_a_gpu) > std::thread::hardware_concurrency();
     std::vector<int> room;
     for (const int gpu : gpus) {
-        const double held =
-            share_of_memory * static_cast<double>(share_cuda_device(gpu)) / static_cast<double>(std::max<std::size_t>(1, bytes_each));
+        const double held = share_of_memory * static_cast<double>(share_cuda_device(gpu, threads_sleep)) /
+                            static_cast<double>(std::max<std::size_t>(1, bytes_each));
         room.push_back(static_cast<int>(std::clamp(held, 1.0, double(most_scenes_of_a_gpu))));
     }
     // In turn, so that all GPUs have about as many.

@@ -73,11 +73,11 @@ std::vector<BackendInfo> find_cuda_devices()
 
 std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
 
-std::size_t share_cuda_device(int device)
+std::size_t share_cuda_device(int device, bool threads_sleep)
 {
     std::size_t left = 0, all = 0;
     check_cuda(cudaSetDevice(device), "choosing it");
-    check_cuda(cudaSetDeviceFlags(cudaDeviceScheduleBlockingSync), "asking it to let threads sleep");
+    check_cuda(cudaSetDeviceFlags(threads_sleep ? cudaDeviceScheduleBlockingSync : cudaDeviceScheduleAuto), "asking how threads wait");
     check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");
     return left;
 }

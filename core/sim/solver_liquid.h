@@ -241,13 +241,17 @@ template <typename Executor> void Solver<Executor>::list_neighbours()
 template <typename Executor> void Solver<Executor>::correct_pressure()
 {
     LiquidControl* control = control_.data();
-    const auto round = [&](std::int64_t* error, const auto& end) {
-        each_particle("pressure", CorrectPressure{particle_views(), liquid(), error});
-        each_particle("pressure force", FindPressureForce{particle_views(), liquid()}, end);
+    const auto round = [&](const int* count, std::int64_t* error, const auto& end) {
+        exec_.for_each("pressure", Counted{count, room_}, CorrectPressure{particle_views(), liquid(), error});
+        exec_.for_each("pressure force", Counted{count, room_}, FindPressureForce{particle_views(), liquid()}, end);
     };
-    for (int k = 1; k < fewest_pressure_rounds; ++k) round(nullptr, Nothing{});
-    round(&control->error, EndRound{control, scene_.density_tolerance, fewest_pressure_rounds});
-    exec_.loop(&control->presses, [&] { round(&control->error, EndRound{control, scene_.density_tolerance, 1}); });
+    for (int k = 1; k < fewest_pressure_rounds; ++k) round(&control->count, nullptr, Nothing{});
+    round(&control->count, &control->error, EndRound{control, scene_.density_tolerance, fewest_pressure_rounds});
+    // On a GPU rounds of nothing cost less than a question to its scheduler, which answers all scenes one after the other.
+    exec_.when(&control->presses, [&] {
+        for (int k = fewest_pressure_rounds; k < most_pressure_rounds; ++k)
+            round(&control->pressing, &control->error, EndRound{control, scene_.density_tolerance, 1});
+    });
 }
 
 template <typename Executor> void Solver<Executor>::step_liquid()

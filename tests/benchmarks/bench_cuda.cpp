@@ -31,9 +31,9 @@ bool has_gpu(benchmark::State& state)
 /// Scenes that advance side by side, each in a thread of its own.
 class SideBySide {
 public:
-    SideBySide(const Scene& scene, int count, double warm_up)
-        : backends_(make_backends("cuda", count, count, 0)), gate_(static_cast<std::ptrdiff_t>(backends_.size()) + 1), until_(warm_up)
+    SideBySide(const Scene& scene, int count, double warm_up) : gate_(count + 1), until_(warm_up)
     {
+        while (static_cast<int>(backends_.size()) < count) backends_.push_back(make_backend("cuda"));
         for (auto& backend : backends_)
             threads_.emplace_back([this, &backend, &scene] {
                 backend->load(scene);

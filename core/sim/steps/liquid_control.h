@@ -53,12 +53,13 @@ struct LiquidControl {
     StepNumbers step;               ///< of this step
     int last = 0;                   ///< whether this step ends when liquid and yarns meet
     int count = 0;                  ///< particles, with those that died since neighbours were listed
+    int pressing = 0;               ///< particles that the next round of pressure is for: all or none
     int drinking = 0;               ///< particles that yarns drink from in this step: all or none
     int budget = 0;                 ///< steps to take before somebody else has a look
     std::int64_t steps = 0, rounds = 0, listings = 0;
     Flag goes;    ///< another step follows
     Flag lists;   ///< neighbours must be listed
-    Flag presses; ///< another round of pressure follows
+    Flag presses; ///< more rounds of pressure follow
     Flag drains;  ///< the liquid sleeps until liquid and yarns meet: it only drains
 
     CellGrid grid;
@@ -227,15 +228,17 @@ struct LeaveDead {
 struct EndRound {
     LiquidControl* control;
     double density_tolerance;
-    int rounds; ///< since it was asked last
+    int rounds; ///< since it was asked last; one: unless it was said that none follows
     HL_FN void operator()(int) const
     {
         LiquidControl& c = *control;
+        if (rounds == 1 && c.pressing == 0) return;
         if (c.count > 0) c.rounds += rounds;
         c.round += rounds;
         const bool enough = static_cast<double>(c.error) * 1e-6 < density_tolerance * c.count || c.count == 0;
         c.error = 0;
-        c.presses.set(c.round < most_pressure_rounds && !enough);
+        c.pressing = c.round < most_pressure_rounds && !enough ? c.count : 0;
+        if (rounds > 1) c.presses.set(c.pressing > 0);
     }
 };
 
