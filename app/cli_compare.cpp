@@ -277,7 +277,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     verb.add_option("--at-once", options->at_once,
-                    "Fabrics that run at the same time; 0: one on a CPU, as many as fit on GPUs. Results do not depend on it")
+                    "Fabrics that run at the same time; 0: one on a CPU, up to 16 on each GPU. Results do not depend on it")
         ->check(CLI::Range(0, 1024));
     verb.add_option("-o,--output", options->output, "Folder to write the table and the maps to");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
