@@ -134,9 +134,12 @@ public:
     /// Throws what writing them threw.
     void run(const std::vector<std::unique_ptr<Backend>>& backends)
     {
-        std::vector<std::thread> threads;
-        for (const auto& backend : backends) threads.emplace_back([this, &backend] { take_turns(*backend); });
-        for (std::thread& thread : threads) thread.join();
+        working_ = static_cast<int>(backends.size());
+        how_.one_on_cpu = &one_on_cpu_;
+        {
+            std::vector<std::jthread> threads;
+            for (const auto& backend : backends) threads.emplace_back([this, &backend] { take_turns(*backend); });
+        }
         bar_.clear();
         if (failure_) std::rethrow_exception(failure_);
     }
@@ -145,15 +148,19 @@ public:
 private:
     void take_turns(Backend& backend)
     try {
-        for (std::size_t i = next_++; i < fabrics_.size() && !control_.cancel; i = next_++) keep(i, run_one(i, backend));
+        for (std::size_t i = next_++; i < fabrics_.size() && !control_.cancel; i = next_++) {
+            bool device_failed = false;
+            keep(i, run_one(i, backend, device_failed));
+            if (device_failed && --working_ > 0) return; // others still have a device
+        }
     } catch (const Cancelled&) {
     } catch (...) {
         const std::lock_guard lock(mutex_);
-        failure_ = std::current_exception();
+        if (!failure_) failure_ = std::current_exception();
         control_.cancel = true;
     }
     /// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
-    Candidate run_one(std::size_t i, Backend& backend)
+    Candidate run_one(std::size_t i, Backend& backend, bool& device_failed)
     try {
         std::shared_ptr<const Frame> first, last;
         const FinishedRun finished = run_with_bar(design_, fabrics_[i], experiment_, how_, backend, control_, bar_, i,
@@ -167,7 +174,8 @@ private:
                         map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
         }
         Candidate candidate = candidate_of(finished.run, finished.metrics, criteria_);
-        if (!finished.device_failure.empty()) candidate.notes.push_back(finished.device_failure);
+        device_failed = !finished.device_failure.empty();
+        if (device_failed) candidate.notes.push_back(finished.device_failure);
         return candidate;
     } catch (const Cancelled&) {
         throw;
@@ -181,6 +189,7 @@ private:
     void keep(std::size_t i, Candidate candidate)
     {
         const std::lock_guard lock(mutex_);
+        bar_.end(i);
         candidates_[i] = std::move(candidate);
         comparison_.candidates.clear();
         for (const auto& known : candidates_)
@@ -192,7 +201,7 @@ private:
 
     const Design& design_;
     const std::vector<std::string>& fabrics_;
-    const RunOptions& how_;
+    RunOptions how_;
     const CompareOptions& options_;
     RunControl& control_;
     Comparison& comparison_;
@@ -200,6 +209,8 @@ private:
     const std::vector<Criterion> criteria_;
     std::vector<std::optional<CandidateMaps>> maps_; // each thread writes its own
     std::atomic<std::size_t> next_{0};
+    std::atomic<int> working_{0}; ///< backends whose device has not failed
+    std::mutex one_on_cpu_;
     std::mutex mutex_; // of what follows, and of the comparison
     std::vector<std::optional<Candidate>> candidates_;
     std::exception_ptr failure_;
@@ -211,9 +222,14 @@ std::size_t bytes_of_largest(const Design& design, const Experiment& experiment,
                              const RunOptions& how)
 {
     double most = 0;
-    for (const std::string& fabric : fabrics)
-        most = std::max(most,
-                        plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs).expected_bytes);
+    for (const std::string& fabric : fabrics) {
+        try {
+            const ModelPlan plan = plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
+            most = std::max(most, plan.expected_bytes);
+        } catch (const Error&) {
+            // That run will say so.
+        }
+    }
     return static_cast<std::size_t>(most);
 }
 

@@ -184,6 +184,8 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
     if (!m.series.temperature_max.empty())
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "C");
+    const std::optional<double>& error = run.plan.expected_error;
+    if (error && *error > 0) row("error to be expected", 100 * *error, "%");
     for (const std::string& note : m.notes) fmt::print("  {}\n", note);
 }
 

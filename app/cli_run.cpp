@@ -43,6 +43,20 @@ void RunBar::tell(std::size_t run, const RunProgress& progress)
     std::fflush(stderr);
 }
 
+void RunBar::end(std::size_t run)
+{
+    const std::lock_guard lock(mutex_);
+    runs_[run].simulated = runs_[run].duration = 1;
+    runs_[run].particles = 0;
+}
+
+void RunBar::say(const std::string& sentence)
+{
+    clear();
+    const std::lock_guard lock(mutex_);
+    fmt::print(stderr, "{}\n", sentence);
+}
+
 void RunBar::clear()
 {
     if (!shown_) return;
@@ -94,7 +108,10 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
     };
     callbacks.progress = [&](const RunProgress& progress) { bar.tell(run, progress); };
     FinishedRun finished;
-    callbacks.device_failed = [&](const std::string& sentence) { finished.device_failure = sentence; };
+    callbacks.device_failed = [&](const std::string& sentence) {
+        bar.say(fabric + ": " + sentence);
+        finished.device_failure = sentence;
+    };
     finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
     finished.metrics = collector.metrics();
     return finished;

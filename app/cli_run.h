@@ -49,6 +49,10 @@ public:
     RunBar& operator=(const RunBar&) = delete;
 
     void tell(std::size_t run, const RunProgress& progress);
+    /// Of a run that has ended, well or not.
+    void end(std::size_t run);
+    /// A sentence above the bar, which the next tell() draws again.
+    void say(const std::string& sentence);
     void clear();
 
 private:

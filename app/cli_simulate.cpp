@@ -133,7 +133,6 @@ int simulate(const SimulateOptions& options)
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
     }
-    if (!finished.device_failure.empty()) fmt::print(stderr, "{}\n", finished.device_failure);
     print_metrics(finished.run, finished.metrics, options.json);
     if (!choice.reason.empty() && !options.json) fmt::print("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);

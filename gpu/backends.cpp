@@ -10,8 +10,8 @@
 namespace hygroloom {
 namespace {
 
-constexpr int most_scenes_of_a_gpu = 16; // more of them are slower: see the benchmarks
-constexpr double share_of_memory = 0.8;  // of a GPU's, that scenes may take
+constexpr std::size_t most_scenes_of_a_gpu = 16; // more of them are slower: see the benchmarks
+constexpr double share_of_memory = 0.8;          // of a GPU's, that scenes may take
 
 /// The numbers of the GPUs that can be used; none means the CPU. Throws as make_backend().
 std::vector<int> chosen_gpus(const std::string& name)
@@ -25,6 +25,16 @@ std::vector<int> chosen_gpus(const std::string& name)
         if (all[i].usable) usable.push_back(static_cast<int>(i));
     if (name == "cuda" && usable.empty()) throw DeviceError("No GPU can be used: " + all.back().reason);
     return usable;
+}
+
+/// How many scenes of so many bytes a GPU has room for, at least one; none, and why, if it cannot be asked.
+std::size_t room_for_scenes(int gpu, bool threads_sleep, std::size_t bytes_each, std::string& reason)
+try {
+    const double free = share_of_memory * static_cast<double>(prepare_cuda_device(gpu, threads_sleep));
+    return static_cast<std::size_t>(std::clamp(free / std::max(1.0, static_cast<double>(bytes_each)), 1.0, 1e6));
+} catch (const DeviceError& error) {
+    reason = error.what();
+    return 0;
 }
 
 } // namespace
@@ -51,17 +61,26 @@ std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int
         while (backends.size() < most) backends.push_back(make_backend(name));
         return backends;
     }
-    const bool threads_sleep = std::min(most, gpus.size() * most_scenes_of_a_gpu) > std::thread::hardware_concurrency();
-    std::vector<int> room;
+    const std::size_t side_by_side = asked > 0 ? most : std::min(most, gpus.size() * most_scenes_of_a_gpu);
+    const bool threads_sleep = side_by_side > std::thread::hardware_concurrency();
+    std::vector<std::size_t> room; // of each GPU
+    std::string reason;
     for (const int gpu : gpus) {
-        const double held = share_of_memory * static_cast<double>(share_cuda_device(gpu, threads_sleep)) /
-                            static_cast<double>(std::max<std::size_t>(1, bytes_each));
-        room.push_back(static_cast<int>(std::clamp(held, 1.0, double(most_scenes_of_a_gpu))));
+        room.push_back(room_for_scenes(gpu, threads_sleep, bytes_each, reason));
+        if (asked == 0) room.back() = std::min(room.back(), most_scenes_of_a_gpu);
     }
     // In turn, so that all GPUs have about as many.
-    for (int turn = 0; turn < most_scenes_of_a_gpu; ++turn)
-        for (std::size_t k = 0; k < gpus.size(); ++k)
-            if (turn < room[k] && backends.size() < most) backends.push_back(make_cuda_backend(gpus[k]));
+    for (bool any = true; any && backends.size() < most;) {
+        any = false;
+        for (std::size_t k = 0; k < gpus.size() && backends.size() < most; ++k) {
+            if (room[k] == 0) continue;
+            --room[k];
+            any = true;
+            backends.push_back(make_cuda_backend(gpus[k]));
+        }
+    }
+    if (backends.empty() && name == "cuda") throw DeviceError(reason);
+    if (backends.empty()) backends.push_back(make_cpu_backend());
     return backends;
 }
 

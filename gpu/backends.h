@@ -12,8 +12,8 @@ std::vector<BackendInfo> find_backends();
 /// "auto", "cpu" or "cuda". Throws DeviceError with the reason when it is not there.
 std::unique_ptr<Backend> make_backend(const std::string& name);
 
-/// For scenes that run side by side, each in a thread of its own: as many backends as are asked for, or for 0 as many as pay, and no more
-/// than there are scenes. One scene fills a CPU; GPUs share as many as their memory holds. Throws as make_backend().
+/// For scenes that run side by side, each in a thread of its own: as many backends as are asked for, or for 0 as many as pay (one scene
+/// fills a CPU, 16 a GPU), and no more than there are scenes or than the GPUs' memory holds. Throws as make_backend().
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each);
 
 } // namespace hygroloom

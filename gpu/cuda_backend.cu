@@ -15,17 +15,20 @@ public:
         check_cuda(cudaGetDeviceProperties(&properties, device), "asking for its properties");
         device_ = properties.name;
     }
-    ~CudaBackend() override
-    {
-        if (!solver_) return;
-        cudaSetDevice(number_);
-        cudaDeviceSynchronize(); // a thread that is no more may have asked for what still runs
-    }
+    ~CudaBackend() override { unload(); }
     std::string name() const override { return "cuda"; }
     std::string device() const override { return device_; }
     void set_threads(int) override {}
     /// The thread that loads a scene is the one that advances it and asks for its frames.
     void load(const Scene& scene) override { solver().load(scene); }
+    void unload() override
+    {
+        if (!solver_) return;
+        cudaSetDevice(number_);
+        cudaDeviceSynchronize(); // a thread that is no more may have asked for what still runs
+        solver_.reset();
+        cudaGetLastError();
+    }
     double advance(double until) override { return solver_->advance(until, 0.05); }
     Frame frame() override { return solver_->frame(); }
     std::vector<std::byte> state() override { return solver_->state(); }
@@ -36,7 +39,7 @@ public:
     std::vector<StageTime> stage_times() override { return solver().executor().stage_times(); }
 
 private:
-    /// From now on the calling thread's.
+    /// Makes its GPU the calling thread's.
     Solver<CudaExecutor>& solver()
     {
         check_cuda(cudaSetDevice(number_), "choosing it");
@@ -60,6 +63,7 @@ std::vector<BackendInfo> find_cuda_devices()
     for (int i = 0; i < count; ++i) {
         cudaDeviceProp properties;
         if (const cudaError_t refusal = cudaGetDeviceProperties(&properties, i); refusal != cudaSuccess) {
+            cudaGetLastError();
             found.push_back({"cuda", "", false, std::string("It does not answer: ") + cudaGetErrorString(refusal) + "."});
             continue;
         }
@@ -73,7 +77,7 @@ std::vector<BackendInfo> find_cuda_devices()
 
 std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
 
-std::size_t share_cuda_device(int device, bool threads_sleep)
+std::size_t prepare_cuda_device(int device, bool threads_sleep)
 {
     std::size_t left = 0, all = 0;
     check_cuda(cudaSetDevice(device), "choosing it");

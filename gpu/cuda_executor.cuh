@@ -25,12 +25,15 @@ namespace hygroloom {
 
 inline void check_cuda(cudaError_t result, const char* what)
 {
-    if (result != cudaSuccess) throw DeviceError(std::string("The GPU failed (") + what + "): " + cudaGetErrorString(result) + ".");
+    if (result == cudaSuccess) return;
+    cudaGetLastError(); // or the next who asks would hear of it again
+    throw DeviceError(std::string("The GPU failed (") + what + "): " + cudaGetErrorString(result) + ".");
 }
 
 /// Of the calling thread, beside those of all others.
 inline const cudaStream_t own_stream = cudaStreamPerThread;
 
+/// What is copied may go at once: memory that is not pinned has been read when the call returns.
 inline void copy_to_gpu(void* to, const void* from, std::size_t bytes)
 {
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, own_stream), "copying to the GPU");
@@ -391,6 +394,7 @@ public:
     /// The first of each two buffers gets the values of the second, which is left with anything.
     template <typename... Buffers> void take_over(const Counted& counted, Buffers&... buffers)
     {
+        static_assert(sizeof...(buffers) <= 2 * Copies::most);
         Copies copies;
         add_copies(copies, buffers...);
         const Lap lap(stage_clock_.get(), "take over");
@@ -482,10 +486,19 @@ private:
         conditions_.clear();
         cudaGraph_t graph = nullptr;
         check_cuda(cudaStreamBeginCapture(stream(), cudaStreamCaptureModeRelaxed), "recording");
-        body();
+        try {
+            body();
+        } catch (...) {
+            for (cudaGraph_t inside = nullptr; depth_ > 0; --depth_) cudaStreamEndCapture(stream(), &inside);
+            cudaStreamEndCapture(stream(), &graph);
+            if (graph != nullptr) cudaGraphDestroy(graph);
+            cudaGetLastError();
+            throw;
+        }
         check_cuda(cudaStreamEndCapture(stream(), &graph), "recording");
-        check_cuda(cudaGraphInstantiate(&sequence.graph_, graph, 0), "preparing what was recorded");
-        check_cuda(cudaGraphDestroy(graph), "recording");
+        const cudaError_t prepared = cudaGraphInstantiate(&sequence.graph_, graph, 0);
+        cudaGraphDestroy(graph);
+        check_cuda(prepared, "preparing what was recorded");
         for (const Condition& condition : conditions_)
             copy_to_gpu(&condition.flag->handle, &condition.handle, sizeof condition.handle);
     }

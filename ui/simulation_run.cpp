@@ -48,7 +48,8 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
         callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
         Outcome outcome = Outcome::finished;
         QString sentence;
-        callbacks.device_failed = [&](const std::string& failure) { sentence = QString::fromStdString(failure); };
+        QString device_failure;
+        callbacks.device_failed = [&](const std::string& failure) { device_failure = QString::fromStdString(failure); };
         try {
             const std::unique_ptr<Backend> machine = make_backend(backend);
             run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks);
@@ -64,6 +65,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
             outcome = Outcome::failed;
             sentence = QString::fromStdString(error.what());
         }
+        sentence = QStringList{device_failure, sentence}.join(' ').trimmed();
         post([this, outcome, sentence] { end(outcome, sentence); });
     });
 }

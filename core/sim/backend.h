@@ -23,6 +23,8 @@ public:
     /// 0 for all of the machine. Results do not depend on it.
     virtual void set_threads(int threads) = 0;
     virtual void load(const Scene& scene) = 0;
+    /// Gives back the memory that the scene takes, where the backend can.
+    virtual void unload() {}
     /// Advances towards the given time, by at least one step and by about 0.05 s of wall time at most; returns the time reached.
     virtual double advance(double until) = 0;
     virtual Frame frame() = 0;

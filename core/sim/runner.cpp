@@ -40,15 +40,23 @@ public:
     /// Keeps what has been come to at that frame, now and then, where the CPU may have to take over.
     void keep(long frame)
     {
-        if (!options_.may_go_on_on_cpu || cpu_ || backend_->name() == "cpu" || frame == 0 || seconds_since(kept_) < seconds_between) return;
-        state_ = backend_->state();
-        frame_ = frame;
+        if (!options_.may_go_on_on_cpu || cpu_ || backend_->name() == "cpu" || frame == 0 || seconds_since(kept_) < pause_) return;
+        const auto start = Clock::now();
+        try {
+            state_ = backend_->state();
+            frame_ = frame;
+        } catch (const std::bad_alloc&) {
+            // No reason to end a run that is well; it would go on from an earlier frame.
+        }
+        pause_ = std::max(least_pause, 20 * seconds_since(start));
         kept_ = Clock::now();
     }
     /// Throws the error again if it may not.
     void go_on_on_cpu(const DeviceError& error)
     {
         if (!options_.may_go_on_on_cpu || cpu_) throw DeviceError(error);
+        backend_->unload();
+        if (options_.one_on_cpu) turn_ = std::unique_lock(*options_.one_on_cpu);
         cpu_ = make_cpu_backend();
         backend_ = cpu_.get();
         cpu_->set_threads(options_.threads);
@@ -57,7 +65,7 @@ public:
     }
 
 private:
-    static constexpr double seconds_between = 2; // of wall time, for copying everything takes some
+    static constexpr double least_pause = 2; // s of wall time, for copying everything takes some
 
     Backend* backend_;
     const Scene& scene_;
@@ -65,6 +73,8 @@ private:
     std::unique_ptr<Backend> cpu_;
     std::vector<std::byte> state_;
     long frame_ = 0;
+    double pause_ = least_pause;
+    std::unique_lock<std::mutex> turn_;
     Clock::time_point kept_ = Clock::now();
 };
 
@@ -114,12 +124,12 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     const auto frames = static_cast<long>(std::ceil(experiment->duration_s / run.plan.frame_interval - 1e-9));
     const auto time_of = [&](long k) { return k == frames ? experiment->duration_s : static_cast<double>(k) * run.plan.frame_interval; };
     const auto go_on = [&](const DeviceError& error) {
-        machine.go_on_on_cpu(error);
         const double from = time_of(machine.kept_frame());
+        if (options.may_go_on_on_cpu && callbacks.device_failed)
+            callbacks.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", error.what(), from));
+        machine.go_on_on_cpu(error);
         run.device += fmt::format("; from {:.3g} s on {}", from, machine.backend().device());
         if (recording) recording->note_device(run.device);
-        if (callbacks.device_failed)
-            callbacks.device_failed(fmt::format("{} The run went on on the CPU, from {:.3g} s.", error.what(), from));
     };
     const auto try_to = [&](const auto& act) {
         try {
@@ -144,7 +154,8 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
                 reached = on.advance(until);
                 tell(reached, k == frames && reached >= until, on);
             }
-            if (k > published) publish(on.frame(), until);
+            Frame frame = on.frame();
+            if (k > published) publish(std::move(frame), until);
             published = std::max(published, k);
             machine.keep(k);
         });

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 
 namespace hygroloom {
 
@@ -20,9 +21,10 @@ struct RunOptions {
     ForcedParts forced;
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
-    int threads = 0;                 ///< 0: all the machine has
-    bool may_go_on_on_cpu = false;   ///< when the device fails
-    std::filesystem::path recording; ///< empty: none is written
+    int threads = 0;                  ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;    ///< when the device fails
+    std::mutex* one_on_cpu = nullptr; ///< of runs side by side that go on there: held by the one that does
+    std::filesystem::path recording;  ///< empty: none is written
 };
 
 /// What a caller may do to a run from another thread.
@@ -57,7 +59,7 @@ struct RunCallbacks {
     std::function<void(const RunRecord&)> started;
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
     std::function<void(const RunProgress&)> progress;        ///< several times a second
-    std::function<void(const std::string&)> device_failed;   ///< the run goes on on the CPU; a sentence
+    std::function<void(const std::string&)> device_failed;   ///< the run is about to go on on the CPU; a sentence
 };
 
 /// Runs to the end. Throws Cancelled when asked to stop (within 0.2 s; the recording so far is complete and readable),

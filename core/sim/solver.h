@@ -42,7 +42,6 @@ public:
         scene_ = scene;
         time_ = network_time_ = exchange_time_ = 0;
         sync_time_ = -1;
-        exchange_time_ = 0;
         wicking_watch_ = exchange_watch_ = {};
         next_droplet_ = 0;
         flow_ = {};
@@ -87,7 +86,9 @@ public:
     /// All that the scene has come to, between calls of advance() that reached what they were asked for.
     std::vector<std::byte> state()
     {
-        StateWriter writer;
+        StateSize size;
+        pass_state(size);
+        StateWriter writer(size.bytes());
         pass_state(writer);
         return writer.take();
     }

@@ -11,11 +11,26 @@
 
 namespace hygroloom {
 
+/// Counts their bytes.
+class StateSize {
+public:
+    static constexpr bool reads = false;
+
+    template <typename T> void value(const T&) { bytes_ += sizeof(T); }
+    template <typename T> void values(const std::vector<T>& values) { bytes_ += sizeof(std::size_t) + values.size() * sizeof(T); }
+    template <typename Buffer> void buffer(Buffer& buffer) { bytes_ += sizeof(std::size_t) + buffer.size() * sizeof(*buffer.data()); }
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    std::size_t bytes_ = 0;
+};
+
 /// Appends numbers and arrays.
 class StateWriter {
 public:
     static constexpr bool reads = false;
 
+    explicit StateWriter(std::size_t bytes) { bytes_.reserve(bytes); }
     template <typename T> void value(const T& value) { append(&value, sizeof value); }
     template <typename T> void values(const std::vector<T>& values)
     {

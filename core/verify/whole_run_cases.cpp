@@ -208,6 +208,36 @@ std::vector<VerifyResult> experiments_agree(const VerifyValues& v, Backend& back
             {"differs_when_repeated", same(here.last, again.last) ? 0.0 : 1.0, 0, 0}};
 }
 
+/// Half of an experiment here, the other half here and on the CPU.
+std::vector<VerifyResult> goes_on_on_cpu(const VerifyValues& v, Backend& backend)
+{
+    const double duration = v.at("duration_s").value;
+    const Design design = design_of(library_fabric(v.at("fabric").word),
+                                    small_experiment(experiment_type(v.at("experiment").word), v.at("volume_ul").value, duration));
+    const Experiment& experiment = design.experiments[0];
+    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"vapour", true}, {"heat", true}});
+    const Textile textile = textile_of_run(design, design.fabrics[0], experiment, plan.region);
+    const Scene scene = build_scene(design, textile, experiment, plan, 1);
+    const auto advance = [](Backend& machine, double until) {
+        for (double reached = 0; reached < until;) reached = machine.advance(until);
+    };
+    backend.load(scene);
+    advance(backend, 0.5 * duration);
+    const auto other = make_cpu_backend();
+    other->load(scene);
+    other->go_on_from(backend.state());
+    const Frame taken = backend.frame(), given = other->frame();
+    advance(backend, duration);
+    advance(*other, duration);
+    const Ledger a = other->frame().ledger, b = backend.frame().ledger;
+    const double water = std::max(b.water_delivered, b.water_bound);
+    return {{"differs_at_once", same(taken, given) ? 0.0 : 1.0, 0, 0},
+            {"free", a.water_free / water, b.water_free / water, 0.01},
+            {"in_pores", a.water_liquid / water, b.water_liquid / water, 0.01},
+            {"in_fibres", a.water_bound / water, b.water_bound / water, 0.01},
+            {"imbalance", a.water_imbalance() / water, 0, 1e-12}};
+}
+
 } // namespace
 
 std::vector<VerifyCase> whole_run_cases()
@@ -227,6 +257,12 @@ std::vector<VerifyCase> whole_run_cases()
          "the "
          "last bit when repeated.",
          small_run, experiments_agree},
+        {"goes_on_on_cpu",
+         "Half of an experiment on this backend, the other half on it and, from the state it had come to, on the CPU: the same frame to "
+         "the last bit, "
+         "then each part of the water within 1 % of all.",
+         {small_run.begin(), small_run.end() - 1},
+         goes_on_on_cpu},
         {"mixed_yarns",
          "A wet spot on stripes of two yarns that pass nothing to each other: every yarn against a cloth of its own kind, exactly.",
          {},

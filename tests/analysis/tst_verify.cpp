@@ -30,6 +30,13 @@ class TestVerify : public QObject {
     }
 
 private Q_SLOTS:
+    void oneSceneFillsACpuUnlessMoreAreAskedFor()
+    {
+        QCOMPARE(make_backends("cpu", 0, 5, 0).size(), std::size_t(1));
+        QCOMPARE(make_backends("cpu", 3, 5, 0).size(), std::size_t(3));
+        QCOMPARE(make_backends("cpu", 9, 5, 0).size(), std::size_t(5));
+        QVERIFY_EXCEPTION_THROWN(make_backends("abacus", 2, 5, 0), Error);
+    }
     void casesPass_data()
     {
         QTest::addColumn<QString>("name");
