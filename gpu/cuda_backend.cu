@@ -36,7 +36,7 @@ public:
     long liquid_steps() const override { return solver_->liquid_steps(); }
     int particles() const override { return solver_->particles(); }
     void time_stages() override { solver().executor().time_stages(); }
-    std::vector<StageTime> stage_times() override { return solver().executor().stage_times(); }
+    std::vector<StageTime> stage_times() override { return solver_ ? solver_->executor().stage_times() : std::vector<StageTime>(); }
 
 private:
     /// Makes its GPU the calling thread's.

@@ -222,7 +222,7 @@ __global__ inline void add_up_in_block(const int* many, int* start, const int* l
 
 class CudaExecutor {
 public:
-    /// An array on the GPU; resizing does not keep its values, and never gives memory back, for which all scenes would have to wait.
+    /// An array on the GPU; resizing does not keep its values, and gives memory back only to take more: all scenes have to wait for that.
     template <typename T> class Buffer {
     public:
         Buffer() = default;
