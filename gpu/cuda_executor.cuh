@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs stages on a GPU: each stage is one kernel over its elements, or over lines with a block of threads each; the host waits only where
-// it reads. A sequence of stages is recorded once as a CUDA graph, with its loops and branches as conditional nodes, and replayed.
+// it reads. An order of stages that decide loops and branches is gone through within one kernel: see grid_executor.cuh.
 // Everything goes through the stream of the calling thread, so scenes that run in threads of their own share the GPU and do not wait for
 // each other.
 #pragma once
@@ -9,12 +9,14 @@
 #include "core/sim/order.h"
 #include "core/sim/stage_clock.h"
 #include "core/sim/team.h"
+#include "gpu/cuda_stages.cuh"
+#include "gpu/grid_executor.cuh"
 
-#include <cub/block/block_scan.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cuda_runtime.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -46,9 +48,6 @@ inline void copy_from_gpu(void* to, const void* from, std::size_t bytes)
     check_cuda(cudaStreamSynchronize(own_stream), "copying from the GPU");
 }
 
-/// Threads that share an element.
-template <typename Stage> constexpr int threads_each() { return is_wide<Stage> ? lanes : 1; }
-
 /// Whether this is the last block of a kernel to come here: what all others did can be seen then.
 __device__ inline bool is_last_block(unsigned* came)
 {
@@ -65,16 +64,9 @@ template <typename Stage, typename Next> __global__ void run_stage(Counted count
 {
     constexpr int each = threads_each<Stage>();
     const int i = static_cast<int>((blockIdx.x * blockDim.x + threadIdx.x) / each);
-    const bool meant = i < (counted.count ? *counted.count : counted.most);
-    if constexpr (std::is_void_v<decltype(stage(0))>) {
-        if (meant) stage(i);
-    } else {
-        std::int64_t part = meant ? stage(i) : 0;
-        if (stage.total != nullptr) {
-            for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
-            if (threadIdx.x % 32 == 0 && part != 0) atomic_add(stage.total, part);
-        }
-    }
+    const std::int64_t part = call_stage(stage, i, counted.count ? *counted.count : counted.most);
+    if constexpr (!std::is_void_v<decltype(stage(0))>)
+        if (stage.total != nullptr) add_from_warp(stage.total, part, each);
     if constexpr (!std::is_same_v<Next, Nothing>)
         if (is_last_block(came)) next(0);
 }
@@ -88,11 +80,7 @@ struct Block {
         __syncthreads();
     }
     __device__ bool any(bool own) const { return __syncthreads_or(own ? 1 : 0) != 0; }
-    __device__ void add(std::int64_t* total, std::int64_t own) const
-    {
-        for (int apart = 16; apart > 0; apart /= 2) own += __shfl_down_sync(0xffffffffu, own, apart);
-        if (threadIdx.x % 32 == 0 && own != 0) atomic_add(total, own);
-    }
+    __device__ void add(std::int64_t* total, std::int64_t own) const { add_from_warp(total, own, 1); }
 };
 
 constexpr int least_team = 32, most_team = 512; ///< threads
@@ -119,106 +107,6 @@ template <typename T> struct FillStage {
     T value;
     HL_FN void operator()(int i) const { values[i] = value; }
 };
-
-/// Arrays to copy from one place to another, element sizes in bytes.
-struct Copies {
-    static constexpr int most = 12;
-    void* to[most] = {};
-    const void* from[most] = {};
-    int size[most] = {};
-    int count = 0;
-};
-
-constexpr int elements_per_block = 128; // so that a block's part of any array begins where four numbers can be read at once
-
-/// Each block copies its part of each array, whatever its elements are, thread by thread side by side.
-__global__ inline void copy_arrays(Counted counted, Copies copies)
-{
-    const int first = static_cast<int>(blockIdx.x) * elements_per_block, left = *counted.count - first;
-    const int elements = left < elements_per_block ? left : elements_per_block;
-    if (elements <= 0) return;
-    for (int k = 0; k < copies.count; ++k) {
-        const std::int64_t begin = std::int64_t(first) * copies.size[k];
-        const int bytes = elements * copies.size[k], fours = bytes / 16, words = bytes / 4;
-        char* to = static_cast<char*>(copies.to[k]) + begin;
-        const char* from = static_cast<const char*>(copies.from[k]) + begin;
-        for (int i = static_cast<int>(threadIdx.x); i < fours; i += static_cast<int>(blockDim.x))
-            reinterpret_cast<int4*>(to)[i] = reinterpret_cast<const int4*>(from)[i];
-        for (int i = 4 * fours + static_cast<int>(threadIdx.x); i < words; i += static_cast<int>(blockDim.x))
-            reinterpret_cast<int*>(to)[i] = reinterpret_cast<const int*>(from)[i];
-    }
-}
-
-/// Gives each element a place among those of its cell, as they come.
-struct CountCells {
-    const int* key;
-    int* many; ///< of each cell
-    int* place;
-    HL_FN void operator()(int i) const { place[i] = take_number(many + key[i]); }
-    HL_FN static int take_number(int* many)
-    {
-#ifdef __CUDA_ARCH__
-        return atomicAdd(many, 1);
-#else
-        return (*many)++;
-#endif
-    }
-};
-
-/// Lists the members of each cell, as they came, and leaves the counts at nothing.
-struct ListMembers {
-    const int* key;
-    const int* start;
-    const int* place;
-    int* many;
-    int* member;
-    HL_FN void operator()(int i) const
-    {
-        member[start[key[i]] + place[i]] = i;
-        many[key[i]] = 0;
-    }
-};
-
-/// Brings the members of each cell but the last into their order, which does not depend on who came first.
-struct OrderMembers {
-    const int* key;
-    const int* start;
-    const int* place;
-    const int* member;
-    const int* last;
-    int* order;
-    HL_FN void operator()(int i) const
-    {
-        const int cell = key[i], first = start[cell];
-        int before = 0;
-        if (cell == *last)
-            before = place[i];
-        else
-            for (int k = first, end = start[cell + 1]; k < end; ++k) before += member[k] < i ? 1 : 0;
-        order[first + before] = i;
-    }
-};
-
-constexpr int threads_adding_up = 1024;
-
-/// start[k] = many[0] + ... + many[k - 1] for k up to the largest key + 2.
-__global__ inline void add_up_in_block(const int* many, int* start, const int* largest)
-{
-    constexpr int each = 4;
-    using Scan = cub::BlockScan<int, threads_adding_up>;
-    __shared__ Scan::TempStorage scratch;
-    const int end = *largest + 3;
-    for (int first = 0, before = 0; first < end; first += each * threads_adding_up) {
-        const int own = first + each * static_cast<int>(threadIdx.x);
-        int values[each], all = 0;
-        for (int k = 0; k < each; ++k) values[k] = own + k < end ? many[own + k] : 0;
-        Scan(scratch).ExclusiveSum(values, values, all);
-        for (int k = 0; k < each; ++k)
-            if (own + k < end) start[own + k] = before + values[k];
-        before += all;
-        __syncthreads();
-    }
-}
 
 class CudaExecutor {
 public:
@@ -291,24 +179,25 @@ public:
 
     CudaExecutor()
     {
-        for (cudaStream_t& stream : inner_streams_)
-            check_cuda(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
         came_.resize(1);
-        int device = 0;
-        check_cuda(cudaGetDevice(&device), "asking for its properties");
-        check_cuda(cudaDeviceGetAttribute(&most_shared_, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "asking for its properties");
-        check_cuda(cudaDeviceGetAttribute(&processors_, cudaDevAttrMultiProcessorCount, device), "asking for its properties");
+        check_cuda(cudaGetDevice(&device_), "asking for its properties");
+        const auto ask = [this](int& answer, cudaDeviceAttr about) {
+            check_cuda(cudaDeviceGetAttribute(&answer, about, device_), "asking for its properties");
+        };
+        ask(most_shared_, cudaDevAttrMaxSharedMemoryPerBlockOptin);
+        ask(processors_, cudaDevAttrMultiProcessorCount);
+        ask(cooperates_, cudaDevAttrCooperativeLaunch);
+        meeting_.resize(1);
+        sums_.resize(static_cast<std::size_t>(processors_));
+        ++scenes_on(device_);
     }
-    ~CudaExecutor()
-    {
-        for (cudaStream_t stream : inner_streams_) cudaStreamDestroy(stream);
-    }
+    ~CudaExecutor() { --scenes_on(device_); }
     CudaExecutor(const CudaExecutor&) = delete;
     CudaExecutor& operator=(const CudaExecutor&) = delete;
 
     void set_threads(int) {}
 
-    /// From now on each stage is waited for and what it takes is added up; loops and branches are decided here, and nothing is recorded.
+    /// From now on each stage is waited for and what it takes is added up; orders are gone through from here.
     void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
     std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
 
@@ -317,11 +206,12 @@ public:
     void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
     {
         if (counted.most <= 0) return;
+        if constexpr (stands_apart<Stage>) return for_each(name, counted, stage.first), for_each(name, counted, stage.second, next);
         constexpr int each = threads_each<Stage>(), few = 1 << 16;
         const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
         const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
         const Lap lap(stage_clock_.get(), name);
-        run_stage<<<blocks, static_cast<unsigned>(block), 0, stream()>>>(counted, stage, next, came_.data());
+        run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, stage, next, came_.data());
         check_cuda(cudaGetLastError(), name);
     }
     template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
@@ -350,57 +240,35 @@ public:
             room.columns = line_room_.data();
         }
         const Lap lap(stage_clock_.get(), name);
-        run_lines<<<static_cast<unsigned>(blocks), static_cast<unsigned>(threads), bytes, stream()>>>(lines, room, stage);
+        run_lines<<<static_cast<unsigned>(blocks), static_cast<unsigned>(threads), bytes, own_stream>>>(lines, room, stage);
         check_cuda(cudaGetLastError(), name);
     }
 
-    /// Stages in an order that never changes but by loop() and when().
-    class Sequence {
-    public:
-        Sequence() = default;
-        ~Sequence() { forget(); }
-        Sequence(const Sequence&) = delete;
-        Sequence& operator=(const Sequence&) = delete;
-        void forget()
-        {
-            if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
-            graph_ = nullptr;
-        }
-
-    private:
-        friend class CudaExecutor;
-        cudaGraphExec_t graph_ = nullptr;
-    };
-    /// Does what the body does, which is gone through only the first time.
-    template <typename Body> void run(Sequence& sequence, const Body& body)
+    /// Goes through an order of stages that decide loops and branches; of so many elements at most.
+    template <typename Order> void go_through(const Order& order, int most)
     {
-        if (stage_clock_) return body();
-        if (sequence.graph_ == nullptr) record(sequence, body);
-        check_cuda(cudaGraphLaunch(sequence.graph_, stream()), "starting the liquid's steps");
+        constexpr int many = 1 << 17; // whose stages are better started one by one, with as many threads as each can have
+        if (stage_clock_ || !cooperates_ || most > many) return order(*this);
+        int fit = 0;
+        check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order>, grid_threads, 0), "asking for its room");
+        const int share = std::max(1, std::min(1, fit) * processors_ / std::max(1, scenes_on(device_).load()));
+        const int blocks = std::min(share, (most * lanes + grid_threads - 1) / grid_threads);
+        GridMemory memory{meeting_.data(), sums_.data(), sort_memory()};
+        void* arguments[] = {const_cast<Order*>(&order), &memory};
+        check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order>, dim3(static_cast<unsigned>(blocks)), dim3(grid_threads), arguments, 0,
+                                               own_stream),
+                   "starting the liquid's steps");
+        check_cuda(cudaStreamSynchronize(own_stream), "the liquid's steps");
     }
-    /// Within a sequence: goes through the body as long as the flag is set.
-    template <typename Body> void loop(Flag* flag, const Body& body)
+    /// Within an order gone through from here: goes through the body as long as the flag is set.
+    template <typename Body> void loop(const Flag* flag, const Body& body)
     {
-        if (!stage_clock_) return add_condition(flag, cudaGraphCondTypeWhile, body);
         while (is_set(flag)) body();
     }
-    /// Within a sequence: goes through the body if the flag is set.
-    template <typename Body> void when(Flag* flag, const Body& body)
+    /// The same: goes through the body if the flag is set.
+    template <typename Body> void when(const Flag* flag, const Body& body)
     {
-        if (!stage_clock_) return add_condition(flag, cudaGraphCondTypeIf, body);
         if (is_set(flag)) body();
-    }
-
-    /// The first of each two buffers gets the values of the second, which is left with anything.
-    template <typename... Buffers> void take_over(const Counted& counted, Buffers&... buffers)
-    {
-        static_assert(sizeof...(buffers) <= 2 * Copies::most);
-        Copies copies;
-        add_copies(copies, buffers...);
-        const Lap lap(stage_clock_.get(), "take over");
-        const auto blocks = static_cast<unsigned>((counted.most + elements_per_block - 1) / elements_per_block);
-        copy_arrays<<<blocks, 256, 0, stream()>>>(counted, copies);
-        check_cuda(cudaGetLastError(), "take over");
     }
 
     /// Before the first sort of so many keys.
@@ -414,16 +282,20 @@ public:
         check_cuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, many_.data(), many_.data(), static_cast<int>(many_.size())), "sorting");
         scratch_.resize(bytes);
     }
-    /// The order in which keys (0 <= key <= largest), which a stage finds, rise, equal ones as they stand but for those of the largest:
-    /// order[i] is the place of the i-th, and start[key] is where a key begins. start has room for three more.
+    /// See CpuExecutor.
     template <typename FindKey>
-    void sort_into_cells(const FindKey& find_key, Buffer<int>& keys, Buffer<int>& order, Buffer<int>& start, const Counted& counted,
-                         const int* largest)
+    void sort_into_cells(const FindKey& find_key, const int* key, int* order, int* start, const Counted& counted, const int* largest)
     {
-        for_each("find cell", counted, InTurn<FindKey, CountCells>{find_key, {keys.data(), many_.data(), number_.data()}});
-        add_up(start, largest);
-        for_each("list members", counted, ListMembers{keys.data(), start.data(), number_.data(), many_.data(), member_.data()});
-        for_each("order members", counted, OrderMembers{keys.data(), start.data(), number_.data(), member_.data(), largest, order.data()});
+        const SortMemory m = sort_memory();
+        for_each("find cell", counted, InTurn<FindKey, CountCells>{find_key, {key, m.many, m.number}});
+        {
+            const Lap lap(stage_clock_.get(), "add up");
+            std::size_t bytes = scratch_.size();
+            const auto keys = static_cast<int>(many_.size());
+            check_cuda(cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, m.many, start, keys, own_stream), "sorting");
+        }
+        for_each("list members", counted, ListMembers{key, start, m.number, m.many, m.member});
+        for_each("order members", counted, OrderMembers{key, start, m.number, m.member, largest, order});
     }
 
 private:
@@ -453,106 +325,28 @@ private:
         const char* name_;
         cudaEvent_t events_[2] = {};
     };
-    /// A condition that a graph asks for, and where stages find it.
-    struct Condition {
-        Flag* flag;
-        cudaGraphConditionalHandle handle;
-    };
-
-    cudaStream_t stream() const { return depth_ == 0 ? own_stream : inner_streams_[depth_ - 1]; }
-
-    /// Where each key begins, from how many there are of each.
-    void add_up(Buffer<int>& start, const int* largest)
+    /// That share a GPU.
+    static std::atomic<int>& scenes_on(int device)
     {
-        const Lap lap(stage_clock_.get(), "add up");
-        constexpr std::size_t few = 1 << 18; // a single block is there first
-        if (many_.size() <= few) {
-            add_up_in_block<<<1, threads_adding_up, 0, stream()>>>(many_.data(), start.data(), largest);
-            return check_cuda(cudaGetLastError(), "sorting");
-        }
-        std::size_t bytes = scratch_.size();
-        check_cuda(
-            cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, many_.data(), start.data(), static_cast<int>(many_.size()), stream()),
-            "sorting");
+        static std::atomic<int> scenes[64];
+        return scenes[device % 64];
     }
+    SortMemory sort_memory() { return {many_.data(), number_.data(), member_.data()}; }
     static bool is_set(const Flag* flag)
     {
         int on = 0;
         copy_from_gpu(&on, &flag->on, sizeof on);
         return on != 0;
     }
-    template <typename Body> void record(Sequence& sequence, const Body& body)
-    {
-        conditions_.clear();
-        cudaGraph_t graph = nullptr;
-        check_cuda(cudaStreamBeginCapture(stream(), cudaStreamCaptureModeRelaxed), "recording");
-        try {
-            body();
-        } catch (...) {
-            for (cudaGraph_t inside = nullptr; depth_ > 0; --depth_) cudaStreamEndCapture(stream(), &inside);
-            cudaStreamEndCapture(stream(), &graph);
-            if (graph != nullptr) cudaGraphDestroy(graph);
-            cudaGetLastError();
-            throw;
-        }
-        check_cuda(cudaStreamEndCapture(stream(), &graph), "recording");
-        const cudaError_t prepared = cudaGraphInstantiate(&sequence.graph_, graph, 0);
-        cudaGraphDestroy(graph);
-        check_cuda(prepared, "preparing what was recorded");
-        for (const Condition& condition : conditions_)
-            copy_to_gpu(&condition.flag->handle, &condition.handle, sizeof condition.handle);
-    }
-    /// Puts a condition behind what was recorded last, and records its body in a stream of its own.
-    template <typename Body> void add_condition(Flag* flag, cudaGraphConditionalNodeType type, const Body& body)
-    {
-        cudaStreamCaptureStatus status;
-        cudaGraph_t graph = nullptr, inside = nullptr;
-        const cudaGraphNode_t* before = nullptr;
-        const cudaGraphEdgeData* edges = nullptr;
-        std::size_t count = 0;
-        check_cuda(cudaStreamGetCaptureInfo(stream(), &status, nullptr, &graph, &before, &edges, &count), "recording");
-        cudaGraphNodeParams parameters{};
-        parameters.type = cudaGraphNodeTypeConditional;
-        parameters.conditional.type = type;
-        parameters.conditional.size = 1;
-        check_cuda(cudaGraphConditionalHandleCreate(&parameters.conditional.handle, graph), "recording a condition");
-        cudaGraphNode_t node = nullptr;
-        check_cuda(cudaGraphAddNode(&node, graph, before, edges, count, &parameters), "recording a condition");
-        check_cuda(cudaStreamUpdateCaptureDependencies(stream(), &node, nullptr, 1, cudaStreamSetCaptureDependencies), "recording");
-        conditions_.push_back({flag, parameters.conditional.handle});
-        ++depth_;
-        check_cuda(cudaStreamBeginCaptureToGraph(stream(), parameters.conditional.phGraph_out[0], nullptr, nullptr, 0,
-                                                 cudaStreamCaptureModeRelaxed),
-                   "recording");
-        body();
-        check_cuda(cudaStreamEndCapture(stream(), &inside), "recording");
-        --depth_;
-    }
 
-    template <typename T, typename... Others> static void add_copies(Copies& copies, Buffer<T>& to, Buffer<T>& from, Others&... others)
-    {
-        static_assert(sizeof(T) % 4 == 0);
-        if (from.size() > 0) {
-            copies.to[copies.count] = to.data();
-            copies.from[copies.count] = from.data();
-            copies.size[copies.count++] = sizeof(T);
-        }
-        if constexpr (sizeof...(others) > 0) add_copies(copies, others...);
-    }
-
-    static constexpr int most_depth = 3;
-    cudaStream_t inner_streams_[most_depth] = {}; ///< to record in, one for each depth of loops and branches
-    int depth_ = 0;
-    std::vector<Condition> conditions_;
     Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()
     std::unique_ptr<StageClock> stage_clock_; ///< none: nothing is timed
-    int most_shared_ = 0, processors_ = 0; ///< bytes of shared memory for a block; what blocks run on
-    Buffer<double> line_room_;             ///< see LineRoom
-    // To sort with.
-    Buffer<int> many_;   ///< elements of each key; nothing between sorts
-    Buffer<int> number_; ///< of each element among those of its key, as they came
-    Buffer<int> member_; ///< elements by keys
-    Buffer<unsigned char> scratch_;
+    int device_ = 0, most_shared_ = 0, processors_ = 0, cooperates_ = 0; ///< bytes of shared memory for a block; what blocks run on
+    Buffer<double> line_room_;                                           ///< see LineRoom
+    Buffer<GridMeeting> meeting_;                                        ///< see GridMemory
+    Buffer<int> sums_;
+    Buffer<int> many_, number_, member_; ///< see SortMemory
+    Buffer<unsigned char> scratch_;      ///< to add up with
 };
 
 } // namespace hygroloom

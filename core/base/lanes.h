@@ -66,6 +66,12 @@ HL_FN Real sum_of(Pack pack)
     for (int bit = lanes / 2; bit > 0; bit /= 2) pack += of_other_lane(pack, bit);
     return pack;
 }
+/// Of all elements of the warp, to which they have all added.
+HL_FN Real sum_beside(Pack pack)
+{
+    for (int bit = 16; bit > 0; bit /= 2) pack += of_other_lane(pack, bit);
+    return pack;
+}
 HL_FN Quads fetch(const Quad* at)
 {
     Quads quad;
@@ -73,16 +79,17 @@ HL_FN Quads fetch(const Quad* at)
     return quad;
 }
 HL_FN Quads load(const Quad* at) { return fetch(at + own_lane()); }
-HL_FN Quads gather(const Quad* at, const int* slots) { return fetch(at_slot(at, fetch(slots + own_lane()))); }
-HL_FN Pack load(const Real* at) { return fetch(at + own_lane()); }
+HL_FN Quads gather(const Quad* at, const int* slots) { return fetch(at_slot(at, slots[own_lane()])); }
+HL_FN Pack load(const Real* at) { return at[own_lane()]; }
 HL_FN void store(Real* at, Pack pack) { at[own_lane()] = pack; }
 HL_FN bool lanes_below(int count) { return own_lane() < count; }
 HL_FN bool lanes_but(int lane) { return own_lane() != lane; }
 HL_FN Pack first_lanes(int count) { return own_lane() < count ? Real(1) : Real(0); }
-HL_FN int list_lanes(bool wanted, int first, int* slots)
+/// Writes the slots of the lanes wanted, side by side, and says how many; none where there is no room.
+HL_FN int list_lanes(bool wanted, int own, int* slots, bool has_room)
 {
-    const unsigned set = lanes_where(wanted), before = (1u << own_lane()) - 1;
-    if (wanted) slots[bits_in(set & before)] = slot_of(first + own_lane());
+    const unsigned set = lanes_where(wanted && has_room), before = (1u << own_lane()) - 1;
+    if (wanted && has_room) slots[bits_in(set & before)] = slot_of(own);
     return bits_in(set);
 }
 
@@ -98,6 +105,10 @@ inline Real sum_of(const Pack& p)
     const auto two = four + __builtin_shufflevector(four, four, 2, 3, 2, 3);
     return two[0] + two[1];
 }
+inline Real sum_beside(const Pack& p) { return sum_of(p); }
+inline unsigned elements_where(bool condition) { return condition ? 1 : 0; }
+inline Real of_element(Real value, int) { return value; }
+inline int lowest_bit(unsigned bits) { return __builtin_ctz(bits); }
 inline Pack root(const Pack& values)
 {
     Pack roots;
@@ -185,8 +196,9 @@ struct LaneTable {
 inline constexpr LaneTable lane_table;
 
 /// Writes the slot of first + lane for each wanted lane, side by side, and says how many; a whole pack of slots is written to.
-inline int list_lanes(const Mask& wanted, int first, int* slots)
+inline int list_lanes(const Mask& wanted, int first, int* slots, bool has_room)
 {
+    if (!has_room) return 0;
     const unsigned set = bits_of(wanted);
     *reinterpret_cast<LooseSlots*>(slots) = slot_of(first) + lane_table.slots[set];
     return lane_table.count[set];

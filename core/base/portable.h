@@ -93,29 +93,24 @@ HL_FN int own_lane()
 #endif
 }
 
+/// Elements that a warp works on at once.
+constexpr int elements_beside = HL_LANE_IS_THREAD ? 32 / lanes : 1;
+
+HL_FN int own_element()
+{
+#ifdef __CUDA_ARCH__
+    return static_cast<int>(threadIdx.x % 32) / lanes;
+#else
+    return 0;
+#endif
+}
+
 #if HL_LANE_IS_THREAD
 
-/// What stands there, if no stage that runs now changes it: such loads need not wait for what is stored meanwhile.
-HL_FN int fetch(const int* at)
-{
-#ifdef __CUDA_ARCH__
-    return __ldg(at);
-#else
-    return *at;
-#endif
-}
-HL_FN Real fetch(const Real* at)
-{
-#ifdef __CUDA_ARCH__
-    return __ldg(at);
-#else
-    return *at;
-#endif
-}
 HL_FN void fetch_four(const float* at, float& x, float& y, float& z, float& w)
 {
 #ifdef __CUDA_ARCH__
-    const float4 four = __ldg(reinterpret_cast<const float4*>(at));
+    const float4 four = *reinterpret_cast<const float4*>(at);
     x = four.x, y = four.y, z = four.z, w = four.w;
 #else
     x = at[0], y = at[1], z = at[2], w = at[3];
@@ -159,21 +154,17 @@ HL_FN double plain_quotient(double a, double b) { return a / b; }
 HL_FN double plain_root(double value) { return std::sqrt(value); }
 HL_FN double plain_inverse(double value) { return 1.0 / value; }
 
-/// The threads of a warp that share the element of this one.
-HL_FN unsigned sharing_threads()
-{
+// What threads of a warp tell each other. All of a warp's threads come to these together: stages that work on packs are called by whole
+// warps, and ask nothing of others where some may have gone another way.
 #ifdef __CUDA_ARCH__
-    return ((1u << lanes) - 1u) << (threadIdx.x % 32 / lanes * lanes);
-#else
-    return 1;
+constexpr unsigned whole_warp = 0xffffffffu;
 #endif
-}
 
 /// What the lane has whose number differs in the given bit.
 template <typename T> HL_FN T of_other_lane(T value, int bit)
 {
 #ifdef __CUDA_ARCH__
-    return __shfl_xor_sync(sharing_threads(), value, bit);
+    return __shfl_xor_sync(whole_warp, value, bit);
 #else
     return bit > 0 ? value : T{};
 #endif
@@ -182,30 +173,69 @@ template <typename T> HL_FN T of_other_lane(T value, int bit)
 HL_FN int of_lane(int value, int lane)
 {
 #ifdef __CUDA_ARCH__
-    return __shfl_sync(sharing_threads(), value, lane, lanes);
+    return __shfl_sync(whole_warp, value, lane, lanes);
 #else
     return lane >= 0 ? value : 0;
 #endif
+}
+
+/// Of the values of this lane and those before it.
+HL_FN int sum_up_to_lane(int value)
+{
+#ifdef __CUDA_ARCH__
+    for (int apart = 1; apart < lanes; apart *= 2) {
+        const int before = __shfl_up_sync(whole_warp, value, apart, lanes);
+        if (own_lane() >= apart) value += before;
+    }
+#endif
+    return value;
 }
 
 /// One bit per lane.
 HL_FN unsigned lanes_where(bool condition)
 {
 #ifdef __CUDA_ARCH__
-    return (__ballot_sync(sharing_threads(), condition) & sharing_threads()) >> (threadIdx.x % 32 / lanes * lanes);
+    return __ballot_sync(whole_warp, condition) >> (threadIdx.x % 32 / lanes * lanes) & ((1u << lanes) - 1u);
 #else
     return condition ? 1u : 0u;
 #endif
 }
 
-HL_FN int bits_in(unsigned bits)
+/// What the threads of an element of the same warp have.
+HL_FN Real of_element(Real value, int element)
 {
 #ifdef __CUDA_ARCH__
-    return __popc(bits);
+    return __shfl_sync(whole_warp, value, element * lanes);
 #else
-    return __builtin_popcount(bits);
+    return element >= 0 ? value : Real(0);
 #endif
 }
+
+/// One bit per element of the warp.
+HL_FN unsigned elements_where(bool condition)
+{
+#ifdef __CUDA_ARCH__
+    const unsigned all = __ballot_sync(whole_warp, condition);
+    unsigned bits = 0;
+    for (int element = 0; element < elements_beside; ++element) bits |= (all >> (element * lanes) & 1u) << element;
+    return bits;
+#else
+    return condition ? 1u : 0u;
+#endif
+}
+
+/// Of what all elements of a warp have.
+HL_FN int largest_beside(int value)
+{
+#ifdef __CUDA_ARCH__
+    for (int apart = 16; apart >= lanes; apart /= 2) {
+        const int other = __shfl_xor_sync(whole_warp, value, apart);
+        value = other > value ? other : value;
+    }
+#endif
+    return value;
+}
+
 HL_FN int lowest_bit(unsigned bits)
 {
 #ifdef __CUDA_ARCH__
@@ -214,21 +244,19 @@ HL_FN int lowest_bit(unsigned bits)
     return __builtin_ctz(bits);
 #endif
 }
-
+HL_FN int bits_in(unsigned bits)
+{
+#ifdef __CUDA_ARCH__
+    return __popc(bits);
+#else
+    return __builtin_popcount(bits);
+#endif
+}
 #endif
 
 /// What a stage decides and a loop or a branch in the order of stages obeys.
 struct Flag {
     int on = 0;
-    unsigned long long handle = 0; ///< of the condition in a GPU's graph; 0: none
-
-    HL_FN void set(bool value)
-    {
-        on = value ? 1 : 0;
-#ifdef __CUDA_ARCH__
-        if (handle != 0) cudaGraphSetConditional(handle, value ? 1u : 0u);
-#endif
-    }
 };
 
 } // namespace hygroloom

@@ -99,35 +99,24 @@ public:
     {
         if (flag->on) body();
     }
-    /// Stages in an order that never changes but by loop() and when().
-    struct Sequence {
-        void forget() {}
-    };
-    template <typename Body> void run(Sequence&, const Body& body) { body(); }
-
-    /// The first of each two buffers gets the values of the second, which is left with anything.
-    template <typename T, typename... Others> void take_over(const Counted& counted, Buffer<T>& to, Buffer<T>& from, Others&... others)
-    {
-        to.swap(from);
-        if constexpr (sizeof...(others) > 0) take_over(counted, others...);
-    }
+    /// Goes through an order of stages that decide loops and branches; of so many elements at most.
+    template <typename Order> void go_through(const Order& order, int) { order(*this); }
 
     /// Before the first sort of so many keys.
     void prepare_sort(int, int) {}
     /// The order in which keys (0 <= key <= largest), which a stage finds, rise, equal ones as they stand but for those of the largest:
     /// order[i] is the place of the i-th, and start[key] is where a key begins. start has room for three more.
     template <typename FindKey>
-    void sort_into_cells(const FindKey& find_key, Buffer<int>& keys, Buffer<int>& order, Buffer<int>& start, const Counted& counted,
-                         const int* largest)
+    void sort_into_cells(const FindKey& find_key, const int* key, int* order, int* start, const Counted& counted, const int* largest)
     {
         for_each("find cell", counted, find_key);
         const StageLap lap(stage_clock_.get(), "sort");
-        const int *key = keys.data(), count = *counted.count;
-        int* next = start.data() + 1; // of each key; in the end where the next key begins
-        std::fill_n(start.data(), *largest + 3, 0);
+        const int count = *counted.count;
+        int* next = start + 1; // of each key; in the end where the next key begins
+        std::fill_n(start, *largest + 3, 0);
         for (int i = 0; i < count; ++i) ++next[key[i] + 1];
         std::partial_sum(next, next + *largest + 2, next);
-        for (int i = 0; i < count; ++i) order.data()[next[key[i]]++] = i;
+        for (int i = 0; i < count; ++i) order[next[key[i]]++] = i;
     }
 
 private:

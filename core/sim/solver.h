@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The order of the stages, written once for every machine. An Executor offers Buffer<T>, for_each, for_each_line, sort_into_cells,
-// and for what stages decide themselves loop and when.
+// A running scene, written once for every machine. An Executor offers Buffer<T>, for_each, for_each_line, and go_through() for what
+// stages decide themselves: see LiquidFlow.
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/liquid_control.h"
+#include "core/sim/steps/liquid_flow.h"
 #include "core/sim/steps/supply.h"
 
 #include <algorithm>
@@ -46,7 +47,6 @@ public:
         next_droplet_ = 0;
         flow_ = {};
         rules_ = {};
-        flow_sequence_.forget();
         delivered_ = 0;
         pool_.assign(scene.pools.size(), 0);
         pumped_ = ran_off_ = 0;
@@ -116,11 +116,6 @@ private:
     {
         exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()), stage);
     }
-    Counted all_particles() { return {&control_.data()->count, room_}; }
-    template <typename Stage, typename Next = Nothing> void each_particle(const char* name, const Stage& stage, const Next& next = {})
-    {
-        exec_.for_each(name, all_particles(), stage, next);
-    }
 
     template <typename Archive> void pass_state(Archive& archive);
     void load_segments();
@@ -165,12 +160,9 @@ private:
     void exchange(double dt);
     void swell();
     bool flow(double wall_seconds);
-    void flow_on();
-    void step_liquid();
-    void give_to_segments(const int* count);
-    void sort_particles();
-    void list_neighbours();
-    void correct_pressure();
+    LiquidFlow liquid_flow();
+    /// What sorting brought to the other side is where particles are from then on.
+    void change_sides();
     Ledger ledger();
     Yarns yarns();
     Yarns yarns_on_host() const;
@@ -216,7 +208,6 @@ private:
     LiquidControl flow_;            ///< as it was when last looked at
     Buffer<LiquidControl> control_; ///< where stages change it
     LiquidRules rules_;
-    typename Executor::Sequence flow_sequence_; ///< see flow_on()
     double wall_per_step_ = 0;                  ///< s
     int room_ = 0;                              ///< for so many particles
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;

@@ -199,108 +199,6 @@ template <typename Executor> void Solver<Executor>::release_droplets()
     }
 }
 
-template <typename Executor> void Solver<Executor>::sort_particles()
-{
-    LiquidControl* control = control_.data();
-    const CellGrid* grid = &control->grid;
-    each_particle("find box", FindBox{particle_views(), grid, control->box}, FitGrid{control});
-    exec_.sort_into_cells(FindCell{particle_views(), grid}, key_, order_, cell_start_, all_particles(), &control->dead_key);
-    Particles to = particle_views();
-    to.position = sorted_position_.data();
-    to.velocity = sorted_velocity_.data();
-    to.wall_normal = sorted_normal_.data();
-    to.wall_distance = sorted_distance_.data();
-    to.wall_segment = sorted_segment_.data();
-    to.content = sorted_content_.data();
-    to.cloth_from = sorted_cloth_from_.data();
-    to.place = sorted_place_.data();
-    to.stress = sorted_stress_.data();
-    each_particle("reorder",
-                  Reorder{order_.data(), position_.data(), velocity_.data(), wall_normal_.data(), wall_distance_.data(),
-                          wall_segment_.data(), place_.data(), scene_.shows_pressure ? stress_.data() : nullptr, content_.data(),
-                          cloth_from_.data(), key_.data(), &control->dead_key, to},
-                  LeaveDead{control});
-    exec_.take_over(all_particles(), position_, sorted_position_, velocity_, sorted_velocity_, wall_normal_, sorted_normal_, wall_distance_,
-                    sorted_distance_, wall_segment_, sorted_segment_, content_, sorted_content_, cloth_from_, sorted_cloth_from_, place_,
-                    sorted_place_, stress_, sorted_stress_);
-}
-
-/// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
-template <typename Executor> void Solver<Executor>::list_neighbours()
-{
-    LiquidControl* control = control_.data();
-    each_particle("begin step", BeginStep{particle_views(), control->moved, &control->dead});
-    each_particle("farthest moved", FindFarthestMoved{particle_views(), control->moved, &control->farthest},
-                  DecideListing{control, rules_});
-    exec_.when(&control->lists, [&] {
-        sort_particles();
-        each_particle("neighbours", FindNeighbours{particle_views(), &control->grid, &control->skin});
-    });
-}
-
-template <typename Executor> void Solver<Executor>::correct_pressure()
-{
-    LiquidControl* control = control_.data();
-    const auto round = [&](const int* count, std::int64_t* error, const auto& end) {
-        exec_.for_each("pressure", Counted{count, room_}, CorrectPressure{particle_views(), liquid(), error});
-        exec_.for_each("pressure force", Counted{count, room_}, FindPressureForce{particle_views(), liquid()}, end);
-    };
-    for (int k = 1; k < fewest_pressure_rounds; ++k) round(&control->count, nullptr, Nothing{});
-    round(&control->count, &control->error, EndRound{control, scene_.density_tolerance, fewest_pressure_rounds});
-    // On a GPU rounds of nothing cost less than a question to its scheduler, which answers all scenes one after the other.
-    exec_.when(&control->presses, [&] {
-        for (int k = fewest_pressure_rounds; k < most_pressure_rounds; ++k)
-            round(&control->pressing, &control->error, EndRound{control, scene_.density_tolerance, 1});
-    });
-}
-
-template <typename Executor> void Solver<Executor>::step_liquid()
-{
-    LiquidControl* control = control_.data();
-    list_neighbours();
-    each_particle("cloth", FeelCloth{particle_views(), shape(), beads()});
-    each_particle("surface", FindSurface{particle_views(), liquid()});
-    each_particle("forces", FindForces{particle_views(), liquid()});
-    correct_pressure();
-    if (scene_.shows_pressure) each_particle("stress", FindStress{particle_views(), liquid()});
-    const MoveParticles move{particle_views(), &control->step, &control->fastest};
-    const MeetYarns meet{particle_views(),
-                         shape(),
-                         vessel(),
-                         scene_.vessel ? reach_of_surface_ : 2 * spacing_,
-                         touching_in_spacings * spacing_,
-                         Real(0.5) * spacing_,
-                         &control->step,
-                         static_cast<Real>(-scene_.half_thickness - drip_distance),
-                         &control->dripped};
-    each_particle("move", InTurn<MoveParticles, MeetYarns>{move, meet}, EndStep{control, rules_});
-    if (drinks_) give_to_segments(&control->drinking);
-    each_particle("speeds", SumSpeeds{particle_views(), &control->squares, &control->largest}, WatchMotion{control, rules_});
-}
-
-/// From so many particles.
-template <typename Executor> void Solver<Executor>::give_to_segments(const int* count)
-{
-    LiquidControl* control = control_.data();
-    const Counted givers{count, room_};
-    exec_.for_each("touch", givers, TouchSegments{particle_views(), shape(), contact_.data()});
-    exec_.for_each(
-        "give", givers,
-        GiveToSegments{
-            particle_views(), shape(), segments(), scene_.climate.density, &control->drink_dt, {reach_.data()}, &control->drunk});
-    exec_.for_each("forget", givers, ForgetContact{particle_views(), shape(), contact_.data()});
-}
-
-/// The liquid's steps up to the moment when it meets the yarns, or until its budget is spent. Only what the control says may change from
-/// one time to the next: an executor may go through this once and then repeat what it was asked for.
-template <typename Executor> void Solver<Executor>::flow_on()
-{
-    LiquidControl* control = control_.data();
-    exec_.for_each("begin flow", 1, BeginFlow{control, rules_});
-    exec_.loop(&control->goes, [&] { step_liquid(); });
-    if (drinks_) exec_.when(&control->drains, [&] { give_to_segments(&control->count); });
-}
-
 /// Takes the liquid towards the moment when it meets the yarns, for about the given wall time; whether it is there.
 template <typename Executor> bool Solver<Executor>::flow(double wall_seconds)
 {
@@ -312,11 +210,49 @@ template <typename Executor> bool Solver<Executor>::flow(double wall_seconds)
     flow_.budget = wall_per_step_ > 0 ? static_cast<int>(std::clamp(budget, 1.0, double(most_flow_steps))) : 1;
     const std::int64_t steps = flow_.steps;
     control_.write(0, flow_);
-    exec_.run(flow_sequence_, [this] { flow_on(); });
+    exec_.go_through(liquid_flow(), room_);
     flow_ = control_.read(0);
+    if (flow_.side == 1) change_sides();
     time_ = flow_.time;
     if (flow_.steps > steps) wall_per_step_ = elapsed(start) / static_cast<double>(flow_.steps - steps);
     return time_ >= sync_time_ || flow_.count == 0 || flow_.drains.on;
+}
+
+template <typename Executor> void Solver<Executor>::change_sides()
+{
+    position_.swap(sorted_position_);
+    velocity_.swap(sorted_velocity_);
+    wall_normal_.swap(sorted_normal_);
+    wall_distance_.swap(sorted_distance_);
+    wall_segment_.swap(sorted_segment_);
+    content_.swap(sorted_content_);
+    cloth_from_.swap(sorted_cloth_from_);
+    place_.swap(sorted_place_);
+    stress_.swap(sorted_stress_);
+}
+
+template <typename Executor> LiquidFlow Solver<Executor>::liquid_flow()
+{
+    LiquidFlow flow;
+    flow.control = control_.data();
+    flow.rules = rules_;
+    flow.sides[0] = particle_views();
+    change_sides();
+    flow.sides[1] = particle_views();
+    change_sides();
+    flow.textile = shape();
+    flow.beads = beads();
+    flow.liquid = liquid();
+    flow.segments = segments();
+    flow.wall_reach = scene_.vessel ? reach_of_surface_ : 2 * spacing_;
+    flow.lowest = static_cast<Real>(-scene_.half_thickness - drip_distance);
+    flow.density_tolerance = scene_.density_tolerance;
+    flow.drinks = drinks_;
+    flow.reach = reach_.data();
+    flow.order = order_.data();
+    flow.key = key_.data();
+    flow.start = cell_start_.data();
+    return flow;
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()

@@ -8,6 +8,7 @@
 namespace hygroloom {
 
 using Packs = Vec3T<Pack>;
+HL_FN Vec3 sum_beside(const Packs& packs) { return {sum_beside(packs.x), sum_beside(packs.y), sum_beside(packs.z)}; }
 HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
 
 /// Threads at the sample's sides that a step leaves out, because nothing happens there yet.

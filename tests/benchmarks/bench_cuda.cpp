@@ -91,7 +91,7 @@ void liquid_step(benchmark::State& state)
     double time = lies ? 0.03 : 0.004;
     const auto particles = static_cast<int>(state.range(0)), scenes = static_cast<int>(state.range(2));
     SideBySide drops(drop_scene(particles, static_cast<double>(state.range(1))), scenes, time);
-    constexpr double burst = 1e-3; // s
+    constexpr double burst = 3e-3; // s
     double wall = 0, steps = 0;
     for (auto _ : state) {
         const double before = drops.mean_steps(), taken = drops.advance(time += burst), done = drops.mean_steps() - before;

@@ -10,7 +10,7 @@ namespace hygroloom {
 
 constexpr double drop_volume_ul = 15;
 
-/// A drop of so many particles, falling so far, that is not drunk.
+/// A drop of so many particles, falling so far, that is not drunk, on yarns that take steps only when they are asked for.
 inline Scene drop_scene(int particles, double height_mm)
 {
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
@@ -24,6 +24,7 @@ inline Scene drop_scene(int particles, double height_mm)
     Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
     scene.particles_per_droplet = particles;
     scene.sorption = scene.vapour = scene.heat = false;
+    scene.network_step = scene.calm_network_step = 1; // the liquid's steps alone
     return scene;
 }
 

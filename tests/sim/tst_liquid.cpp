@@ -110,7 +110,7 @@ struct Listed {
         grid.key = key.data();
         grid.start = start.data();
         const int dead_key = grid.cells();
-        exec.sort_into_cells(FindCell{p, &grid}, key, order, start, {&p.room, p.room}, &dead_key);
+        exec.sort_into_cells(FindCell{p, &grid}, key.data(), order.data(), start.data(), {&p.room, p.room}, &dead_key);
         const auto sort = [&](auto& values) {
             const auto before = values;
             for (std::size_t i = 0; i < n; ++i) values[i] = before[std::size_t(order.read(i))];
@@ -148,7 +148,7 @@ struct Listed {
         liquid.density = 1;
         liquid.surface = {1, Real(1e-3)};
         std::int64_t dead = 0;
-        exec.for_each("begin step", p.room, BeginStep{p, moved.data(), &dead});
+        exec.for_each("begin step", p.room, BeginStep{p, kept_pressure, moved.data(), &dead});
         exec.for_each("surface", p.room, FindSurface{p, liquid});
     }
     const Quad& surface_of(int named) const { return surface_[std::size_t(std::find(name.begin(), name.end(), named) - name.begin())]; }

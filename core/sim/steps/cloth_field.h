@@ -36,33 +36,33 @@ struct FeelCloth {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i]) return;
         const Vec3 x = p.position[i];
+        const bool alive = p.alive[i] != 0, near = x.z < beads.top + beads.widest && x.z > -beads.top - beads.widest;
         ClothExpansion& from = p.cloth_from[i];
-        const Vec3 way = x - from.at;
+        const Vec3 way = near ? x - from.at : Vec3{};
         const Real far = Real(0.1) * p.spacing;
-        if (!(dot(way, way) <= far * far)) {
-            from = expansion(x);
-            p.cloth[i] = from.field;
-        } else {
-            p.cloth[i] = from.near(way);
+        const bool anew = alive && !(dot(way, way) <= far * far);
+        for (unsigned left = elements_where(anew); left != 0; left &= left - 1) {
+            const int element = lowest_bit(left);
+            const ClothExpansion e = expansion({of_element(x.x, element), of_element(x.y, element), of_element(x.z, element)});
+            if (element == own_element()) from = e;
         }
+        if (alive) p.cloth[i] = !near ? ClothField{} : anew ? from.field : from.near(way);
     }
+    /// At a place that beads reach. On a GPU the work of a whole warp.
     HL_FN ClothExpansion expansion(const Vec3& x) const
     {
         Sums sums;
-        if (x.z < beads.top + beads.widest && x.z > -beads.top - beads.widest) {
-            const Real u = x.x / textile.warp_pitch + Real(0.5) * Real(textile.ends - 1);
-            const Real v = x.y / textile.weft_pitch + Real(0.5) * Real(textile.picks - 1);
-            const Real wide_u = beads.widest / textile.warp_pitch, wide_v = beads.widest / textile.weft_pitch;
-            // A segment reaches half a pitch to both sides along its yarn, and a yarn may lie beside its place.
-            const int end0 = first(u - wide_u - Real(0.5), textile.ends), end1 = first(u + wide_u + Real(1.5), textile.ends);
-            const int pick0 = first(v - wide_v - Real(0.5), textile.picks), pick1 = first(v + wide_v + Real(1.5), textile.picks);
-            for (int end = end0; end < end1; ++end)
-                add(sums, x, textile.segment(true, end, pick0), pick1 - pick0, beads.types[textile.type_of_end(end)]);
-            for (int pick = pick0; pick < pick1; ++pick)
-                add(sums, x, textile.segment(false, end0, pick), end1 - end0, beads.types[textile.type_of_pick(pick)]);
-        }
+        const Real u = x.x / textile.warp_pitch + Real(0.5) * Real(textile.ends - 1);
+        const Real v = x.y / textile.weft_pitch + Real(0.5) * Real(textile.picks - 1);
+        const Real wide_u = beads.widest / textile.warp_pitch, wide_v = beads.widest / textile.weft_pitch;
+        // A segment reaches half a pitch to both sides along its yarn, and a yarn may lie beside its place.
+        const int end0 = first(u - wide_u - Real(0.5), textile.ends), end1 = first(u + wide_u + Real(1.5), textile.ends);
+        const int pick0 = first(v - wide_v - Real(0.5), textile.picks), pick1 = first(v + wide_v + Real(1.5), textile.picks);
+        for (int end = end0 + own_element(); end < end1; end += elements_beside)
+            add(sums, x, textile.segment(true, end, pick0), pick1 - pick0, beads.types[textile.type_of_end(end)]);
+        for (int pick = pick0 + own_element(); pick < pick1; pick += elements_beside)
+            add(sums, x, textile.segment(false, end0, pick), end1 - end0, beads.types[textile.type_of_pick(pick)]);
         return sums.expansion(x);
     }
 
@@ -86,7 +86,7 @@ private:
         }
         HL_FN void total(Real (&sums)[6]) const
         {
-            for (int k = 0; k < 6; ++k) sums[k] = sum_of(parts[k]);
+            for (int k = 0; k < 6; ++k) sums[k] = sum_beside(parts[k]);
         }
     };
     struct Sums {
@@ -98,11 +98,11 @@ private:
         {
             ClothExpansion e;
             e.at = at;
-            e.field.share = sum_of(share);
-            e.field.slope = sum_of(slope);
-            e.field.surface_share = sum_of(surface_share);
-            e.field.surface_slope = sum_of(surface_slope);
-            e.field.adhesion = sum_of(adhesion);
+            e.field.share = sum_beside(share);
+            e.field.slope = sum_beside(slope);
+            e.field.surface_share = sum_beside(surface_share);
+            e.field.surface_slope = sum_beside(surface_slope);
+            e.field.adhesion = sum_beside(adhesion);
             surface_bend.total(e.field.bend);
             bend.total(e.slope_bend);
             adhesion_bend.total(e.adhesion_bend);

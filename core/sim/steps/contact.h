@@ -274,6 +274,39 @@ struct MeetYarns {
     }
 };
 
+/// Adds up squares of the speeds that the cloth has left.
+struct SumSpeeds {
+    Particles p;
+    std::int64_t* total; ///< quanta
+    int* largest;        ///< bits of the largest away from the cloth; squares are positive, so their bits order like integers
+
+    static constexpr double quantum = 1e-12; ///< m2/s2
+    HL_FN std::int64_t operator()(int i) const
+    {
+        if (!p.alive[i]) return 0;
+        constexpr float moves = 1.0F; // m2/s2, far more than at rest; without a bound the sum of many could overflow
+        const auto whole = static_cast<float>(dot(p.velocity[i], p.velocity[i])), square = whole < moves ? whole : moves;
+        if (p.cloth[i].surface_share <= Real(0)) atomic_max_of_all(largest, ordered_bits(square));
+        return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
+    }
+};
+
+/// The end of a step for a particle: it moves, meets the yarns, and is ready for the next step, unless yarns drink from it before.
+struct Arrive {
+    MoveParticles move;
+    MeetYarns meet;
+    SumSpeeds speeds;
+    BeginStep begin;
+    std::int64_t* total = speeds.total;
+    HL_FN std::int64_t operator()(int i) const
+    {
+        move(i);
+        meet(i);
+        if (begin(i) > 0) atomic_add(begin.total, 1);
+        return speeds(i);
+    }
+};
+
 /// Gap between two intervals given by their middles and half lengths; 0 where they overlap.
 HL_FN Real interval_gap(Real a, Real half_a, Real b, Real half_b)
 {
@@ -400,23 +433,6 @@ struct GiveBack {
         p.place[i] = {};
         p.content[i] = given;
         p.alive[i] = 1;
-    }
-};
-
-/// Adds up squares of the speeds that the cloth has left.
-struct SumSpeeds {
-    Particles p;
-    std::int64_t* total; ///< quanta
-    int* largest;        ///< bits of the largest away from the cloth; squares are positive, so their bits order like integers
-
-    static constexpr double quantum = 1e-12; ///< m2/s2
-    HL_FN std::int64_t operator()(int i) const
-    {
-        if (!p.alive[i]) return 0;
-        constexpr float moves = 1.0F; // m2/s2, far more than at rest; without a bound the sum of many could overflow
-        const auto whole = static_cast<float>(dot(p.velocity[i], p.velocity[i])), square = whole < moves ? whole : moves;
-        if (p.cloth[i].surface_share <= Real(0)) atomic_max_of_all(largest, ordered_bits(square));
-        return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
     }
 };
 

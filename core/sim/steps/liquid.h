@@ -60,6 +60,7 @@ HL_FN Quad far_away() { return {Real(1e6), Real(1e6), Real(1e6), 0}; }
 /// from here on; returns how many they are.
 struct BeginStep {
     Particles p;
+    Real kept;           ///< of the pressure
     int* moved;          ///< greatest displacements towards x, y, z, -x, -y and -z, in parts of the spacing
     std::int64_t* total; ///< dead
     HL_FN std::int64_t operator()(int i) const
@@ -69,7 +70,7 @@ struct BeginStep {
             return 1;
         }
         const Vec3 &x = p.position[i], &v = p.velocity[i];
-        p.place[i] = {x.x, x.y, x.z, kept_pressure * p.place[i].w};
+        p.place[i] = {x.x, x.y, x.z, kept * p.place[i].w};
         p.motion[i] = {v.x, v.y, v.z, p.size(i)};
         p.standing[i] = {x.x, x.y, x.z, p.size(i)};
         const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
@@ -134,34 +135,26 @@ struct FindBox {
 /// Brings particles into cell order. What lies behind the living is far away from then on.
 struct Reorder {
     const int* order;
-    const Vec3* position;
-    const Vec3* velocity;
-    const Vec3* wall_normal;
-    const Real* wall_distance;
-    const int* wall_segment;
-    const Quad* place;
-    const Real* stress;
-    const std::int64_t* content;
-    const ClothExpansion* cloth_from;
     const int* key;
     const int* dead_key;
+    Particles p;
     Particles to;
     static constexpr bool wide = true;
 
     HL_FN void operator()(int i) const
     {
         const int from = order[i];
-        to.position[i] = position[from];
-        to.velocity[i] = velocity[from];
-        to.wall_normal[i] = wall_normal[from];
-        to.wall_distance[i] = wall_distance[from];
-        to.wall_segment[i] = wall_segment[from];
-        to.content[i] = content[from];
-        copy_together(to.cloth_from[i], cloth_from[from]);
-        if (stress) to.stress[i] = stress[from];
+        to.position[i] = p.position[from];
+        to.velocity[i] = p.velocity[from];
+        to.wall_normal[i] = p.wall_normal[from];
+        to.wall_distance[i] = p.wall_distance[from];
+        to.wall_segment[i] = p.wall_segment[from];
+        to.content[i] = p.content[from];
+        copy_together(to.cloth_from[i], p.cloth_from[from]);
+        if (p.stress) to.stress[i] = p.stress[from];
         to.alive[i] = key[from] != *dead_key;
-        const Vec3 &x = position[from], &v = velocity[from];
-        to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, place[from].w} : far_away();
+        const Vec3 &x = p.position[from], &v = p.velocity[from];
+        to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, p.place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, to.size(i)};
         to.standing[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
         to.predicted[i] = far_away(); // a living one's is foreseen before anyone asks for it
@@ -184,14 +177,12 @@ struct FindNeighbours {
         const Real near_reach = p.support + *skin, reach = p.reach + *skin, reach2 = reach * reach, support2 = near_reach * near_reach;
         int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
         int near_count = 0, distant_count = 0;
-        for_runs({*grid, x, reach}, [&](int j, int end) {
-            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
-            const Pack distance2 = dx * dx + dy * dy + dz * dz;
-            const auto others = lanes_below(end - j) & lanes_but(i - j) & (distance2 < reach2);
+        for_candidates({*grid, x, reach}, i, [&](const auto& wanted, const auto& j, const Pack& distance2) {
+            const auto others = wanted & (distance2 < reach2);
             // What there is no room for is left out, which only happens where many are pressed together.
-            if (near_count <= most_near - lanes) near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count);
-            if (distant_count <= most_distant - lanes)
-                distant_count += list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count);
+            near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count, near_count <= most_near - lanes);
+            distant_count +=
+                list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count, distant_count <= most_distant - lanes);
         });
         for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.room);
         for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.room);
@@ -231,29 +222,48 @@ private:
     };
 
 #if HL_LANE_IS_THREAD
-    /// Each lane looks at a row of cells; then all go through what each has found.
-    template <typename Visit> HL_FN static void for_runs(const Cells& cells, const Visit& visit)
+    /// Each lane looks at a row of cells; then all go through what they have found together, whole packs whatever each has.
+    template <typename Visit> HL_FN void for_candidates(const Cells& cells, int i, const Visit& visit) const
     {
         const int wide = cells.y1 - cells.y0 + 1, rows = wide * (cells.z1 - cells.z0 + 1);
-        for (int first = 0; first < rows; first += lanes) {
+        for (int first = 0, end = largest_beside(rows); first < end; first += lanes) {
             const int row = first + own_lane(), y = cells.y0 + row % wide, z = cells.z0 + row / wide;
             const Run own = row < rows ? cells.run(y, z) : Run{0, 0};
-            for (unsigned left = lanes_where(own.first < own.end); left != 0; left &= left - 1) {
-                const int lane = lowest_bit(left), end = of_lane(own.end, lane);
-                for (int j = of_lane(own.first, lane); j < end; j += lanes) visit(j, end);
+            const int before_end = sum_up_to_lane(own.end - own.first), all = of_lane(before_end, lanes - 1);
+            const int first_less_before = own.end - before_end;
+            const auto candidate = [&](int k) { return k + of_lane(first_less_before, lane_reaching(before_end, k)); };
+            int j = candidate(own_lane());
+            Quad other = p.standing[own_lane() < all ? j : i];
+            for (int k = own_lane(), left = largest_beside(all); left > 0; left -= lanes, k += lanes) {
+                const int next_j = candidate(k + lanes);
+                const Quad next = p.standing[k + lanes < all ? next_j : i]; // is on its way while this one is looked at
+                const Vec3 d = cells.x - Vec3{other.x, other.y, other.z};
+                visit(k < all && j != i, j, dot(d, d));
+                j = next_j;
+                other = next;
             }
         }
     }
+    /// The first lane up to whose own sum there are more than k.
+    HL_FN static int lane_reaching(int sum, int k)
+    {
+        int lane = 0;
+        for (int half = lanes / 2; half > 0; half /= 2)
+            if (of_lane(sum, lane + half - 1) <= k) lane += half;
+        return lane;
+    }
 #else
     static constexpr int most_runs = 64; // cells are no smaller than half the reach
-    template <typename Visit> HL_FN static void for_runs(const Cells& cells, const Visit& visit)
+    template <typename Visit> HL_FN void for_candidates(const Cells& cells, int i, const Visit& visit) const
     {
         Run runs[most_runs + 1];
         const int run_count = find_runs(cells, runs);
         Run now = runs[0];
         for (int run = 0; run < run_count;) {
             const int j = now.first;
-            visit(j, now.end);
+            const Vec3& x = cells.x;
+            const Pack dx = x.x - load(p.listed_x + j), dy = x.y - load(p.listed_y + j), dz = x.z - load(p.listed_z + j);
+            visit(lanes_below(now.end - j) & lanes_but(i - j), j, dx * dx + dy * dy + dz * dz);
             // Runs are short: without branches from one to the next.
             const Run next = runs[run + 1];
             const bool ends = j + lanes >= now.end;
@@ -347,10 +357,10 @@ HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, 
 
 /// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
 /// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
-HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Packs& push)
+HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Vec3& push)
 {
     // The cloth only bounds the density: its own force is what does no work where the density stays.
-    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * sum_of(push) - (p.place[i].w / liquid.density) * p.cloth[i].slope;
+    Vec3 a = -(p.mass / (liquid.density * liquid.density)) * push - (p.place[i].w / liquid.density) * p.cloth[i].slope;
     if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
     p.pressure_force[i] = a;
     const Real dt = liquid.step->dt;
@@ -369,7 +379,6 @@ struct FindForces {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i]) return;
         const Real volume = p.mass / liquid.density;
         const Real smallest = Real(0.01) * p.support * p.support;
         const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
@@ -393,12 +402,15 @@ struct FindForces {
             const Quads others = gather(p.standing, slots);
             forces += others.w * surface_forces(p, surface, between(place, others), slots);
         });
-        Vec3 a = (volume / liquid.density) * sum_of(forces);
+        const Vec3 force = sum_of(forces), pressure = sum_of(pressed);
+        const Real kernel = sum_of(kernels);
+        if (!p.alive[i]) return;
+        Vec3 a = (volume / liquid.density) * force;
         a.z -= liquid.gravity;
         const ClothField& cloth = p.cloth[i];
         a += (Real(1) / liquid.density) *
              (surface.w * cloth.surface_slope - ClothExpansion::times(cloth.bend, {surface.x, surface.y, surface.z}) + cloth.adhesion);
-        Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) + liquid.density * (cloth.share - Real(1));
+        Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + kernel) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
             excess += liquid.density * kernel_beyond_plane(distance, p.support);
@@ -411,7 +423,7 @@ struct FindForces {
         }
         p.force[i] = a;
         p.allowed[i] = excess > 0 ? liquid.step->kept_excess * excess : Real(0);
-        predict(p, liquid, i, pressed);
+        predict(p, liquid, i, pressure);
     }
 };
 
@@ -458,7 +470,8 @@ struct FindPressureForce {
             const Quads others = gather(p.place, slots);
             push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
-        if (p.alive[i]) predict(p, liquid, i, push);
+        const Vec3 sum = sum_of(push);
+        if (p.alive[i]) predict(p, liquid, i, sum);
     }
 };
 

@@ -53,13 +53,14 @@ struct LiquidControl {
     StepNumbers step;               ///< of this step
     int last = 0;                   ///< whether this step ends when liquid and yarns meet
     int count = 0;                  ///< particles, with those that died since neighbours were listed
-    int pressing = 0;               ///< particles that the next round of pressure is for: all or none
-    int drinking = 0;               ///< particles that yarns drink from in this step: all or none
+    int side = 0;                   ///< where the particles are: see LiquidFlow
     int budget = 0;                 ///< steps to take before somebody else has a look
     std::int64_t steps = 0, rounds = 0, listings = 0;
     Flag goes;    ///< another step follows
+    Flag begins;  ///< what neighbours read is not of this step yet
     Flag lists;   ///< neighbours must be listed
-    Flag presses; ///< more rounds of pressure follow
+    Flag presses; ///< another round of pressure follows
+    Flag drinks;  ///< yarns drink from the particles in this step
     Flag drains;  ///< the liquid sleeps until liquid and yarns meet: it only drains
 
     CellGrid grid;
@@ -90,19 +91,15 @@ struct LiquidControl {
     std::int64_t drunk = 0;                        ///< quanta since the liquid fell asleep
 };
 
-/// The same control on another machine, which has memory and conditions of its own and lists neighbours anew.
+/// The same control on another machine, which has memory of its own and lists neighbours anew.
 inline LiquidControl moved_to(LiquidControl control, const LiquidControl& own)
 {
     control.grid = own.grid;
     control.listed_for = 0;
-    control.goes = own.goes;
-    control.lists = own.lists;
-    control.presses = own.presses;
-    control.drains = own.drains;
     return control;
 }
 
-/// Numbers of the next step, and everything that it counts from anew.
+/// Numbers of the next step, and what it counts from anew.
 HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
 {
     const double left = c.sync_time - c.time, steps = LiquidRules::steps_to(left, c.longest_dt);
@@ -114,9 +111,16 @@ HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
     c.step.stiffness = static_cast<Real>(rules.stiffness / (c.dt * c.dt));
     c.step.friction = static_cast<Real>(friction_coefficient / c.hurry);
     c.step.drag = static_cast<Real>(rules.drag * c.dt / rules.thinnest2 / c.hurry);
+    c.fastest = c.largest = c.round = 0;
+    c.error = c.squares = 0;
+}
+
+/// Nothing has been found yet of what particles have moved since neighbours were listed.
+HL_FN void forget_moves(LiquidControl& c)
+{
     for (int& most : c.moved) most = least_int / 2;
-    c.farthest = c.fastest = c.largest = c.round = 0;
-    c.dead = c.error = c.squares = 0;
+    c.farthest = 0;
+    c.dead = 0;
 }
 
 /// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
@@ -154,8 +158,8 @@ HL_FN void decide_next(LiquidControl& c, const LiquidRules& rules)
     const bool drains = flows && c.asleep && drink_after(c, c.sync_time - c.time, true, 1);
     const bool goes = flows && !c.asleep && c.budget > 0;
     if (goes) plan_step(c, rules);
-    c.drains.set(drains);
-    c.goes.set(goes);
+    c.drains.on = drains;
+    c.goes.on = goes;
 }
 
 struct BeginFlow {
@@ -163,6 +167,9 @@ struct BeginFlow {
     LiquidRules rules;
     HL_FN void operator()(int) const
     {
+        control->side = 0;
+        control->begins.on = 1;
+        forget_moves(*control);
         if (control->asleep) wake(*control, rules);
         decide_next(*control, rules);
     }
@@ -188,7 +195,9 @@ struct DecideListing {
             for (int& most : c.box) most = least_int;
         }
         ++c.listed_for;
-        c.lists.set(!holds);
+        c.lists.on = !holds;
+        c.begins.on = 0;
+        forget_moves(c);
     }
 };
 
@@ -218,34 +227,50 @@ private:
     HL_FN static std::int64_t cells(int low, int high, int shift) { return std::int64_t((high >> shift) - (low >> shift) + 1); }
 };
 
-/// After particles were sorted: the dead are left behind.
+/// After particles were brought to the other side in their order: the dead are left behind.
 struct LeaveDead {
     LiquidControl* control;
-    HL_FN void operator()(int) const { control->count = control->grid.start[control->grid.cells()]; }
+    HL_FN void operator()(int) const
+    {
+        control->side = 1 - control->side;
+        control->count = control->grid.start[control->grid.cells()];
+    }
 };
 
 /// After rounds of pressure: whether another one must follow.
 struct EndRound {
     LiquidControl* control;
     double density_tolerance;
-    int rounds; ///< since it was asked last; one: unless it was said that none follows
+    int rounds; ///< since it was asked last
     HL_FN void operator()(int) const
     {
         LiquidControl& c = *control;
-        if (rounds == 1 && c.pressing == 0) return;
         if (c.count > 0) c.rounds += rounds;
         c.round += rounds;
         const bool enough = static_cast<double>(c.error) * 1e-6 < density_tolerance * c.count || c.count == 0;
         c.error = 0;
-        c.pressing = c.round < most_pressure_rounds && !enough ? c.count : 0;
-        if (rounds > 1) c.presses.set(c.pressing > 0);
+        c.presses.on = c.round < most_pressure_rounds && !enough;
     }
 };
 
-/// After particles were moved: capillary, advective and viscous limits of the next step, and whether yarns drink now.
+/// After yarns have drunk from particles, which have become smaller: what comes next.
+struct EndDrinking {
+    LiquidControl* control;
+    LiquidRules rules;
+    HL_FN void operator()(int) const
+    {
+        control->begins.on = 1;
+        forget_moves(*control);
+        decide_next(*control, rules);
+    }
+};
+
+/// After particles were moved: capillary, advective and viscous limits of the next step; whether the liquid has come to rest: it falls
+/// asleep, takes no steps and only drains; whether yarns drink now, and if not, what comes next.
 struct EndStep {
     LiquidControl* control;
     LiquidRules rules;
+    bool drinks; ///< whether any yarn does
     HL_FN void operator()(int) const
     {
         LiquidControl& c = *control;
@@ -257,18 +282,9 @@ struct EndStep {
         }
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
-        c.drinking = drink_after(c, c.dt, c.last, rules.settle_share > 0 ? steps_between_drinks : 1) ? c.count : 0;
-    }
-};
-
-/// Whether the liquid has come to rest: it falls asleep, takes no steps and only drains. And what comes next.
-struct WatchMotion {
-    LiquidControl* control;
-    LiquidRules rules;
-    HL_FN void operator()(int) const
-    {
-        if (rules.settle_share > 0 && control->count > 0) watch(*control);
-        decide_next(*control, rules);
+        if (rules.settle_share > 0 && c.count > 0) watch(c);
+        c.drinks.on = drinks && drink_after(c, c.dt, c.last, rules.settle_share > 0 ? steps_between_drinks : 1);
+        if (!c.drinks.on) decide_next(c, rules);
     }
 
 private:

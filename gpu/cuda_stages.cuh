@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What stages on a GPU have in common, wherever they are started from: threads that share an element, sums, sorting by counting.
+#pragma once
+
+#include "core/base/portable.h"
+#include "core/sim/order.h"
+
+#include <type_traits>
+
+namespace hygroloom {
+
+/// Threads that share an element.
+template <typename Stage> constexpr int threads_each() { return is_wide<Stage> ? lanes : 1; }
+
+/// Whether two stages in turn are better two kernels, where there are kernels: each with as many threads at once as its registers allow.
+template <typename Stage> constexpr bool stands_apart = false;
+template <typename First, typename Second> constexpr bool stands_apart<InTurn<First, Second>> = is_wide<First> && is_wide<Second>;
+
+/// Calls a stage for an element below end, if there is one, or with those beside it in the warp for the last once more: to the same result,
+/// so that whole warps come to what they tell each other. What it returns counts once; 0 if it returns nothing.
+template <typename Stage> __device__ std::int64_t call_stage(const Stage& stage, int i, int end)
+{
+    constexpr bool has_result = !std::is_void_v<decltype(stage(0))>;
+    const bool meant = i < end;
+    if constexpr (is_wide<Stage>) {
+        if (i - static_cast<int>(threadIdx.x % 32) / lanes >= end) return 0; // none of the warp's is meant
+        const int own = meant ? i : end - 1;
+        if constexpr (has_result) {
+            const std::int64_t part = stage(own);
+            return meant ? part : 0;
+        } else {
+            stage(own);
+        }
+    } else if (meant) {
+        if constexpr (has_result)
+            return stage(i);
+        else
+            stage(i);
+    }
+    return 0;
+}
+
+/// Adds up what the threads of a warp have found; of those that share an element, the first counts.
+__device__ inline void add_from_warp(std::int64_t* total, std::int64_t part, int each)
+{
+    for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);
+    if (threadIdx.x % 32 == 0 && part != 0) atomic_add(total, part);
+}
+
+/// To sort with.
+struct SortMemory {
+    int* many;   ///< elements of each key; nothing between sorts
+    int* number; ///< of each element among those of its key, as they came
+    int* member; ///< elements by keys
+};
+
+/// Gives each element a place among those of its cell, as they come.
+struct CountCells {
+    const int* key;
+    int* many; ///< of each cell
+    int* place;
+    HL_FN void operator()(int i) const { place[i] = take_number(many + key[i]); }
+    HL_FN static int take_number(int* many)
+    {
+#ifdef __CUDA_ARCH__
+        return atomicAdd(many, 1);
+#else
+        return (*many)++;
+#endif
+    }
+};
+
+/// Lists the members of each cell, as they came, and leaves the counts at nothing.
+struct ListMembers {
+    const int* key;
+    const int* start;
+    const int* place;
+    int* many;
+    int* member;
+    HL_FN void operator()(int i) const
+    {
+        member[start[key[i]] + place[i]] = i;
+        many[key[i]] = 0;
+    }
+};
+
+/// Brings the members of each cell but the last into their order, which does not depend on who came first.
+struct OrderMembers {
+    const int* key;
+    const int* start;
+    const int* place;
+    const int* member;
+    const int* last;
+    int* order;
+    HL_FN void operator()(int i) const
+    {
+        const int cell = key[i], first = start[cell];
+        int before = 0;
+        if (cell == *last)
+            before = place[i];
+        else
+            for (int k = first, end = start[cell + 1]; k < end; ++k) before += member[k] < i ? 1 : 0;
+        order[first + before] = i;
+    }
+};
+
+} // namespace hygroloom
