@@ -251,13 +251,15 @@ public:
         if (stage_clock_ || !cooperates_ || most > many) return order(*this);
         int fit = 0;
         check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order>, grid_threads, 0), "asking for its room");
-        const int share = std::max(1, std::min(1, fit) * processors_ / std::max(1, scenes_on(device_).load()));
+        if (fit == 0) return order(*this);
+        const int share = std::max(1, processors_ / std::max(1, scenes_on(device_).load())); // a block on each fills it
         const int blocks = std::min(share, (most * lanes + grid_threads - 1) / grid_threads);
         GridMemory memory{meeting_.data(), sums_.data(), sort_memory()};
         void* arguments[] = {const_cast<Order*>(&order), &memory};
         check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order>, dim3(static_cast<unsigned>(blocks)), dim3(grid_threads), arguments, 0,
                                                own_stream),
                    "starting the liquid's steps");
+        // A copy that waits would stand in the way of other scenes' work, which comes through the same queues.
         check_cuda(cudaStreamSynchronize(own_stream), "the liquid's steps");
     }
     /// Within an order gone through from here: goes through the body as long as the flag is set.
@@ -339,12 +341,15 @@ private:
         return on != 0;
     }
 
-    Buffer<unsigned> came_; ///< blocks of the kernel that runs: see is_last_block()
+    int device_ = 0;
+    int most_shared_ = 0;                     ///< bytes of shared memory for a block
+    int processors_ = 0;                      ///< that blocks run on
+    int cooperates_ = 0;                      ///< whether all blocks of a kernel can be had at a time
+    Buffer<unsigned> came_;                   ///< blocks of the kernel that runs: see is_last_block()
     std::unique_ptr<StageClock> stage_clock_; ///< none: nothing is timed
-    int device_ = 0, most_shared_ = 0, processors_ = 0, cooperates_ = 0; ///< bytes of shared memory for a block; what blocks run on
-    Buffer<double> line_room_;                                           ///< see LineRoom
-    Buffer<GridMeeting> meeting_;                                        ///< see GridMemory
-    Buffer<int> sums_;
+    Buffer<double> line_room_;                ///< see LineRoom
+    Buffer<GridMeeting> meeting_;             ///< see GridMemory
+    Buffer<int> sums_;                        ///< the same
     Buffer<int> many_, number_, member_; ///< see SortMemory
     Buffer<unsigned char> scratch_;      ///< to add up with
 };
