@@ -137,11 +137,8 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
                    saturation_concentration(temperature);
-    // The psychrometer's balance with the slope of the saturation curve at the air's temperature taken as its chord over 1 K.
-    const double slope = saturation_concentration(temperature) - saturation_concentration(temperature - 1.0);
-    const double latent = mass_transfer(convection, temperature) * heat_of_evaporation(temperature);
-    const double dry_transfer = convection + radiative_heat_transfer(temperature);
-    b.wet_bulb_depression = latent * (1.0 - humidity) * saturation_concentration(temperature) / (dry_transfer + latent * slope);
+    b.wet_bulb_depression = wet_bulb_depression(convection + radiative_heat_transfer(temperature), mass_transfer(convection, temperature),
+                                                temperature, humidity);
     return b;
 }
 

@@ -167,6 +167,12 @@ struct Scene {
     int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
 };
 
+/// The air at a moment (s).
+SceneClimate air_at(const Scene& scene, double time);
+
+/// Switches parts on and off as the plan has them; nothing else of the scene, and nothing of its start, changes.
+void set_parts(Scene& scene, const ModelPlan& plan);
+
 /// Precondition: plan_model() made the plan for these.
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);
 
