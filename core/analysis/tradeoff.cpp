@@ -174,6 +174,10 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
         a.knobs.step_error != b.knobs.step_error || a.knobs.saturation_change != b.knobs.saturation_change ||
         a.knobs.network_step_limit != b.knobs.network_step_limit)
         return false;
+    const auto watches = [](const ModelPlan& plan) {
+        return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
+    };
+    if ((watches(a) || watches(b)) && a.knobs.neglected_share != b.knobs.neglected_share) return false;
     return !a.on("liquid") || (a.knobs.density_tolerance == b.knobs.density_tolerance && a.knobs.settle_share == b.knobs.settle_share);
 }
 
