@@ -315,6 +315,7 @@ template <typename Executor> void Solver<Executor>::choose_exchange_step(double 
 template <typename Executor> void Solver<Executor>::exchange(double dt)
 {
     exchange_time_ = time_;
+    if (!scene_.sorption && !scene_.vapour) exchange_dt_ = exchange_limit(); // nothing is exchanged that steps would have to follow
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
     if (scene_.swelling > 0) swell();
