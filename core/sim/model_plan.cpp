@@ -241,7 +241,8 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     plan.parts.push_back(
         new_climate && (sorption || b.delivered <= 0)
             ? decide("vapour", moist && sorption, "What fibres exchange comes and goes as vapour.", forced)
-            : decide_by("vapour", {evaporated, moist && evaporated > 0, "what would have evaporated wherever the cloth has really got wet"},
+            : decide_by("vapour",
+                        {evaporated, moist && evaporated > 0, "what would evaporate until the end wherever the cloth has really got wet"},
                         share_reason("Evaporation from both faces of the area that can get wet takes", evaporated), knobs, forced));
     const bool vapour = plan.parts.back().on;
     const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour && b.delivered > 0 ? b.wet_bulb_depression : 0.0;

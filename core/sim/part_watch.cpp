@@ -23,11 +23,18 @@ template <typename Visit> void each_segment(const Scene& scene, const Visit& vis
 
 double dry_mass(const YarnParameters& yarn, double length) { return yarn.fibre_area * yarn.fibre_density * length; }
 
+/// At which a wet face gives vapour to the air of a moment (s), kg/(m2 s).
+double drying_rate(const Scene& scene, double time)
+{
+    const SceneClimate air = air_at(scene, time);
+    return air.mass_transfer * (1.0 - air.humidity) * saturation_concentration(scene.climate.temperature + air.air_warmth);
+}
+
 const char* what_it_is(const std::string& part)
 {
     return part == "sorption" ? "what the fibres could take up where the cloth had got wet"
-           : part == "vapour" ? "what would have evaporated by then where the cloth had got wet"
-                              : "how much temperature could have changed a rate by then";
+           : part == "vapour" ? "what would evaporate in all where the cloth had got wet"
+                              : "how much temperature could change a rate";
 }
 
 } // namespace
@@ -42,7 +49,8 @@ std::string in_words(const SwitchedPart& part)
                        part.time, what_it_is(part.name), 100 * part.share, 100 * part.limit, 100 * part.estimate);
 }
 
-PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan) : scene_(scene), water_at_stake_(plan.water_at_stake)
+PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
+    : scene_(scene), duration_(plan.counts.duration), water_at_stake_(plan.water_at_stake)
 {
     for (const PlannedPart& part : plan.parts)
         if (part.watched) watched_.push_back({{part.name, 0, 0, plan.knobs.neglected_share, part.share.value_or(0)}, false});
@@ -54,10 +62,8 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
 {
     std::vector<SwitchedPart> over;
     if (std::all_of(watched_.begin(), watched_.end(), [](const Watched& watched) { return watched.told; })) return over;
-    const SceneClimate air = air_at(scene_, frame.time);
-    const double saturated = saturation_concentration(scene_.climate.temperature + air.air_warmth);
     const WetCloth wet = wet_cloth(frame);
-    const double rate = wet.area * air.mass_transfer * (1.0 - air.humidity) * saturated;
+    const double rate = wet.area * drying_rate(scene_, frame.time);
     evaporated_ += 0.5 * (rate_ + rate) * (frame.time - time_);
     rate_ = rate;
     time_ = frame.time;
@@ -90,6 +96,22 @@ PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
     return wet;
 }
 
+/// What a wet face gives to the air from a moment to the end, kg/m2; between the climate's moments by their mean.
+double PartWatch::dries_until_end(double from) const
+{
+    double dried = 0, rate = drying_rate(scene_, from);
+    const auto on_to = [&](double time) {
+        const double then = drying_rate(scene_, time);
+        dried += 0.5 * (rate + then) * (time - from);
+        rate = then;
+        from = time;
+    };
+    for (const SceneClimate& moment : scene_.course)
+        if (moment.time > from && moment.time < duration_) on_to(moment.time);
+    on_to(duration_);
+    return dried;
+}
+
 /// Of any segment by what its fibres have taken up or given since the start, if nothing of the heat had escaped, K.
 double PartWatch::warming(const Frame& frame) const
 {
@@ -110,7 +132,7 @@ double PartWatch::warming(const Frame& frame) const
 double PartWatch::share_of(const std::string& part, const Frame& frame, const WetCloth& wet, bool sorption, bool vapour) const
 {
     if (part == "sorption") return wet.thirst / water_at_stake_;
-    if (part == "vapour") return evaporated_ / water_at_stake_;
+    if (part == "vapour") return (evaporated_ + wet.area * dries_until_end(frame.time)) / water_at_stake_;
     const SceneClimate air = air_at(scene_, frame.time);
     const double cooling = vapour && wet.area > 0 ? wet_bulb_depression(air.heat_transfer, air.mass_transfer,
                                                                         scene_.climate.temperature + air.air_warmth, air.humidity)
