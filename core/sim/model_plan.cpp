@@ -28,6 +28,7 @@ struct Bounds {
     double evaporated = 0;          // kg from both its faces in the duration
     double temperature_rise = 0;    // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
+    double slowed = 0;              // share of the evaporation that this holds back
     double finest = 0;              // m, height of the thinnest yarn
     std::size_t drops = 0;          // that fall
     double smallest_angle = 180;    // degrees, of contact
@@ -139,8 +140,9 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
                    saturation_concentration(temperature);
-    b.wet_bulb_depression = wet_bulb_depression(convection + radiative_heat_transfer(temperature), mass_transfer(convection, temperature),
-                                                temperature, humidity);
+    const double dry_transfer = convection + radiative_heat_transfer(temperature), wet_transfer = mass_transfer(convection, temperature);
+    b.wet_bulb_depression = wet_bulb_depression(dry_transfer, wet_transfer, temperature, humidity);
+    b.slowed = cooling_slows_evaporation(dry_transfer, wet_transfer, temperature);
     return b;
 }
 
@@ -249,17 +251,18 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     double change = conditioning ? std::abs(experiment.initial.temperature_c - experiment.climate.temperature_c) : 0.0;
     for (const ClimateMoment& moment : experiment.climates)
         change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
-    const double effect = change_per_kelvin * std::max({warming, cooling, change});
+    const double slowed = vapour && b.delivered > 0 ? b.slowed * std::min(1.0, evaporated) : 0.0;
+    const double rates = change_per_kelvin * std::max({warming, cooling, change}), effect = std::max(rates, slowed);
     const bool may_follow = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
-    plan.parts.push_back(
-        decide_by("heat",
-                  {effect, moist && (effect > 0 || may_follow),
-                   "how far what fibres have really taken up and what evaporates change the temperature"},
-                  fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
-                              "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
-                              "fidelity.",
-                              warming, cooling, change, 100 * effect, 100 * knobs.neglected_share),
-                  knobs, forced));
+    plan.parts.push_back(decide_by(
+        "heat",
+        {effect, moist && (effect > 0 || may_follow),
+         "how far what fibres have really taken up and what evaporates change the temperature"},
+        fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
+                    "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate. The cooling holds back at most {:.3g} % of the "
+                    "water from evaporating. Parts below {:.3g} % are left out at this fidelity.",
+                    warming, cooling, change, 100 * rates, 100 * slowed, 100 * knobs.neglected_share),
+        knobs, forced));
 }
 
 /// Whether only the cloth near the water is visited, a region that grows.

@@ -34,7 +34,7 @@ const char* what_it_is(const std::string& part)
 {
     return part == "sorption" ? "what the fibres could take up where the cloth had got wet"
            : part == "vapour" ? "what would evaporate in all where the cloth had got wet"
-                              : "how much temperature could change a rate";
+                              : "how much temperature could change a rate or the water";
 }
 
 } // namespace
@@ -133,11 +133,16 @@ double PartWatch::share_of(const std::string& part, const Frame& frame, const We
 {
     if (part == "sorption") return wet.thirst / water_at_stake_;
     if (part == "vapour") return (evaporated_ + wet.area * dries_until_end(frame.time)) / water_at_stake_;
-    const SceneClimate air = air_at(scene_, frame.time);
-    const double cooling = vapour && wet.area > 0 ? wet_bulb_depression(air.heat_transfer, air.mass_transfer,
-                                                                        scene_.climate.temperature + air.air_warmth, air.humidity)
-                                                  : 0.0;
-    return change_per_kelvin * std::max(sorption ? warming(frame) : 0.0, cooling);
+    double effect = sorption ? change_per_kelvin * warming(frame) : 0.0;
+    if (vapour && wet.area > 0) {
+        const SceneClimate air = air_at(scene_, frame.time);
+        const double temperature = scene_.climate.temperature + air.air_warmth;
+        const double dried = std::max(0.0, frame.ledger.water_evaporated) + wet.area * dries_until_end(frame.time);
+        effect = std::max(
+            {effect, change_per_kelvin * wet_bulb_depression(air.heat_transfer, air.mass_transfer, temperature, air.humidity),
+             cooling_slows_evaporation(air.heat_transfer, air.mass_transfer, temperature) * std::min(1.0, dried / water_at_stake_)});
+    }
+    return effect;
 }
 
 } // namespace hygroloom
