@@ -367,6 +367,8 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.step_error = plan.knobs.step_error;
     scene.rest_tolerance = plan.rest_tolerance;
     scene.saturation_change = plan.knobs.saturation_change;
+    scene.liquid_step_factor = plan.knobs.liquid_step_factor;
+    scene.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
     scene.density_tolerance = plan.knobs.density_tolerance;
     scene.settle_share = plan.knobs.settle_share;
     scene.seed = seed;
