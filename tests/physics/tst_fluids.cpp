@@ -67,6 +67,19 @@ private Q_SLOTS:
         QVERIFY(within(convective_heat_transfer(1.0, 0.08), 13.9, 0.01));
         QVERIFY(within(mass_transfer(13.9, 293.15), 1.26e-2, 0.01));
     }
+    void aWetFaceSettlesAsThePsychrometersConstantSays()
+    {
+        // FAO 56 (Allen and others 1998), tables 2.2 and 2.4: 66.5 Pa/K at 101.3 kPa, slopes of 82, 145 and 244 Pa/K at 10, 20 and 30 C.
+        for (const auto& [celsius, slope] : {std::pair(10.0, 82.0), std::pair(20.0, 145.0), std::pair(30.0, 244.0)}) {
+            const double temperature = kelvin_from_celsius(celsius), transfer = 20.0;
+            const double slows = cooling_slows_evaporation(transfer, mass_transfer(transfer, temperature), temperature);
+            QVERIFY2(std::abs(slows / (slope / (slope + 66.5)) - 1) < 0.05, qPrintable(QString("%1 at %2 C").arg(slows).arg(celsius)));
+            const double colder = wet_bulb_depression(transfer, mass_transfer(transfer, temperature), temperature, 0.98);
+            QVERIFY2(std::abs(colder / (0.02 * saturation_pressure(temperature) / (slope + 66.5)) - 1) < 0.08,
+                     qPrintable(QString("%1 K at %2 C").arg(colder).arg(celsius)));
+        }
+        QCOMPARE(wet_bulb_depression(20, 0.02, 293.15, 1.0), 0.0);
+    }
     void stillAirIsTheLeast() { QCOMPARE(convective_heat_transfer(0.0, 0.08), still_air_heat_transfer); }
     void conductivityOfCottonLiesBetweenItsParts()
     {
