@@ -356,7 +356,8 @@ private Q_SLOTS:
         }
         collector.add(*frame);
         playback.append(frame, std::make_shared<const Metrics>(collector.metrics()));
-        QVERIFY2(panel.text().contains("Vapour was left out until 20 s") && panel.text().contains("1.03 %, over the 1 %"), qPrintable(panel.text()));
+        QVERIFY2(panel.text().contains("Vapour was left out until 20 s") && panel.text().contains("1.03 %, over the 1 %"),
+                 qPrintable(panel.text()));
     }
 
 private:
