@@ -106,6 +106,7 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
         collector.add(*frame);
         if (see) see(frame);
     };
+    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
     callbacks.progress = [&](const RunProgress& progress) { bar.tell(run, progress); };
     FinishedRun finished;
     callbacks.device_failed = [&](const std::string& sentence) {

@@ -60,6 +60,9 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
         if (part.forced) {
             state += tr(", as you asked");
         }
+        if (part.watched) {
+            state += tr(", watched");
+        }
         html += "<tr><td width='16%'><b>" + text(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + text(part.reason) + "</td></tr>";
     }
     html += "</table><p><b>" + tr("Region.") + "</b> "

@@ -45,6 +45,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
             collector.add(*frame);
             post([this, frame, metrics = std::make_shared<const Metrics>(collector.metrics())] { Q_EMIT frameArrived(frame, metrics); });
         };
+        callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
         callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
         Outcome outcome = Outcome::finished;
         QString sentence;

@@ -128,6 +128,7 @@ void MetricsCollector::start(const RunRecord& run)
     regain_at_start_.clear();
     edge_time_.reset();
     had_free_water_ = false;
+    for (const SwitchedPart& part : run.switched_on) add(part);
 }
 
 void MetricsCollector::add(const Frame& frame)
@@ -179,6 +180,8 @@ void MetricsCollector::add(const Frame& frame)
     else if (had_free_water_ && !metrics_.absorbency_time)
         metrics_.absorbency_time = frame.time;
 }
+
+void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(in_words(part)); }
 
 Metrics MetricsCollector::metrics() const
 {

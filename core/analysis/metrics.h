@@ -59,6 +59,8 @@ class MetricsCollector {
 public:
     void start(const RunRecord& run);
     void add(const Frame& frame);
+    /// A part was switched on while running. Those of a recording are in the record that it starts with.
+    void add(const SwitchedPart& part);
     /// Of the frames so far.
     Metrics metrics() const;
 

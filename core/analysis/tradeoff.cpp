@@ -27,8 +27,8 @@ KnobSettings coarsened(const Knobs& reference, double factor)
     for (const KnobInfo& knob : knob_table()) {
         const double value = reference.*knob.value;
         if (value == 0) continue;
-        const double coarse = knob.whole ? std::round(value / factor) : value * factor;
-        settings[knob.name] = std::clamp(coarse, knob.least, knob.most);
+        const double coarse = knob.cheaper < knob.finer ? value / factor : value * factor;
+        settings[knob.name] = std::clamp(knob.whole ? std::round(coarse) : coarse, knob.least, knob.most);
     }
     return settings;
 }
@@ -174,7 +174,13 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
         a.knobs.step_error != b.knobs.step_error || a.knobs.saturation_change != b.knobs.saturation_change ||
         a.knobs.network_step_limit != b.knobs.network_step_limit)
         return false;
-    return !a.on("liquid") || (a.knobs.density_tolerance == b.knobs.density_tolerance && a.knobs.settle_share == b.knobs.settle_share);
+    const auto watches = [](const ModelPlan& plan) {
+        return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
+    };
+    if ((watches(a) || watches(b)) && a.knobs.neglected_share != b.knobs.neglected_share) return false;
+    return !a.on("liquid") ||
+           (a.knobs.density_tolerance == b.knobs.density_tolerance && a.knobs.settle_share == b.knobs.settle_share &&
+            a.knobs.liquid_step_factor == b.knobs.liquid_step_factor && a.knobs.steps_between_drinks == b.knobs.steps_between_drinks);
 }
 
 void OutcomeCollector::start(const RunRecord& run)

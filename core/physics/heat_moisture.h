@@ -37,4 +37,21 @@ HL_FN double phase_change_rate(double fibre_fraction, double fibre_radius, doubl
     return pore_mass_transfer * 2.0 * fibre_fraction / fibre_radius / pore_fraction;
 }
 
+/// Share by which its own cooling slows what evaporates from a wet face: the psychrometer's balance of heat (W/(m2 K)) and vapour (m/s)
+/// with the air, with the slope of the saturation curve at the air's temperature (K) taken as its chord over 1 K.
+HL_FN double cooling_slows_evaporation(double heat_transfer, double mass_transfer, double temperature)
+{
+    const double slope = saturation_concentration(temperature) - saturation_concentration(temperature - 1.0);
+    const double latent = mass_transfer * heat_of_evaporation(temperature);
+    return latent * slope / (heat_transfer + latent * slope);
+}
+
+/// How much colder than the air such a face settles, K, by the same balance. Humidity 0..1.
+HL_FN double wet_bulb_depression(double heat_transfer, double mass_transfer, double temperature, double humidity)
+{
+    const double slope = saturation_concentration(temperature) - saturation_concentration(temperature - 1.0);
+    const double slows = cooling_slows_evaporation(heat_transfer, mass_transfer, temperature);
+    return slows * (1.0 - humidity) * saturation_concentration(temperature) / slope;
+}
+
 } // namespace hygroloom

@@ -58,7 +58,8 @@ double particle_steps(const ModelPlan& plan)
     const SceneCounts& scene = plan.counts;
     const double volume = std::max(1e-18, scene.drop_volume);
     const double support = 2.0 * std::cbrt(volume / std::max(1, plan.particles_per_droplet));
-    const double step = usual_step * 0.25 * std::sqrt(density * support * support * support / (2.0 * pi * tension));
+    const double step =
+        plan.knobs.liquid_step_factor * usual_step * 0.25 * std::sqrt(density * support * support * support / (2.0 * pi * tension));
     const double moves = std::min(moving_times * std::sqrt(density * volume / tension), scene.duration), rest = scene.duration - moves;
     const bool drunk = plan.on("wicking"), sleeps = plan.knobs.settle_share > 0;
     const double drinks = drunk ? std::min(rest, drinking * volume / drunk_volume * suction / std::max(0.01, scene.suction)) : rest;

@@ -24,6 +24,10 @@ constexpr KnobInfo table[] = {
      "change of saturation that a step of the yarns aims at while free liquid or pools are about"},
     {"step_error", &Knobs::step_error, "", 1e-7, 0.1, false, 1e-3, 2.5e-4,
      "share of the water and heat at stake that a step without free liquid may misplace"},
+    {"liquid_step_factor", &Knobs::liquid_step_factor, "", 0.1, 1, false, 1, 0.5,
+     "step of the free liquid over the longest that flow, viscosity and surface waves allow"},
+    {"steps_between_drinks", &Knobs::steps_between_drinks, "", 1, 64, true, 16, 4,
+     "steps of the free liquid in which yarns drink from it once"},
     {"density_tolerance", &Knobs::density_tolerance, "", 1e-4, 0.2, false, 0.02, 0.005,
      "mean error of the liquid's density at which its pressure is found well enough"},
     {"settle_share", &Knobs::settle_share, "", 0, 0.5, false, 0.02, 0.005,
@@ -69,9 +73,9 @@ std::span<const KnobInfo> knob_table() { return table; }
 Knobs knobs_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {2000, 5, 20e-3, 0.2, 2e-3, 0.02, 0.03, 1e-3, 0.01};
-    case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 0.01, 0.01, 1e-4, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 0.01, 0.0, 1e-6, 0.0};
+    case Fidelity::draft: return {2000, 5, 20e-3, 0.2, 2e-3, 1, 8, 0.02, 0.03, 1e-3, 0.01};
+    case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 1, 1, 0.01, 0.0, 1e-6, 0.0};
     }
     return {};
 }

@@ -24,6 +24,8 @@ struct Knobs {
     double network_step_limit = 0;    ///< s, while free liquid is about
     double saturation_change = 0;     ///< that a network step aims at while free liquid or pools are about
     double step_error = 0;            ///< of a step without drops: part of the water and heat at stake that it may misplace
+    double liquid_step_factor = 0;    ///< on the limits that flow, viscosity and surface waves set to a step of the liquid
+    double steps_between_drinks = 0;  ///< of the liquid: yarns drink from drops once in so many
     double density_tolerance = 0;     ///< of the pressure loop, fraction
     double settle_share = 0;          ///< of liquid at rest that yarns drink before it settles anew; 0: it never rests
     double rest_tolerance = 0;        ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
@@ -38,7 +40,7 @@ struct KnobInfo {
     const char* unit; ///< "" for a plain number
     double least, most;
     bool whole;            ///< only whole numbers
-    double cheaper, finer; ///< one step from standard, for tradeoff
+    double cheaper, finer; ///< one step from standard, for tradeoff; where nothing is cheaper, standard's own
     const char* meaning;   ///< begins small, without a full stop
 };
 

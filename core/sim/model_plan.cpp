@@ -28,9 +28,11 @@ struct Bounds {
     double evaporated = 0;          // kg from both its faces in the duration
     double temperature_rise = 0;    // K if all sorbed at once and nothing escaped
     double wet_bulb_depression = 0; // K, at most, by evaporation
+    double slowed = 0;              // share of the evaporation that this holds back
     double finest = 0;              // m, height of the thinnest yarn
     std::size_t drops = 0;          // that fall
-    double suction = 0;             // cosine of the smallest contact angle; 0: none wicks
+    double smallest_angle = 180;    // degrees, of contact
+    double suction = 0;             // its cosine; 0: no yarn wicks
     bool wicks = false;
 };
 
@@ -110,6 +112,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
         b.temperature_rise =
             std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b.finest = std::min(b.finest, type.section.height);
+        b.smallest_angle = std::min(b.smallest_angle, type.contact_angle * 180.0 / pi);
         b.wicks = b.wicks || wicks;
         if (wicks) b.suction = std::max(b.suction, std::cos(type.contact_angle));
         return wicks ? along * pores : 0.0;
@@ -137,11 +140,9 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
     b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
                    saturation_concentration(temperature);
-    // The psychrometer's balance with the slope of the saturation curve at the air's temperature taken as its chord over 1 K.
-    const double slope = saturation_concentration(temperature) - saturation_concentration(temperature - 1.0);
-    const double latent = mass_transfer(convection, temperature) * heat_of_evaporation(temperature);
-    const double dry_transfer = convection + radiative_heat_transfer(temperature);
-    b.wet_bulb_depression = latent * (1.0 - humidity) * saturation_concentration(temperature) / (dry_transfer + latent * slope);
+    const double dry_transfer = convection + radiative_heat_transfer(temperature), wet_transfer = mass_transfer(convection, temperature);
+    b.wet_bulb_depression = wet_bulb_depression(dry_transfer, wet_transfer, temperature, humidity);
+    b.slowed = cooling_slows_evaporation(dry_transfer, wet_transfer, temperature);
     return b;
 }
 
@@ -169,6 +170,23 @@ PlannedPart decide(const char* name, bool on, std::string reason, const ForcedPa
         part.on = found->second;
         part.forced = true;
     }
+    return part;
+}
+
+/// A part that is left out where it changes less than the neglected share; then, if it can matter at all, the run watches it.
+struct Estimate {
+    double share;     ///< at most, as far as can be told before the run
+    bool can_matter;  ///< not when what it is about is not there
+    std::string what; ///< the run watches
+};
+PlannedPart decide_by(const char* name, const Estimate& estimate, std::string reason, const Knobs& knobs, const ForcedParts& forced)
+{
+    PlannedPart part = decide(name, estimate.can_matter && estimate.share > knobs.neglected_share, std::move(reason), forced);
+    part.share = estimate.share;
+    part.watched = !part.on && !part.forced && estimate.can_matter;
+    if (part.watched)
+        part.reason +=
+            fmt::format(" Watched while running: {}; over {:.3g} % the part is switched on.", estimate.what, 100 * knobs.neglected_share);
     return part;
 }
 
@@ -201,44 +219,50 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool conditioning = experiment.type == ExperimentType::conditioning;
     plan.parts.push_back(decide("liquid", b.drops > 0, supply_in_words(experiment, b), forced));
     const bool wet = drops ? plan.parts.back().on : b.delivered > 0;
+    const std::string angle = fmt::format("The smallest contact angle of a yarn is {:.3g} degrees", b.smallest_angle);
     plan.parts.push_back(decide("wicking", wet && b.wicks,
-                                !wet      ? "No liquid comes to the yarns."
-                                : b.wicks ? "At least one yarn's contact angle is below 90 degrees."
-                                          : "The contact angles of all yarns are 90 degrees or more: their pores draw no liquid.",
+                                !wet      ? std::string("No liquid comes to the yarns.")
+                                : b.wicks ? angle + ", under 90: its pores draw liquid."
+                                          : angle + ", 90 or more: no pores draw liquid.",
                                 forced));
     const bool wicking = plan.parts.back().on;
     const bool moist = wicking || conditioning || (wet && !drops); // water can get to the fibres
-    const double at_stake = std::max(b.at_stake, 1e-30);
+    plan.water_at_stake = std::max(b.at_stake, 1e-30);
     const auto share_reason = [&](const char* what, double share) {
         return fmt::format("{} at most {:.3g} % of the water {}; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
                            conditioning ? "that fibres exchange" : "delivered", 100 * knobs.neglected_share);
     };
-    const double sorbed = b.sorbable / at_stake;
-    plan.parts.push_back(
-        decide("sorption", moist && b.sorbable > 0 && sorbed > knobs.neglected_share,
-               share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), forced));
+    const double sorbed = b.sorbable / plan.water_at_stake;
+    plan.parts.push_back(decide_by(
+        "sorption", {sorbed, moist && b.sorbable > 0, "what the fibres can take up wherever the cloth has really got wet"},
+        share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), knobs, forced));
     const bool sorption = plan.parts.back().on;
-    // A sample in a new climate exchanges vapour or nothing; without liquid it is the only way.
-    const bool only_way = conditioning || !experiment.climates.empty();
+    // A sample in a new climate exchanges what its fibres do; without liquid that is all.
+    const bool new_climate = conditioning || !experiment.climates.empty();
+    const double evaporated = b.evaporated / plan.water_at_stake;
     plan.parts.push_back(
-        decide("vapour", moist && (only_way ? sorption : b.evaporated / at_stake > knobs.neglected_share),
-               only_way ? std::string("What fibres exchange comes and goes as vapour.")
-                        : share_reason("Evaporation from both faces of the area that can get wet takes", b.evaporated / at_stake),
-               forced));
+        new_climate && (sorption || b.delivered <= 0)
+            ? decide("vapour", moist && sorption, "What fibres exchange comes and goes as vapour.", forced)
+            : decide_by("vapour",
+                        {evaporated, moist && evaporated > 0, "what would evaporate until the end wherever the cloth has really got wet"},
+                        share_reason("Evaporation from both faces of the area that can get wet takes", evaporated), knobs, forced));
     const bool vapour = plan.parts.back().on;
-    // Two per cent per kelvin is how surface tension over viscosity follows temperature; saturation pressure follows it faster.
     const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour && b.delivered > 0 ? b.wet_bulb_depression : 0.0;
     double change = conditioning ? std::abs(experiment.initial.temperature_c - experiment.climate.temperature_c) : 0.0;
     for (const ClimateMoment& moment : experiment.climates)
         change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
-    const double effect = 0.02 * std::max({warming, cooling, change});
-    plan.parts.push_back(
-        decide("heat", moist && effect > knobs.neglected_share,
-               fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
-                           "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate, of which {:.3g} % are left out at this "
-                           "fidelity.",
-                           warming, cooling, change, 100 * effect, 100 * knobs.neglected_share),
-               forced));
+    const double slowed = vapour && b.delivered > 0 ? b.slowed * std::min(1.0, evaporated) : 0.0;
+    const double rates = change_per_kelvin * std::max({warming, cooling, change}), effect = std::max(rates, slowed);
+    const bool may_follow = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
+    plan.parts.push_back(decide_by(
+        "heat",
+        {effect, moist && (effect > 0 || may_follow),
+         "how far what fibres have really taken up and what evaporates change the temperature"},
+        fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
+                    "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate. The cooling holds back at most {:.3g} % of the "
+                    "water from evaporating. Parts below {:.3g} % are left out at this fidelity.",
+                    warming, cooling, change, 100 * rates, 100 * slowed, 100 * knobs.neglected_share),
+        knobs, forced));
 }
 
 /// Whether only the cloth near the water is visited, a region that grows.
@@ -285,6 +309,14 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 bool ModelPlan::on(const std::string& part) const
 {
     return std::any_of(parts.begin(), parts.end(), [&](const PlannedPart& p) { return p.name == part && p.on; });
+}
+
+ModelPlan with_part(ModelPlan plan, const std::string& part)
+{
+    for (PlannedPart& planned : plan.parts)
+        if (planned.name == part) planned.on = true;
+    if (part == "sorption") plan.fibre_shells = static_cast<int>(plan.knobs.fibre_shells);
+    return plan;
 }
 
 ForcedParts parse_forced_parts(const std::string& text)

@@ -17,7 +17,13 @@ struct PlannedPart {
     bool on = false;
     bool forced = false; ///< by the user
     std::string reason;
+    std::optional<double> share =
+        std::nullopt;     ///< of the water at stake, or of a rate, that it changes at most as far as can be told before the run
+    bool watched = false; ///< left out because that share is small; the run switches it on if it is not: see PartWatch
 };
+
+/// Of a rate, for a kelvin: surface tension over viscosity follows temperature so, saturation pressure faster.
+constexpr double change_per_kelvin = 0.02;
 
 /// What of a scene decides its cost.
 struct SceneCounts {
@@ -34,6 +40,7 @@ struct ModelPlan {
     std::string fidelity_reason; ///< why auto took it; empty: the user named it
     Knobs knobs;                 ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
     std::vector<PlannedPart> parts;
+    double water_at_stake = 0; ///< kg, what shares of the water are of: all that comes, or that fibres exchange
     TextileRegion region;
     std::string region_reason;
     int particles_per_droplet = 0;
@@ -50,6 +57,9 @@ struct ModelPlan {
 
     bool on(const std::string& part) const;
 };
+
+/// The same plan with a part switched on while it runs.
+ModelPlan with_part(ModelPlan plan, const std::string& part);
 
 /// What the user may force: "heat" -> false.
 using ForcedParts = std::map<std::string, bool>;

@@ -35,17 +35,31 @@ SceneCounts counts_from_json(const Json& json)
     return {json.at("type"), json.at("drops"), json.at("drop_volume_m3"), json.at("duration_s"), json.at("wet_share"), json.at("suction")};
 }
 
+PlannedPart part_from_json(const Json& json)
+{
+    PlannedPart part{json.at("name"), json.at("on"), json.at("forced"), json.at("reason"), {}, json.value("watched", false)};
+    if (json.contains("share") && !json.at("share").is_null()) part.share = json.at("share").get<double>();
+    return part;
+}
+
 } // namespace
 
 std::string plan_json(const ModelPlan& plan)
 {
     Json parts = Json::array();
-    for (const PlannedPart& p : plan.parts) parts.push_back({{"name", p.name}, {"on", p.on}, {"forced", p.forced}, {"reason", p.reason}});
+    for (const PlannedPart& p : plan.parts)
+        parts.push_back({{"name", p.name},
+                         {"on", p.on},
+                         {"forced", p.forced},
+                         {"share", p.share ? Json(*p.share) : Json(nullptr)},
+                         {"watched", p.watched},
+                         {"reason", p.reason}});
     const Json json{
         {"fidelity", name_of(plan.fidelity)},
         {"fidelity_reason", plan.fidelity_reason},
         {"knobs", knobs_json(plan.knobs)},
         {"parts", parts},
+        {"water_at_stake_kg", plan.water_at_stake},
         {"region",
          {{"first_end", plan.region.first_end},
           {"first_pick", plan.region.first_pick},
@@ -86,7 +100,8 @@ try {
     ModelPlan plan;
     plan.fidelity = fidelity_from_name(json.at("fidelity"));
     plan.fidelity_reason = json.value("fidelity_reason", "");
-    for (const Json& p : json.at("parts")) plan.parts.push_back({p.at("name"), p.at("on"), p.at("forced"), p.at("reason")});
+    for (const Json& p : json.at("parts")) plan.parts.push_back(part_from_json(p));
+    plan.water_at_stake = json.value("water_at_stake_kg", 0.0);
     const Json& region = json.at("region");
     plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
     plan.region_reason = region.at("reason");

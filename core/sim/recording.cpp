@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
@@ -79,6 +80,22 @@ std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
     for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
         shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
     return shares;
+}
+
+/// In order of time; none in recordings of older versions.
+std::vector<SwitchedPart> read_switched_on(hid_t provenance)
+{
+    std::vector<SwitchedPart> parts;
+    if (!h5::exists(provenance, "switched_on")) return parts;
+    const h5::Handle all = h5::open_group(provenance, "switched_on");
+    for (const char* name : {"sorption", "vapour", "heat"}) {
+        if (!h5::exists(all.get(), name)) continue;
+        const h5::Handle group = h5::open_group(all.get(), name);
+        const auto number = [&](const char* which) { return h5::read_number(group.get(), which); };
+        parts.push_back({name, number("time_s"), number("share"), number("limit"), number("estimate")});
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const SwitchedPart& a, const SwitchedPart& b) { return a.time < b.time; });
+    return parts;
 }
 
 std::string frame_name(int index) { return fmt::format("frames/{:06d}", index); }
@@ -167,6 +184,20 @@ void RecordingWriter::note_device(const std::string& device)
     h5::write_text(h5::open_group(file_->file.get(), "provenance").get(), "all_devices", device);
 }
 
+void RecordingWriter::note_switched_on(const SwitchedPart& part)
+{
+    const h5::Quiet quiet;
+    const h5::Handle provenance = h5::open_group(file_->file.get(), "provenance");
+    const h5::Handle all = h5::exists(provenance.get(), "switched_on") ? h5::open_group(provenance.get(), "switched_on")
+                                                                       : h5::create_group(provenance.get(), "switched_on");
+    const h5::Handle group = h5::create_group(all.get(), part.name);
+    h5::write_number(group.get(), "time_s", part.time);
+    h5::write_number(group.get(), "share", part.share);
+    h5::write_number(group.get(), "limit", part.limit);
+    h5::write_number(group.get(), "estimate", part.estimate);
+    H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL);
+}
+
 void RecordingWriter::finish(double wall)
 {
     const h5::Quiet quiet;
@@ -202,6 +233,7 @@ try : file_(std::make_unique<File>()) {
     run.backend = h5::read_text(provenance.get(), "backend");
     run.device = h5::read_text(provenance.get(), h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
     run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
+    run.switched_on = read_switched_on(provenance.get());
     run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
     const Fabric* fabric = find_fabric(run.design, run.fabric);

@@ -17,6 +17,8 @@ public:
     void append(const Frame& frame);
     /// Where the run went on when its device failed, once.
     void note_device(const std::string& device);
+    /// A part that is modelled from here on.
+    void note_switched_on(const SwitchedPart& part);
     /// Notes the wall time and closes; a recording that was never finished reads as one that was cut short.
     void finish(double wall);
 

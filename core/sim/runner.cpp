@@ -31,16 +31,19 @@ void obey(const RunControl& control)
 /// A backend with its scene, and the CPU that takes over when it fails, if that is wanted.
 class SafeMachine {
 public:
-    SafeMachine(Backend& backend, const Scene& scene, const RunOptions& options) : backend_(&backend), scene_(scene), options_(options) {}
+    SafeMachine(Backend& backend, Scene scene, const RunOptions& options) : backend_(&backend), scene_(std::move(scene)), options_(options)
+    {
+    }
 
     Backend& backend() const { return *backend_; }
+    const Scene& scene() const { return scene_; }
     void load() { backend_->load(scene_); }
     /// The frame that a failed device's run goes on from; 0: the start.
     long kept_frame() const { return frame_; }
     /// Keeps what has been come to at that frame, now and then, where the CPU may have to take over.
     void keep(long frame)
     {
-        if (!options_.may_go_on_on_cpu || cpu_ || backend_->name() == "cpu" || frame == 0 || seconds_since(kept_) < pause_) return;
+        if (!may_fail_over() || frame == 0 || seconds_since(kept_) < pause_) return;
         const auto start = Clock::now();
         try {
             state_ = backend_->state();
@@ -50,6 +53,20 @@ public:
         }
         pause_ = std::max(least_pause, 20 * seconds_since(start));
         kept_ = Clock::now();
+    }
+    /// Keeps it for sure.
+    void hold(long frame)
+    {
+        state_ = backend_->state();
+        frame_ = frame;
+    }
+    /// Goes on from what was held with the plan's parts.
+    void go_on_with(const ModelPlan& plan)
+    {
+        set_parts(scene_, plan);
+        load();
+        backend_->go_on_from(state_);
+        if (!may_fail_over()) state_ = {};
     }
     /// Throws the error again if it may not.
     void go_on_on_cpu(const DeviceError& error)
@@ -67,8 +84,10 @@ public:
 private:
     static constexpr double least_pause = 2; // s of wall time, for copying everything takes some
 
+    bool may_fail_over() const { return options_.may_go_on_on_cpu && !cpu_ && backend_->name() != "cpu"; }
+
     Backend* backend_;
-    const Scene& scene_;
+    Scene scene_;
     const RunOptions& options_;
     std::unique_ptr<Backend> cpu_;
     std::vector<std::byte> state_;
@@ -101,7 +120,10 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();
-    const Scene scene = build_scene(design, run.textile, *experiment, run.plan, options.seed);
+    SafeMachine machine(backend, build_scene(design, run.textile, *experiment, run.plan, options.seed), options);
+    ModelPlan now = run.plan; // with the parts that are switched on while it runs
+    PartWatch watch(machine.scene(), run.plan);
+    std::vector<SwitchedPart> due;
 
     std::optional<RecordingWriter> recording;
     const auto publish = [&](Frame frame, double time) {
@@ -111,6 +133,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
             throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
         if (recording) recording->append(frame);
+        for (SwitchedPart& part : watch.see(frame)) due.push_back(std::move(part));
         if (callbacks.frame) callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
     };
     Clock::time_point told;
@@ -120,7 +143,6 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         callbacks.progress({reached, experiment->duration_s, seconds_since(start), on.liquid_steps(), on.particles()});
     };
 
-    SafeMachine machine(backend, scene, options);
     const auto frames = static_cast<long>(std::ceil(experiment->duration_s / run.plan.frame_interval - 1e-9));
     const auto time_of = [&](long k) { return k == frames ? experiment->duration_s : static_cast<double>(k) * run.plan.frame_interval; };
     const auto go_on = [&](const DeviceError& error) {
@@ -140,6 +162,19 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
             return false;
         }
     };
+    // Where the device fails at this, it goes on on the CPU: from an earlier frame if nothing could be held, else from here.
+    const auto switch_on = [&](long frame) {
+        if (!try_to([&] { machine.hold(frame); })) return false;
+        for (const SwitchedPart& part : due) now = with_part(std::move(now), part.name);
+        try_to([&] { machine.go_on_with(now); });
+        for (SwitchedPart& part : due) {
+            if (recording) recording->note_switched_on(part);
+            if (callbacks.switched_on) callbacks.switched_on(part);
+            run.switched_on.push_back(std::move(part));
+        }
+        due.clear();
+        return true;
+    };
 
     try_to([&] { machine.load(); });
     if (!options.recording.empty()) recording.emplace(options.recording, run);
@@ -147,7 +182,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     long published = -1;
     for (long k = 0; k <= frames;) {
         const double until = time_of(k);
-        const bool done = try_to([&] {
+        bool done = try_to([&] {
             Backend& on = machine.backend();
             for (double reached = 0; reached < until;) {
                 obey(control);
@@ -159,6 +194,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
             published = std::max(published, k);
             machine.keep(k);
         });
+        if (done && !due.empty() && k == published && k < frames) done = switch_on(k);
         k = done ? k + 1 : machine.kept_frame() + (machine.kept_frame() > 0 ? 1 : 0);
     }
     run.wall = seconds_since(start);

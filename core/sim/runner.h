@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/sim/frame.h"
-#include "core/sim/model_plan.h"
+#include "core/sim/part_watch.h"
 
 #include <atomic>
 #include <filesystem>
@@ -50,15 +50,17 @@ struct RunRecord {
     Textile textile;
     std::uint64_t seed = 1;
     int threads = 0;
-    std::string backend; ///< "cpu", "cuda"
-    std::string device;  ///< in words, and where it went on when that failed
-    double wall = 0;     ///< s, of the run; 0 while it runs
+    std::string backend;                   ///< "cpu", "cuda"
+    std::string device;                    ///< in words, and where it went on when that failed
+    std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time
+    double wall = 0;                       ///< s, of the run; 0 while it runs
 };
 
 struct RunCallbacks {
     std::function<void(const RunRecord&)> started;
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
     std::function<void(const RunProgress&)> progress;        ///< several times a second
+    std::function<void(const SwitchedPart&)> switched_on;    ///< after the frame of its time
     std::function<void(const std::string&)> device_failed;   ///< the run is about to go on on the CPU; a sentence
 };
 

@@ -308,6 +308,33 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 
 } // namespace
 
+SceneClimate air_at(const Scene& scene, double time)
+{
+    const ClimateParameters& start = scene.climate;
+    if (scene.course.empty()) return {time, start.air_warmth, start.humidity, start.heat_transfer, start.mass_transfer};
+    const auto after = std::upper_bound(scene.course.begin(), scene.course.end(), time,
+                                        [](double at, const SceneClimate& moment) { return at < moment.time; });
+    const SceneClimate& last = *(after - 1);
+    SceneClimate now = last;
+    if (after == scene.course.end()) return now;
+    const double share = (time - last.time) / (after->time - last.time);
+    const auto between = [&](double SceneClimate::*value) { now.*value += share * (*after.*value - last.*value); };
+    between(&SceneClimate::air_warmth);
+    between(&SceneClimate::humidity);
+    between(&SceneClimate::heat_transfer);
+    between(&SceneClimate::mass_transfer);
+    return now;
+}
+
+void set_parts(Scene& scene, const ModelPlan& plan)
+{
+    scene.wicking = plan.on("wicking");
+    scene.sorption = plan.on("sorption");
+    scene.vapour = plan.on("vapour");
+    scene.heat = plan.on("heat");
+    scene.fibre_shells = plan.fibre_shells;
+}
+
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed)
 {
     Scene scene;
@@ -330,11 +357,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
     scene.particles_per_droplet = plan.particles_per_droplet;
-    scene.fibre_shells = plan.fibre_shells;
-    scene.wicking = plan.on("wicking");
-    scene.sorption = plan.on("sorption");
-    scene.vapour = plan.on("vapour");
-    scene.heat = plan.on("heat");
+    set_parts(scene, plan);
     set_up(scene, textile, experiment, plan);
     if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
     constexpr double swelling = 1e-3;          // m3 per kg: bound water takes as much room as liquid
@@ -344,6 +367,8 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.step_error = plan.knobs.step_error;
     scene.rest_tolerance = plan.rest_tolerance;
     scene.saturation_change = plan.knobs.saturation_change;
+    scene.liquid_step_factor = plan.knobs.liquid_step_factor;
+    scene.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
     scene.density_tolerance = plan.knobs.density_tolerance;
     scene.settle_share = plan.knobs.settle_share;
     scene.seed = seed;

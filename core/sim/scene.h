@@ -152,12 +152,14 @@ struct Scene {
     int fibre_shells = 1;
     bool shows_shells = false; ///< whether frames show the regain of each shell
     bool wicking = true, sorption = true, vapour = true, heat = true;
-    double network_step = 0;      ///< s, longest while drops are about
-    double calm_network_step = 0; ///< s, longest without drops; 0: the same
-    double rest_tolerance = 0;    ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
-                                  ///< the visited region grows where there is more. 0: all of the sample is visited
-    double step_error = 0;        ///< largest error of a step, over the water and the heat at stake; 0: not watched
-    double saturation_change = 0; ///< largest a step aims at, for the step's length
+    double network_step = 0;       ///< s, longest while drops are about
+    double calm_network_step = 0;  ///< s, longest without drops; 0: the same
+    double rest_tolerance = 0;     ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
+                                   ///< the visited region grows where there is more. 0: all of the sample is visited
+    double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
+    double saturation_change = 0;  ///< largest a step aims at, for the step's length
+    double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
+    int steps_between_drinks = 1;  ///< of the free liquid
     double density_tolerance = 0.01;
     double settle_share = 0; ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
     std::uint64_t seed = 1;
@@ -166,6 +168,12 @@ struct Scene {
     int segments() const { return 2 * crossings(); }
     int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
 };
+
+/// The air at a moment (s).
+SceneClimate air_at(const Scene& scene, double time);
+
+/// Switches parts on and off as the plan has them; nothing else of the scene, and nothing of its start, changes.
+void set_parts(Scene& scene, const ModelPlan& plan);
 
 /// Precondition: plan_model() made the plan for these.
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);

@@ -92,7 +92,8 @@ public:
         pass_state(writer);
         return writer.take();
     }
-    /// After load() of the same scene, goes on from there. Throws Error if it is another one's.
+    /// After load() of the same scene, or of one with more parts on (see set_parts()), goes on from there. Throws Error if it is another
+    /// one's.
     void go_on_from(const std::vector<std::byte>& state)
     {
         StateReader reader(state);
@@ -118,6 +119,7 @@ private:
     }
 
     template <typename Archive> void pass_state(Archive& archive);
+    template <typename Archive> void pass_regain(Archive& archive);
     void load_segments();
     void note_start(std::vector<double>& regain);
     double largest_change(const YarnParameters& yarn) const;

@@ -101,9 +101,12 @@ template <typename Executor> void Solver<Executor>::set_rules(double spacing)
     rules_.particle_mass = static_cast<double>(particle_mass_);
     rules_.density = climate.density;
     rules_.surface_tension = climate.surface_tension;
-    rules_.capillary_dt =
+    rules_.correction_time =
         0.25 * std::sqrt(climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * climate.surface_tension));
-    rules_.viscous_dt = 0.125 * static_cast<double>(support_ * support_) * climate.density / climate.viscosity;
+    rules_.capillary_dt = scene_.liquid_step_factor * rules_.correction_time;
+    rules_.viscous_dt = scene_.liquid_step_factor * 0.125 * static_cast<double>(support_ * support_) * climate.density / climate.viscosity;
+    rules_.courant = scene_.liquid_step_factor * 0.4;
+    rules_.steps_between_drinks = scene_.steps_between_drinks;
     rules_.stiffness = pressure_relaxation * pressure_stiffness(spacing, support_);
     rules_.settle_share = scene_.settle_share;
     rules_.drag = 20.0 * climate.viscosity / climate.density;

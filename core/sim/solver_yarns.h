@@ -172,18 +172,7 @@ template <typename Executor> void Solver<Executor>::note_start(std::vector<doubl
 template <typename Executor> void Solver<Executor>::set_climate()
 {
     if (scene_.course.empty()) return;
-    const auto after = std::upper_bound(scene_.course.begin(), scene_.course.end(), time_,
-                                        [](double time, const SceneClimate& moment) { return time < moment.time; });
-    const SceneClimate& last = *(after - 1);
-    SceneClimate now = last;
-    if (after != scene_.course.end()) {
-        const double share = (time_ - last.time) / (after->time - last.time);
-        const auto between = [&](double SceneClimate::*value) { now.*value += share * (*after.*value - last.*value); };
-        between(&SceneClimate::air_warmth);
-        between(&SceneClimate::humidity);
-        between(&SceneClimate::heat_transfer);
-        between(&SceneClimate::mass_transfer);
-    }
+    const SceneClimate now = air_at(scene_, time_);
     ClimateParameters& climate = scene_.climate;
     climate.air_warmth = now.air_warmth;
     climate.humidity = now.humidity;
@@ -326,6 +315,7 @@ template <typename Executor> void Solver<Executor>::choose_exchange_step(double 
 template <typename Executor> void Solver<Executor>::exchange(double dt)
 {
     exchange_time_ = time_;
+    if (!scene_.sorption && !scene_.vapour) exchange_dt_ = exchange_limit(); // nothing is exchanged that steps would have to follow
     if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
     const ClimateParameters& climate = scene_.climate;
     if (scene_.swelling > 0) swell();

@@ -19,6 +19,7 @@ target_sources(hygroloom_core PRIVATE
   sim/hdf5_file.cpp
   sim/host_cloth.cpp
   sim/model_plan.cpp
+  sim/part_watch.cpp
   sim/plan_json.cpp
   sim/recording.cpp
   sim/runner.cpp

@@ -224,6 +224,7 @@ WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend)
         collector.add(*frame);
         whole.last = *frame;
     };
+    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
     whole.record = run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, backend, control, callbacks);
     whole.metrics = collector.metrics();
     return whole;

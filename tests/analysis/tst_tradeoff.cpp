@@ -116,6 +116,8 @@ private Q_SLOTS:
         QCOMPARE(half.fibre_shells, 8.0);
         QCOMPARE(half.network_step_limit, 2e-3);
         QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
+        QCOMPARE(quarter.steps_between_drinks, 4.0);
+        QCOMPARE(quarter.liquid_step_factor, 1.0); // a longer step would not be stable
     }
     void plansThatDifferInNothingThatCountsRunAlike()
     {
@@ -126,7 +128,11 @@ private Q_SLOTS:
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"fibre_shells", 5}})));
         QVERIFY(run_alike(plan(120, {}), plan(120, {{"fibre_shells", 5}}))); // repellent: its fibres take up nothing
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"settle_share", 0.05}})));
+        QVERIFY(!run_alike(plan(120, {}), plan(120, {{"liquid_step_factor", 0.5}})));
+        QVERIFY(!run_alike(plan(35, {}), plan(35, {{"steps_between_drinks", 1}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
+        // The same parts are off, but not the same share would switch one on.
+        QVERIFY(!run_alike(plan(35, {{"neglected_share", 0.1}}), plan(35, {{"neglected_share", 0.11}})));
     }
     void filesReadBack()
     {

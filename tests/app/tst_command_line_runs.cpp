@@ -71,6 +71,43 @@ private Q_SLOTS:
         QCOMPARE(measured.json()["metrics"], json["metrics"]);
         QVERIFY(run_cli({"measure", recording}).out.contains("maximum wetted radius, top"));
     }
+    void aPartThatComesOnIsToldByRunAndRecording()
+    {
+        const QString recording = folder_.filePath("watched.hygrorec");
+        // Nearly saturated air, in which a small stain has minutes to spread farther than the plan expects.
+        const QStringList run{"simulate",
+                              example("laboratory.hygro"),
+                              "--experiment",
+                              "horizontal wicking",
+                              "--fidelity",
+                              "draft",
+                              "--backend",
+                              "cpu",
+                              "--physics",
+                              "heat=off",
+                              "-o",
+                              recording,
+                              "--set",
+                              "fabrics[0].warp.material=polyester",
+                              "fabrics[0].weft.material=polyester",
+                              "fabrics[0].contact_angle_deg=20",
+                              "experiments[3].volume_ul=1",
+                              "experiments[3].sample_mm=[16,16]",
+                              "experiments[3].duration_s=200",
+                              "experiments[3].climate.relative_humidity=0.993",
+                              "experiments[3].climate.air_speed_m_s=0"};
+        const Answer told = run_cli(run);
+        QVERIFY2(told.code == 0, told.err);
+        QVERIFY2(told.out.contains("Vapour was left out until "), told.out);
+        const QJsonObject read = run_cli({"measure", recording, "--json"}).json();
+        const QJsonArray parts = read["provenance"].toObject()["switched_on"].toArray();
+        QCOMPARE(parts.size(), 1);
+        QCOMPARE(parts[0].toObject()["name"].toString(), QString("vapour"));
+        QCOMPARE(parts[0].toObject()["limit"].toDouble(), 0.01);
+        QVERIFY(parts[0].toObject()["share"].toDouble() > 0.01 && parts[0].toObject()["time_s"].toDouble() > 0);
+        const QString note = read["metrics"].toObject()["notes"].toArray()[0].toString();
+        QVERIFY2(told.out.contains(note.toUtf8()), qPrintable(note));
+    }
     void aProfileTellsWhereTheTimeWent()
     {
         const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);

@@ -67,6 +67,21 @@ private Q_SLOTS:
         QVERIFY(within(convective_heat_transfer(1.0, 0.08), 13.9, 0.01));
         QVERIFY(within(mass_transfer(13.9, 293.15), 1.26e-2, 0.01));
     }
+    void aWetFaceSettlesAsThePsychrometersConstantSays()
+    {
+        // FAO 56 (Allen and others 1998), tables 2.2 and 2.4: 66.5 Pa/K at 101.3 kPa for heat and vapour that pass alike; slopes of 82, 145
+        // and 244 Pa/K at 10, 20 and 30 C. Here vapour passes the easier by Lewis' number, and its concentration drives it: slope - e/T.
+        for (const auto& [celsius, slope] : {std::pair(10.0, 82.0), std::pair(20.0, 145.0), std::pair(30.0, 244.0)}) {
+            const double temperature = kelvin_from_celsius(celsius), transfer = 20.0, pressure = saturation_pressure(temperature);
+            const double rises = slope - pressure / temperature, holds = 66.5 * std::pow(0.865, 2.0 / 3.0);
+            const double slows = cooling_slows_evaporation(transfer, mass_transfer(transfer, temperature), temperature);
+            QVERIFY2(std::abs(slows / (rises / (rises + holds)) - 1) < 0.03, qPrintable(QString("%1 at %2 C").arg(slows).arg(celsius)));
+            const double colder = wet_bulb_depression(transfer, mass_transfer(transfer, temperature), temperature, 0.98);
+            QVERIFY2(std::abs(colder / (0.02 * pressure / (rises + holds)) - 1) < 0.03,
+                     qPrintable(QString("%1 K at %2 C").arg(colder).arg(celsius)));
+        }
+        QCOMPARE(wet_bulb_depression(20, 0.02, 293.15, 1.0), 0.0);
+    }
     void stillAirIsTheLeast() { QCOMPARE(convective_heat_transfer(0.0, 0.08), still_air_heat_transfer); }
     void conductivityOfCottonLiesBetweenItsParts()
     {

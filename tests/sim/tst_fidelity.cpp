@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The knobs behind a fidelity: each is set alone, is refused with a sentence, and reaches the plan, its JSON and the scene.
 #include "core/base/error.h"
+#include "core/sim/backend.h"
 #include "core/sim/plan_json.h"
 #include "core/sim/scene.h"
+#include "core/sim/steps/liquid_control.h"
 #include "tests/support/drop_design.h"
 
 #include <QTest>
@@ -28,6 +30,23 @@ std::string refusal(const std::string& name, const std::string& value)
     return "";
 }
 
+/// A drop that meets the cloth and is half drunk, with one knob set.
+struct ShortRun {
+    Frame end;
+    long steps = 0; ///< of the liquid
+};
+ShortRun drop_with(const KnobSettings& settings)
+{
+    const Design design = drop_design();
+    KnobSettings all{{"particles_per_droplet", 500}, {"settle_share", 0}};
+    all.insert(settings.begin(), settings.end());
+    const ModelPlan plan = plan_with(all, Fidelity::draft);
+    const auto backend = make_cpu_backend();
+    backend->load(build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1));
+    for (double reached = 0; reached < 0.1;) reached = backend->advance(0.1);
+    return {backend->frame(), backend->liquid_steps()};
+}
+
 } // namespace
 
 class TestFidelity : public QObject {
@@ -43,7 +62,8 @@ private Q_SLOTS:
             require_in_range(knob, knob.cheaper);
             require_in_range(knob, knob.finer);
             const double standard = knobs_of(Fidelity::standard).*knob.value;
-            QVERIFY2((knob.cheaper - standard) * (knob.finer - standard) < 0, knob.name); // on either side of it
+            const bool cheapest = knob.cheaper == standard && (standard == knob.most || standard == knob.least);
+            QVERIFY2(cheapest || (knob.cheaper - standard) * (knob.finer - standard) < 0, knob.name); // on either side of it
         }
     }
     void oneKnobChangesAloneAndReadsBack()
@@ -69,6 +89,8 @@ private Q_SLOTS:
                                           {"network_step_limit_s", 0.004},
                                           {"saturation_change", 0.07},
                                           {"step_error", 3e-4},
+                                          {"liquid_step_factor", 0.3},
+                                          {"steps_between_drinks", 5},
                                           {"density_tolerance", 0.03},
                                           {"settle_share", 0.04},
                                           {"rest_tolerance", 2e-4}});
@@ -78,9 +100,49 @@ private Q_SLOTS:
         QCOMPARE(scene.network_step, 0.004);
         QCOMPARE(scene.saturation_change, 0.07);
         QCOMPARE(scene.step_error, 3e-4);
+        QCOMPARE(scene.liquid_step_factor, 0.3);
+        QCOMPARE(scene.steps_between_drinks, 5);
         QCOMPARE(scene.density_tolerance, 0.03);
         QCOMPARE(scene.settle_share, 0.04);
         QCOMPARE(scene.rest_tolerance, 2e-4);
+    }
+    void theLiquidsStepsAreAsLongAsAsked()
+    {
+        const ShortRun whole = drop_with({}), half = drop_with({{"liquid_step_factor", 0.5}}),
+                       tenth = drop_with({{"liquid_step_factor", 0.1}});
+        QVERIFY2(half.steps > 1.7 * double(whole.steps) && half.steps < 2.3 * double(whole.steps),
+                 qPrintable(QString("%1 %2").arg(whole.steps).arg(half.steps)));
+        QVERIFY2(tenth.steps > 8 * double(whole.steps) && tenth.steps < 12 * double(whole.steps), qPrintable(QString::number(tenth.steps)));
+        for (const ShortRun* run : {&half, &tenth}) {
+            const Ledger &a = run->end.ledger, &b = whole.end.ledger;
+            QVERIFY(std::abs(a.water_imbalance()) <= 1e-12 * a.water_delivered);
+            QVERIFY2(a.water_liquid > 0 && std::abs(a.water_liquid - b.water_liquid) < 0.1 * b.water_delivered,
+                     qPrintable(QString("%1 %2").arg(a.water_liquid).arg(b.water_liquid)));
+        }
+    }
+    void yarnsDrinkAsOftenAsAsked()
+    {
+        LiquidRules rules;
+        rules.spacing = Real(1e-4);
+        rules.capillary_dt = rules.viscous_dt = 1e-3;
+        rules.courant = 0.4;
+        for (int between : {1, 5, 64}) {
+            rules.steps_between_drinks = between;
+            LiquidControl control;
+            control.count = 10;
+            control.dt = 1e-6;
+            control.sync_time = 1;
+            for (int step = 1; step <= 128; ++step) {
+                EndStep{&control, rules}(0);
+                QCOMPARE(control.drinking, step % between == 0 ? 10 : 0);
+                if (control.drinking > 0) QVERIFY(std::abs(control.drink_dt - between * 1e-6) < 1e-15); // for all the time since
+            }
+        }
+        const ShortRun often = drop_with({{"steps_between_drinks", 1}}), seldom = drop_with({{"steps_between_drinks", 64}});
+        QVERIFY(often.end.ledger.water_liquid != seldom.end.ledger.water_liquid);
+        QVERIFY(std::abs(seldom.end.ledger.water_imbalance()) <= 1e-12 * seldom.end.ledger.water_delivered);
+        QVERIFY2(std::abs(often.end.ledger.water_liquid - seldom.end.ledger.water_liquid) < 0.1 * often.end.ledger.water_delivered,
+                 qPrintable(QString("%1 %2").arg(often.end.ledger.water_liquid).arg(seldom.end.ledger.water_liquid)));
     }
     void whatIsNeglectedDecidesTheParts()
     {
@@ -96,6 +158,12 @@ private Q_SLOTS:
                  std::string("fidelity.fibre_shells: It must be a whole number from 1 to 32; 2.5 was given."));
         QCOMPARE(refusal("network_step_limit_s", "fast"),
                  std::string("fidelity.network_step_limit_s: It must be a number from 1e-05 to 1 s; \"fast\" was given."));
+        QCOMPARE(refusal("liquid_step_factor", "1.5"),
+                 std::string("fidelity.liquid_step_factor: It must be a number from 0.1 to 1; 1.5 was given."));
+        QVERIFY(!refusal("liquid_step_factor", "0").empty());
+        QCOMPARE(refusal("steps_between_drinks", "0"),
+                 std::string("fidelity.steps_between_drinks: It must be a whole number from 1 to 64; 0 was given."));
+        QVERIFY(!refusal("steps_between_drinks", "65").empty() && !refusal("steps_between_drinks", "1.5").empty());
         for (const char* wrong : {"nan", "-1", "", "1e-4x", "inf"}) QVERIFY2(!refusal("step_error", wrong).empty(), wrong);
         const std::string unknown = refusal("fibre_shels", "4");
         QVERIFY2(unknown.starts_with("fidelity.fibre_shels: There is no such knob; did you mean \"fibre_shells\"?"), unknown.c_str());

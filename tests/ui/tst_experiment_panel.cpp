@@ -337,6 +337,28 @@ private Q_SLOTS:
         const bool limited = type < 4;
         QCOMPARE(panel.text().contains("limited by"), limited);
     }
+    void aPartThatCameOnIsToldBesideTheResults()
+    {
+        Playback playback;
+        const ResultsPanel panel(playback);
+        auto run = std::make_shared<RunRecord>();
+        run->design = *document_->design();
+        run->fabric = run->design.fabrics[0].name;
+        run->experiment = run->design.experiments[0].name;
+        run->textile = build_textile(run->design, run->design.fabrics[0], {0, 0, 8, 8});
+        playback.begin(run, {});
+        MetricsCollector collector;
+        collector.start(*run);
+        collector.add(SwitchedPart{"vapour", 20, 0.0103, 0.01, 0.0075});
+        auto frame = std::make_shared<Frame>();
+        for (auto* values : {&frame->saturation, &frame->liquid, &frame->regain, &frame->vapour, &frame->temperature}) {
+            values->assign(static_cast<std::size_t>(run->textile.segments()), 0.0F);
+        }
+        collector.add(*frame);
+        playback.append(frame, std::make_shared<const Metrics>(collector.metrics()));
+        QVERIFY2(panel.text().contains("Vapour was left out until 20 s") && panel.text().contains("1.03 %, over the 1 %"),
+                 qPrintable(panel.text()));
+    }
 
 private:
     void everyType()

@@ -16,7 +16,6 @@ constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are list
 constexpr double resting_speed = 0.05;         // root of the mean square
 constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
 constexpr double most_hurry = 8;               // how much faster liquid creeps that was woken than it would have unasked
-constexpr int steps_between_drinks = 8;        // of the liquid
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 constexpr int least_int = -0x7fffffff - 1;
@@ -29,10 +28,13 @@ struct LiquidRules {
     double surface_tension = 0; ///< N/m
     double capillary_dt = 0;    ///< s, longest step that surface waves allow
     double viscous_dt = 0;      ///< s, the same for viscosity
-    double stiffness = 0;       ///< delta x dt2
-    double settle_share = 0;    ///< of the liquid, that must have been drunk before what sleeps wakes; 0: it never sleeps
-    double drag = 0;            ///< m2/s, 20 nu
-    double thinnest2 = 0;       ///< m2, square of the thinnest yarn's half height
+    double courant = 0;         ///< spacings that a particle may go in a step
+    double correction_time = 0; ///< s, over which what a step finds pressed together is corrected, however short the step
+    int steps_between_drinks = 1;
+    double stiffness = 0;    ///< delta x dt2
+    double settle_share = 0; ///< of the liquid, that must have been drunk before what sleeps wakes; 0: it never sleeps
+    double drag = 0;         ///< m2/s, 20 nu
+    double thinnest2 = 0;    ///< m2, square of the thinnest yarn's half height
 
     /// Equal steps to a moment, none longer than dt: a sliver of a step would ask for an endless pressure.
     HL_FN static double steps_to(double time, double dt)
@@ -42,7 +44,7 @@ struct LiquidRules {
     }
     /// In which a volume of liquid finds its shape, s.
     HL_FN double capillary_time(double volume) const { return std::sqrt(density * volume / surface_tension); }
-    HL_FN double advective_step(double speed) const { return 0.4 * static_cast<double>(spacing) / (speed > 1e-6 ? speed : 1e-6); }
+    HL_FN double advective_step(double speed) const { return courant * static_cast<double>(spacing) / (speed > 1e-6 ? speed : 1e-6); }
 };
 
 /// The free liquid's steps: where they are and what comes next.
@@ -106,7 +108,7 @@ HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
     c.last = steps == 1.0;
     c.dt = left / steps;
     c.step.dt = static_cast<Real>(c.dt);
-    const double kept = 1.0 - c.dt / rules.capillary_dt;
+    const double kept = 1.0 - c.dt / rules.correction_time;
     c.step.kept_excess = static_cast<Real>(kept > 0 ? kept : 0.0);
     c.step.stiffness = static_cast<Real>(rules.stiffness / (c.dt * c.dt));
     c.step.friction = static_cast<Real>(friction_coefficient / c.hurry);
@@ -283,7 +285,7 @@ struct EndStep {
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
         if (rules.settle_share > 0 && c.count > 0) watch(c);
-        c.drinks.on = drinks && drink_after(c, c.dt, c.last, rules.settle_share > 0 ? steps_between_drinks : 1);
+        c.drinks.on = drinks && drink_after(c, c.dt, c.last, rules.steps_between_drinks);
         if (!c.drinks.on) decide_next(c, rules);
     }
 

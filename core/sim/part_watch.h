@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Parts of the physics that a plan leaves out on an estimate are watched while running: the estimate is made again at each frame from how
+// far the cloth has really got wet. It costs a sum over the wet segments of the frame, and nothing where nothing was left out.
+#pragma once
+
+#include "core/sim/frame.h"
+#include "core/sim/scene.h"
+
+namespace hygroloom {
+
+/// A part that the plan had left out and that the run switched on.
+struct SwitchedPart {
+    std::string name;
+    double time = 0;     ///< s, of the frame from which on it is modelled
+    double share = 0;    ///< of the water at stake, or of a rate, that it would come to in the run, as told then
+    double limit = 0;    ///< the share that may be left out
+    double estimate = 0; ///< the share that the plan had expected at most
+};
+
+/// One sentence: when, and with which number against which limit.
+std::string in_words(const SwitchedPart& part);
+
+/// Follows what a plan's watched parts would come to. Of vapour that is what would have evaporated by now and, from what is wet now, until
+/// the end: as wet cloth that does not dry only grows, a part that comes over the limit would stay over it.
+class PartWatch {
+public:
+    /// The scene is the one that runs: parts that are switched on in it are seen as on.
+    PartWatch(const Scene& scene, const ModelPlan& plan);
+
+    /// Which parts have come over the limit at this frame; each is told once. Frames come in order of time, the first at 0 s, at which
+    /// nothing has happened yet.
+    std::vector<SwitchedPart> see(const Frame& frame);
+
+private:
+    struct Watched {
+        SwitchedPart part;
+        bool told = false;
+    };
+    /// Of the cloth as far as it is wet: segments count as fibres' surfaces do, by wet_share().
+    struct WetCloth {
+        double area = 0;   ///< m2 of its faces
+        double thirst = 0; ///< kg that its fibres could take up in all
+    };
+    WetCloth wet_cloth(const Frame& frame) const;
+    double dries_until_end(double from) const;
+    double warming(const Frame& frame) const;
+    double share_of(const std::string& part, const Frame& frame, const WetCloth& wet, bool sorption, bool vapour) const;
+
+    const Scene& scene_;
+    double duration_;              ///< s
+    double water_at_stake_;        ///< kg
+    std::vector<Watched> watched_; ///< in the plan's order
+    std::vector<double> thirst_;   ///< kg/kg, of each type of yarn: regain that it can still gain from liquid
+    double time_ = 0;              ///< s, of the last frame
+    double rate_ = 0;              ///< kg/s, at which what was wet then would dry
+    double evaporated_ = 0;        ///< kg that would have evaporated since the start
+};
+
+} // namespace hygroloom
