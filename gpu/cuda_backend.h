@@ -12,8 +12,8 @@ std::vector<BackendInfo> find_cuda_devices();
 /// On the GPU of that place among find_cuda_devices(). Throws DeviceError.
 std::unique_ptr<Backend> make_cuda_backend(int device);
 
-/// Before anything else is asked of that GPU: says whether threads that wait for it sleep, and returns how many bytes are free there. Throws
-/// DeviceError.
+/// Before anything else is asked of that GPU: says whether threads that wait for it sleep, and returns how many bytes are free there.
+/// Throws DeviceError.
 std::size_t prepare_cuda_device(int device, bool threads_sleep);
 
 } // namespace hygroloom

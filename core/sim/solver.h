@@ -210,8 +210,8 @@ private:
     LiquidControl flow_;            ///< as it was when last looked at
     Buffer<LiquidControl> control_; ///< where stages change it
     LiquidRules rules_;
-    double wall_per_step_ = 0;                  ///< s
-    int room_ = 0;                              ///< for so many particles
+    double wall_per_step_ = 0; ///< s
+    int room_ = 0;             ///< for so many particles
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;
     double stress_since_ = 0; ///< s, when the stresses began to be summed
     Buffer<Quad> place_, sorted_place_, motion_, standing_, predicted_, surface_;

@@ -133,9 +133,9 @@ private Q_SLOTS:
             control.dt = 1e-6;
             control.sync_time = 1;
             for (int step = 1; step <= 128; ++step) {
-                EndStep{&control, rules}(0);
-                QCOMPARE(control.drinking, step % between == 0 ? 10 : 0);
-                if (control.drinking > 0) QVERIFY(std::abs(control.drink_dt - between * 1e-6) < 1e-15); // for all the time since
+                EndStep{&control, rules, true}(0);
+                QCOMPARE(control.drinks.on, step % between == 0 ? 1 : 0);
+                if (control.drinks.on) QVERIFY(std::abs(control.drink_dt - between * 1e-6) < 1e-15); // for all the time since
             }
         }
         const ShortRun often = drop_with({{"steps_between_drinks", 1}}), seldom = drop_with({{"steps_between_drinks", 64}});

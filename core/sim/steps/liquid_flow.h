@@ -24,11 +24,11 @@ struct LiquidFlow {
     Real wall_reach = 0; ///< m, how far walls are felt
     Real lowest = 0;     ///< m, below it a particle has dripped off
     double density_tolerance = 0;
-    bool drinks = false;    ///< whether any yarn takes up liquid from drops
-    int* reach = nullptr;   ///< see Reach
-    int* order = nullptr;   ///< of particles, for sorting
-    int* key = nullptr;     ///< the cell of each
-    int* start = nullptr;   ///< of each cell, its first particle
+    bool drinks = false;  ///< whether any yarn takes up liquid from drops
+    int* reach = nullptr; ///< see Reach
+    int* order = nullptr; ///< of particles, for sorting
+    int* key = nullptr;   ///< the cell of each
+    int* start = nullptr; ///< of each cell, its first particle
 
     template <typename Executor> HL_FN void operator()(Executor& executor) const
     {
@@ -98,8 +98,7 @@ private:
         round(&control->error, EndRound{control, density_tolerance, fewest_pressure_rounds});
         executor.loop(&control->presses, [&] { round(&control->error, EndRound{control, density_tolerance, 1}); });
     }
-    template <typename Executor, typename Next>
-    HL_FN void give_to_segments(Executor& executor, const Particles& p, const Next& next) const
+    template <typename Executor, typename Next> HL_FN void give_to_segments(Executor& executor, const Particles& p, const Next& next) const
     {
         executor.for_each("touch", all_particles(), TouchSegments{p, textile, segments.contact});
         executor.for_each("give", all_particles(),
