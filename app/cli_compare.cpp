@@ -10,17 +10,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
-#include <set>
-#include <thread>
 
 namespace hygroloom {
 namespace {
 
 struct CompareOptions : RunVerbOptions {
     std::string fidelity = "standard";
-    std::vector<std::string> fabrics;
+    std::vector<std::string> fabrics; ///< as given
     std::string by;
     std::string output;
     int at_once = 0;
@@ -31,43 +28,7 @@ struct CandidateMaps {
     MapPicture top, bottom;
 };
 
-/// Those named, all when none is. A name may hold commas when it stands alone.
-std::vector<std::string> chosen_fabrics(const Design& design, const CompareOptions& options)
-{
-    std::vector<std::string> names;
-    for (const std::string& given : options.fabrics) {
-        const std::vector<std::string> words = find_fabric(design, given) ? std::vector{given} : words_of(given);
-        names.insert(names.end(), words.begin(), words.end());
-    }
-    if (options.fabrics.empty())
-        for (const Fabric& fabric : design.fabrics) names.push_back(fabric.name);
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-        if (name.empty()) throw Stop(exit_usage, "--fabrics: A name is empty.");
-        ProjectOptions one;
-        one.fabric = name;
-        chosen_fabric(design, one); // tells which there are
-        if (!seen.insert(name).second) throw Stop(exit_usage, fmt::format("--fabrics: \"{}\" is named twice.", name));
-    }
-    if (names.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
-    return names;
-}
-
 constexpr int crossings_per_cell = 2;
-
-/// The fabrics' names as names of files, no two alike.
-std::vector<std::string> file_stems(const std::vector<std::string>& fabrics)
-{
-    std::vector<std::string> stems;
-    for (const std::string& fabric : fabrics) {
-        std::string stem;
-        for (const char c : fabric) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
-        const std::string plain = stem;
-        for (int k = 2; std::find(stems.begin(), stems.end(), stem) != stems.end(); ++k) stem = fmt::format("{}-{}", plain, k);
-        stems.push_back(stem);
-    }
-    return stems;
-}
 
 /// What is in the folder after every run.
 void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
@@ -130,35 +91,20 @@ public:
     {
     }
 
-    /// One thread per backend; each takes the next fabric until none is left or all is cancelled. The numbers are written after every run.
-    /// Throws what writing them threw.
+    /// The numbers are written after every run. Throws what writing them threw.
     void run(const std::vector<std::unique_ptr<Backend>>& backends)
     {
-        working_ = static_cast<int>(backends.size());
         how_.one_on_cpu = &one_on_cpu_;
-        {
-            std::vector<std::jthread> threads;
-            for (const auto& backend : backends) threads.emplace_back([this, &backend] { take_turns(*backend); });
-        }
+        run_side_by_side(backends, fabrics_.size(), control_, [this](std::size_t i, Backend& backend) {
+            bool device_failed = false;
+            keep(i, run_one(i, backend, device_failed));
+            return device_failed;
+        });
         bar_.clear();
-        if (failure_) std::rethrow_exception(failure_);
     }
     std::vector<std::optional<CandidateMaps>>& maps() { return maps_; }
 
 private:
-    void take_turns(Backend& backend)
-    try {
-        for (std::size_t i = next_++; i < fabrics_.size() && !control_.cancel; i = next_++) {
-            bool device_failed = false;
-            keep(i, run_one(i, backend, device_failed));
-            if (device_failed && --working_ > 0) return; // others still have a device
-        }
-    } catch (const Cancelled&) {
-    } catch (...) {
-        const std::lock_guard lock(mutex_);
-        if (!failure_) failure_ = std::current_exception();
-        control_.cancel = true;
-    }
     /// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
     Candidate run_one(std::size_t i, Backend& backend, bool& device_failed)
     try {
@@ -208,30 +154,11 @@ private:
     const std::string experiment_;
     const std::vector<Criterion> criteria_;
     std::vector<std::optional<CandidateMaps>> maps_; // each thread writes its own
-    std::atomic<std::size_t> next_{0};
-    std::atomic<int> working_{0}; ///< backends whose device has not failed
     std::mutex one_on_cpu_;
     std::mutex mutex_; // of what follows, and of the comparison
     std::vector<std::optional<Candidate>> candidates_;
-    std::exception_ptr failure_;
     RunBar bar_;
 };
-
-/// The memory that the largest of the runs takes, by the plan.
-std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
-                             const RunOptions& how)
-{
-    double most = 0;
-    for (const std::string& fabric : fabrics) {
-        try {
-            const ModelPlan plan = plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
-            most = std::max(most, plan.expected_bytes);
-        } catch (const Error&) {
-            // That run will say so.
-        }
-    }
-    return static_cast<std::size_t>(most);
-}
 
 int compare(const CompareOptions& options)
 {
@@ -241,7 +168,8 @@ int compare(const CompareOptions& options)
     const Design design = load_project(options);
     require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
-    const std::vector<std::string> fabrics = chosen_fabrics(design, options);
+    const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
+    if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
     Comparison comparison;
     comparison.experiment = experiment.name;
     comparison.criteria = criteria_of(experiment.type);
@@ -292,9 +220,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.add_option("--fidelity", options->fidelity, "draft, standard or reference; the same for all");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
-    verb.add_option("--at-once", options->at_once,
-                    "Fabrics that run at the same time; 0: one on a CPU, up to 16 on each GPU. Results do not depend on it")
-        ->check(CLI::Range(0, 1024));
+    add_at_once_option(verb, options->at_once);
     verb.add_option("-o,--output", options->output, "Folder to write the table and the maps to");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

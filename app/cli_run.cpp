@@ -8,8 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <set>
+#include <thread>
 
 namespace hygroloom {
 
@@ -116,6 +120,86 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
     finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
     finished.metrics = collector.metrics();
     return finished;
+}
+
+void add_at_once_option(CLI::App& verb, int& at_once)
+{
+    verb.add_option("--at-once", at_once,
+                    "Fabrics that run at the same time; 0: one on a CPU, up to 16 on each GPU. Results do not depend on it")
+        ->check(CLI::Range(0, 1024));
+}
+
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
+                             const RunOptions& how)
+{
+    double most = 0;
+    for (const std::string& fabric : fabrics) {
+        try {
+            const ModelPlan plan = plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
+            most = std::max(most, plan.expected_bytes);
+        } catch (const Error&) {
+            // That run will say so.
+        }
+    }
+    return static_cast<std::size_t>(most);
+}
+
+void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std::size_t count, RunControl& control,
+                      const std::function<bool(std::size_t, Backend&)>& run)
+{
+    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> working{backends.size()};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto take_turns = [&](Backend& backend) {
+        try {
+            for (std::size_t i = next++; i < count && !control.cancel; i = next++)
+                if (run(i, backend) && --working > 0) return; // others still have a device
+        } catch (const Cancelled&) {
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+            control.cancel = true;
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (const auto& backend : backends) threads.emplace_back([&take_turns, &backend] { take_turns(*backend); });
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given)
+{
+    std::vector<std::string> names;
+    for (const std::string& one : given) {
+        const std::vector<std::string> words = find_fabric(design, one) ? std::vector{one} : words_of(one);
+        names.insert(names.end(), words.begin(), words.end());
+    }
+    if (given.empty())
+        for (const Fabric& fabric : design.fabrics) names.push_back(fabric.name);
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        if (name.empty()) throw Stop(exit_usage, "--fabrics: A name is empty.");
+        ProjectOptions one;
+        one.fabric = name;
+        chosen_fabric(design, one); // tells which there are
+        if (!seen.insert(name).second) throw Stop(exit_usage, fmt::format("--fabrics: \"{}\" is named twice.", name));
+    }
+    return names;
+}
+
+std::vector<std::string> file_stems(const std::vector<std::string>& fabrics)
+{
+    std::vector<std::string> stems;
+    for (const std::string& fabric : fabrics) {
+        std::string stem;
+        for (const char c : fabric) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+        const std::string plain = stem;
+        for (int k = 2; std::find(stems.begin(), stems.end(), stem) != stems.end(); ++k) stem = fmt::format("{}-{}", plain, k);
+        stems.push_back(stem);
+    }
+    return stems;
 }
 
 std::vector<std::string> words_of(const std::string& list)

@@ -8,6 +8,7 @@
 #include "core/sim/backend.h"
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 
 namespace hygroloom {
@@ -39,6 +40,22 @@ RunOptions run_options(const RunVerbOptions& options);
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
 /// For runs side by side: see make_backends(). Throws Stop.
 std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each);
+
+/// --at-once.
+void add_at_once_option(CLI::App& verb, int& at_once);
+/// The memory that the largest of the runs takes, by the plan.
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
+                             const RunOptions& how);
+/// Calls run(i, backend) for each i below count, in one thread per backend, which takes the next until none is left or all is cancelled. It
+/// says whether its device has failed; that thread then ends unless it is the last. Throws, after cancelling the others, what it threw but
+/// Cancelled.
+void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std::size_t count, RunControl& control,
+                      const std::function<bool(std::size_t, Backend&)>& run);
+
+/// Those named, with commas between, all when none is. A name may hold commas when it stands alone. Throws Stop.
+std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given);
+/// The fabrics' names as names of files, no two alike.
+std::vector<std::string> file_stems(const std::vector<std::string>& fabrics);
 
 /// Tells on a terminal how far runs are that go on at the same time. Any thread may call it.
 class RunBar {

@@ -11,14 +11,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 namespace hygroloom {
 namespace {
 
 struct SimulateOptions : RunVerbOptions {
     std::string fidelity = "standard";
-    std::string error, time; ///< of --fidelity auto
+    std::string error, time;          ///< of --fidelity auto
+    std::vector<std::string> fabrics; ///< several, as given
+    int at_once = 0;
     std::string output;
     bool profile = false;
 };
@@ -60,12 +67,12 @@ std::optional<FidelityTarget> target_of(const SimulateOptions& options)
 
 /// As named, or the one that keeps what auto was told.
 FidelityChoice chosen_fidelity(const SimulateOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
-                               const ForcedParts& forced, const KnobSettings& knobs)
+                               const Fabric& fabric, const ForcedParts& forced, const KnobSettings& knobs)
 {
     if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
     std::vector<ModelPlan> plans;
     for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
-        plans.push_back(plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), fidelity, forced, knobs));
+        plans.push_back(plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs));
     return choose_fidelity(plans, *target);
 }
 
@@ -82,8 +89,9 @@ int plan(const SimulateOptions& options)
     const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
     require_valid(design, options);
-    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, forced, knobs);
-    ModelPlan plan = plan_model(design, chosen_fabric(design, options), chosen_experiment(design, options), choice.fidelity, forced, knobs);
+    const Fabric& fabric = chosen_fabric(design, options);
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, fabric, forced, knobs);
+    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
     if (options.json)
         fmt::print("{}\n", plan_json(plan));
@@ -109,18 +117,21 @@ void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
     fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
 }
 
-int simulate(const SimulateOptions& options)
+void print_run(const FinishedRun& finished, bool json)
 {
-    check_fidelity(options);
-    RunOptions how = run_options(options);
-    how.recording = options.output;
-    how.may_go_on_on_cpu = true;
-    const Design design = load_project(options);
-    require_valid(design, options);
-    const std::string fabric = chosen_fabric(design, options).name, experiment = chosen_experiment(design, options).name;
-    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, how.forced, how.knobs);
+    print_metrics(finished.run, finished.metrics, json);
+    const ModelPlan& plan = finished.run.plan;
+    if (!plan.fidelity_reason.empty() && !json) fmt::print("  {} fidelity was taken. {}\n", name_of(plan.fidelity), plan.fidelity_reason);
+}
+
+int simulate_one(const SimulateOptions& options, const Design& design, RunOptions how)
+{
+    const Fabric& fabric = chosen_fabric(design, options);
+    const std::string experiment = chosen_experiment(design, options).name;
+    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, fabric, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
+    how.recording = options.output;
 
     const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
@@ -129,15 +140,82 @@ int simulate(const SimulateOptions& options)
     FinishedRun finished;
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric, experiment, how, *backend, control, bar, 0);
+        finished = run_with_bar(design, fabric.name, experiment, how, *backend, control, bar, 0);
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
     }
-    print_metrics(finished.run, finished.metrics, options.json);
-    if (!choice.reason.empty() && !options.json) fmt::print("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
+    print_run(finished, options.json);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
+}
+
+/// As simulate_one() with each, side by side; what is wrong with one is told of it alone.
+int simulate_several(const SimulateOptions& options, const Design& design, RunOptions how)
+{
+    const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics), stems = file_stems(fabrics);
+    const Experiment& experiment = chosen_experiment(design, options);
+    make_folder(options.output);
+    std::vector<FidelityChoice> choices;
+    for (const std::string& fabric : fabrics)
+        choices.push_back(chosen_fidelity(options, target_of(options), design, *find_fabric(design, fabric), how.forced, how.knobs));
+    how.fidelity = Fidelity::draft;
+    for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // takes most memory
+    const auto backends =
+        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
+
+    RunControl control;
+    const InterruptCancels cancels(control.cancel);
+    std::mutex one_on_cpu;
+    how.one_on_cpu = &one_on_cpu;
+    std::vector<std::optional<FinishedRun>> runs(fabrics.size());
+    std::atomic<int> failed{0};
+    {
+        RunBar bar(options.quiet, fabrics.size());
+        run_side_by_side(backends, fabrics.size(), control, [&](std::size_t i, Backend& backend) {
+            RunOptions own = how;
+            own.fidelity = choices[i].fidelity;
+            own.fidelity_reason = choices[i].reason;
+            if (!options.output.empty()) own.recording = (std::filesystem::path(options.output) / (stems[i] + ".hygrorec")).string();
+            try {
+                runs[i] = run_with_bar(design, fabrics[i], experiment.name, own, backend, control, bar, i);
+            } catch (const Cancelled&) {
+                throw;
+            } catch (const std::exception& error) {
+                ++failed;
+                bar.say(fabrics[i] + ": " + error.what());
+            }
+            bar.end(i);
+            return runs[i] && !runs[i]->device_failure.empty();
+        });
+    }
+    if (options.json) fmt::print("[\n");
+    const char* between = "";
+    std::size_t ended = 0;
+    for (const auto& run : runs) {
+        if (!run) continue;
+        if (options.json) fmt::print("{}", std::exchange(between, ",\n"));
+        print_run(*run, options.json);
+        ++ended;
+    }
+    if (options.json) fmt::print("]\n");
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recordings are in {}.\n", options.output);
+    if (control.cancel) throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.", ended, fabrics.size()));
+    return failed > 0 ? exit_failed : exit_ok;
+}
+
+int simulate(const SimulateOptions& options)
+{
+    check_fidelity(options);
+    const bool several = !options.fabrics.empty();
+    if (several && !options.fabric.empty()) throw Stop(exit_usage, "--fabric and --fabrics do not go together.");
+    if (several && options.profile) throw Stop(exit_usage, "--profile goes with one fabric.");
+    if (!several && options.at_once > 0) throw Stop(exit_usage, "--at-once goes with --fabrics.");
+    RunOptions how = run_options(options);
+    how.may_go_on_on_cpu = true;
+    const Design design = load_project(options);
+    require_valid(design, options);
+    return several ? simulate_several(options, design, how) : simulate_one(options, design, how);
 }
 
 void add_run_options(CLI::App& verb, SimulateOptions& options)
@@ -166,7 +244,7 @@ void add_plan(CLI::App& app, Verb& verb)
 void add_simulate(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<SimulateOptions>();
-    CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric, then print its metrics");
+    CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric or on several, then print the metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
         "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
@@ -174,7 +252,12 @@ void add_simulate(CLI::App& app, Verb& verb)
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);
     simulate_verb.add_flag("--profile", options->profile, "Also print where the time went, stage by stage");
-    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec)");
+    simulate_verb
+        .add_option("--fabrics", options->fabrics,
+                    "Names of several, with commas between, which run side by side; --json then gives a list")
+        ->allow_extra_args(false);
+    add_at_once_option(simulate_verb, options->at_once);
+    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder for one of each");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
 }
 

@@ -160,6 +160,40 @@ private Q_SLOTS:
         QVERIFY(!json["provenance"].toObject()["complete"].toBool());
         QVERIFY(!json["points"].toArray()[0].toObject()["walls_s"].toArray().isEmpty());
     }
+    void severalFabricsRunAsEachAlone()
+    {
+        const QString folder = folder_.filePath("several"), project = example("three-candidates.hygro");
+        const QStringList scene{"--experiment",
+                                "one drop",
+                                "--backend",
+                                "cpu",
+                                "--fidelity",
+                                "draft",
+                                "--physics",
+                                "heat=off,vapour=off",
+                                "--json",
+                                "--set",
+                                "experiments.one drop.duration_s=0.05",
+                                "experiments.one drop.sample_mm=[8,8]",
+                                "experiments.one drop.droplets[0].volume_ul=2",
+                                "experiments.one drop.droplets[0].height_mm=0"};
+        const QStringList names{"Hemp plain", "Cotton plain"};
+        const Answer both = run_cli(
+            QStringList{"simulate", project} + scene + QStringList{"--fabrics", names.join(","), "--at-once", "2", "-o", folder}, 300);
+        QVERIFY2(both.code == 0, both.err);
+        const QJsonArray list = QJsonDocument::fromJson(both.out).array();
+        QCOMPARE(list.size(), 2);
+        for (qsizetype i = 0; i < 2; ++i) {
+            const Answer alone = run_cli(QStringList{"simulate", project} + scene + QStringList{"--fabric", names[i]}, 300);
+            QCOMPARE(list[i].toObject()["metrics"], alone.json()["metrics"]);
+            QCOMPARE(list[i].toObject()["ledger"], alone.json()["ledger"]);
+            const QString recording = folder + "/" + QString(names[i]).replace(' ', '-') + ".hygrorec";
+            QCOMPARE(run_cli({"measure", recording, "--json"}).json()["metrics"], alone.json()["metrics"]);
+        }
+        QVERIFY(run_cli({"simulate", project, "--fabric", names[0], "--fabrics", names[1]}).err.contains("do not go together"));
+        QVERIFY(run_cli({"simulate", project, "--fabrics", names[1], "--profile"}).err.contains("goes with one fabric"));
+        QCOMPARE(run_cli({"simulate", project, "--fabric", names[0], "--at-once", "2"}).code, 2);
+    }
     void candidatesAreRankedOnOneExperiment()
     {
         const QString folder = folder_.filePath("compared");
