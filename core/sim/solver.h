@@ -25,6 +25,11 @@ namespace hygroloom {
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 
+/// What frames and ledgers know of the segments: kg, and K and J over the climate's temperature.
+struct SegmentStock {
+    std::vector<double> liquid, vapour, warmth, bound, stored;
+};
+
 template <typename Executor> class Solver {
 public:
     template <typename T> using Buffer = typename Executor::template Buffer<T>;
@@ -52,7 +57,7 @@ public:
         pumped_ = ran_off_ = 0;
         load_segments();
         load_liquid();
-        const Ledger start = ledger();
+        const Ledger start = ledger(take_stock());
         initial_ = start.water_bound + start.water_vapour - scene.initial_bound;
         delivered_ = start.water_liquid + start.water_free + scene.initial_bound;
         initial_energy_ = start.energy_stored;
@@ -165,7 +170,9 @@ private:
     LiquidFlow liquid_flow();
     /// What sorting brought to the other side is where particles are from then on.
     void change_sides();
-    Ledger ledger();
+    SegmentStock take_stock();
+    Ledger ledger(const SegmentStock& stock);
+    void show_particles(Frame& frame);
     Yarns yarns();
     Yarns yarns_on_host() const;
     Segments segments();

@@ -406,72 +406,45 @@ template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vect
     return s;
 }
 
+template <typename Executor> SegmentStock Solver<Executor>::take_stock()
+{
+    exec_.for_each("take stock", scene_.segments(), TakeStock{segments(), work0_.data(), work1_.data()});
+    return {liquid_.download(), vapour_.download(), warmth_.download(), work0_.download(), work1_.download()};
+}
+
 /// Summed on the host in segment order: the same on every machine.
-template <typename Executor> Ledger Solver<Executor>::ledger()
+template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock& stock)
 {
     const auto sum = [](const std::vector<double>& values) {
         long double total = 0;
         for (double v : values) total += v;
         return static_cast<double>(total);
     };
-    const std::vector<double> liquid = liquid_.download(), warmth = warmth_.download();
-    std::vector<double> regain = regain_.download();
-    const Segments s = fibres_on_host(regain);
     Ledger l;
     l.time = time_;
     l.water_initial = initial_;
     l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
-    const std::vector<std::int64_t> content = content_.download();
-    const std::int64_t standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
-    const std::vector<std::uint8_t> alive = alive_.download();
-    std::int64_t free = standing;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
-    l.water_free = static_cast<double>(free) * water_quantum;
-    long double bound = 0, stored = 0;
-    for (std::size_t i = 0; i < liquid.size(); ++i) {
-        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
-        const double here = bound_water(s, yarn, static_cast<int>(i));
-        bound += here;
-        stored += heat_capacity(yarn, s.length[i], liquid[i] + here) * warmth[i];
+    std::int64_t free = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
+    if (flow_.count > 0) {
+        const std::vector<std::int64_t> content = content_.download();
+        const std::vector<std::uint8_t> alive = alive_.download();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
     }
-    l.water_liquid = sum(liquid);
-    l.water_bound = static_cast<double>(bound);
-    l.water_vapour = sum(vapour_.download());
+    l.water_free = static_cast<double>(free) * water_quantum;
+    l.water_liquid = sum(stock.liquid);
+    l.water_bound = sum(stock.bound);
+    l.water_vapour = sum(stock.vapour);
     l.water_evaporated = sum(evaporated_.download());
     l.water_dripped = static_cast<double>(flow_.dripped + ran_off_) * water_quantum;
-    l.energy_stored = static_cast<double>(stored);
+    l.energy_stored = sum(stock.stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum(released_.download());
     l.energy_lost = sum(lost_.download());
     return l;
 }
 
-template <typename Executor> Frame Solver<Executor>::frame()
+template <typename Executor> void Solver<Executor>::show_particles(Frame& f)
 {
-    Frame f;
-    f.time = time_;
-    f.ledger = ledger();
-    const std::vector<double> liquid = liquid_.download(), vapour = vapour_.download(), warmth = warmth_.download();
-    std::vector<double> regain = regain_.download();
-    if (scene_.shows_shells) f.shells.assign(regain.begin(), regain.end());
-    const Segments s = fibres_on_host(regain);
-    const std::vector<double> pores = pores_.download();
-    const auto n = liquid.size();
-    for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool is_warp = i < n / 2;
-        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
-        const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
-        const double bound = bound_water(s, yarn, static_cast<int>(i));
-        const double air = pore_air(pores[i], liquid[i], scene_.climate.density);
-        f.saturation[i] = static_cast<float>(liquid[i] / (scene_.climate.density * pores[i]));
-        f.liquid[i] = static_cast<float>(liquid[i]);
-        f.regain[i] = static_cast<float>(bound / fibres);
-        f.vapour[i] = static_cast<float>(vapour[i] / air);
-        f.temperature[i] = static_cast<float>(scene_.climate.temperature + warmth[i]);
-        const bool on_top = (scene_.warp_up[static_cast<std::size_t>(s.crossing_of(static_cast<int>(i)))] != 0) == is_warp;
-        (on_top ? f.water_top : f.water_bottom) += liquid[i] + bound - yarn.initial_regain * fibres;
-    }
     const std::vector<Vec3> x = position_.download(), v = velocity_.download();
     const std::vector<std::uint8_t> alive = alive_.download();
     const std::vector<Real> impulse = stress_.download();
@@ -482,6 +455,37 @@ template <typename Executor> Frame Solver<Executor>::frame()
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
         if (scene_.shows_pressure) f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
     }
+}
+
+template <typename Executor> Frame Solver<Executor>::frame()
+{
+    Frame f;
+    f.time = time_;
+    const SegmentStock stock = take_stock();
+    f.ledger = ledger(stock);
+    if (scene_.shows_shells) {
+        const std::vector<double> regain = regain_.download();
+        f.shells.assign(regain.begin(), regain.end());
+    }
+    Segments s;
+    static_cast<Yarns&>(s) = yarns_on_host();
+    const std::vector<double> pores = pores_.download();
+    const auto n = stock.liquid.size();
+    for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool is_warp = i < n / 2;
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
+        const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double liquid = stock.liquid[i], bound = stock.bound[i];
+        f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores[i]));
+        f.liquid[i] = static_cast<float>(liquid);
+        f.regain[i] = static_cast<float>(bound / fibres);
+        f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores[i], liquid, scene_.climate.density));
+        f.temperature[i] = static_cast<float>(scene_.climate.temperature + stock.warmth[i]);
+        const bool on_top = (scene_.warp_up[static_cast<std::size_t>(s.crossing_of(static_cast<int>(i)))] != 0) == is_warp;
+        (on_top ? f.water_top : f.water_bottom) += liquid + bound - yarn.initial_regain * fibres;
+    }
+    if (flow_.count > 0) show_particles(f);
     if (scene_.shows_pressure) {
         stress_.fill(0);
         stress_since_ = time_;

@@ -507,4 +507,17 @@ struct TakeAbsorbed {
     }
 };
 
+/// What each segment's fibres hold and what heat it stores, for those who sum up.
+struct TakeStock {
+    Segments s;
+    double* bound;  ///< kg
+    double* stored; ///< J over the climate's temperature
+    HL_FN void operator()(int i) const
+    {
+        const YarnParameters& yarn = s.yarn_of(i);
+        bound[i] = bound_water(s, yarn, i);
+        stored[i] = heat_capacity(yarn, s.length[i], s.liquid[i] + bound[i]) * s.warmth[i];
+    }
+};
+
 } // namespace hygroloom
