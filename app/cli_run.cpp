@@ -154,7 +154,8 @@ void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std
     const auto take_turns = [&](Backend& backend) {
         try {
             for (std::size_t i = next++; i < count && !control.cancel; i = next++)
-                if (run(i, backend) && --working > 0) return; // others still have a device
+                if (run(i, backend) && --working > 0) break; // others still have a device
+            backend.unload();                                // so that those that still run have all of the device
         } catch (const Cancelled&) {
         } catch (...) {
             const std::lock_guard lock(mutex);

@@ -206,13 +206,17 @@ public:
     void for_each(const char* name, const Counted& counted, const Stage& stage, const Next& next = {})
     {
         if (counted.most <= 0) return;
-        if constexpr (stands_apart<Stage>) return for_each(name, counted, stage.first), for_each(name, counted, stage.second, next);
-        constexpr int each = threads_each<Stage>(), few = 1 << 16;
-        const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
-        const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
-        const Lap lap(stage_clock_.get(), name);
-        run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, stage, next, came_.data());
-        check_cuda(cudaGetLastError(), name);
+        if constexpr (stands_apart<Stage>) {
+            for_each(name, counted, stage.first);
+            for_each(name, counted, stage.second, next);
+        } else {
+            constexpr int each = threads_each<Stage>(), few = 1 << 16;
+            const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
+            const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
+            const Lap lap(stage_clock_.get(), name);
+            run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, stage, next, came_.data());
+            check_cuda(cudaGetLastError(), name);
+        }
     }
     template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
     {
@@ -256,9 +260,8 @@ public:
         const int blocks = std::min(share, (most * lanes + grid_threads - 1) / grid_threads);
         GridMemory memory{meeting_.data(), sums_.data(), sort_memory()};
         void* arguments[] = {const_cast<Order*>(&order), &memory};
-        check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order>, dim3(static_cast<unsigned>(blocks)), dim3(grid_threads), arguments, 0,
-                                               own_stream),
-                   "starting the liquid's steps");
+        const dim3 grid(static_cast<unsigned>(blocks)), block(grid_threads);
+        check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order>, grid, block, arguments, 0, own_stream), "starting the steps");
         // A copy that waits would stand in the way of other scenes' work, which comes through the same queues.
         check_cuda(cudaStreamSynchronize(own_stream), "the liquid's steps");
     }

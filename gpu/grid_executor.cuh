@@ -139,7 +139,8 @@ private:
 };
 
 template <typename Order>
-__global__ void __launch_bounds__(grid_threads) go_through_in_grid(const __grid_constant__ Order order, const __grid_constant__ GridMemory memory)
+__global__ void __launch_bounds__(grid_threads)
+    go_through_in_grid(const __grid_constant__ Order order, const __grid_constant__ GridMemory memory)
 {
     GridExecutor executor(memory);
     order(executor);

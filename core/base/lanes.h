@@ -63,6 +63,7 @@ struct Quads {
 };
 HL_FN Real sum_of(Pack pack)
 {
+    wait_for_warp();
     for (int bit = lanes / 2; bit > 0; bit /= 2) pack += of_other_lane(pack, bit);
     return pack;
 }

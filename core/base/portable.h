@@ -80,8 +80,7 @@ HL_FN void atomic_min(int* target, int value)
 #endif
 }
 
-/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each: twice as many would be a little
-/// quicker with some thousand particles alone on the cloth, and a third slower with many or with several scenes.
+/// Lanes of a pack: see lanes.h. On a GPU as many threads side by side share an element, a lane each.
 constexpr int lanes = 8;
 
 HL_FN int own_lane()
@@ -159,6 +158,14 @@ HL_FN double plain_inverse(double value) { return 1.0 / value; }
 #ifdef __CUDA_ARCH__
 constexpr unsigned whole_warp = 0xffffffffu;
 #endif
+
+/// What any of a warp's threads has read before is what stood there before any writes on.
+HL_FN void wait_for_warp()
+{
+#ifdef __CUDA_ARCH__
+    __syncwarp();
+#endif
+}
 
 /// What the lane has whose number differs in the given bit.
 template <typename T> HL_FN T of_other_lane(T value, int bit)

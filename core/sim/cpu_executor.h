@@ -90,12 +90,12 @@ public:
     }
 
     /// Goes through the body as long as the flag is set.
-    template <typename Body> void loop(Flag* flag, const Body& body)
+    template <typename Body> void loop(const Flag* flag, const Body& body)
     {
         while (flag->on) body();
     }
     /// Goes through the body if the flag is set.
-    template <typename Body> void when(Flag* flag, const Body& body)
+    template <typename Body> void when(const Flag* flag, const Body& body)
     {
         if (flag->on) body();
     }

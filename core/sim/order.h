@@ -30,6 +30,6 @@ template <typename First, typename Second> struct InTurn {
 
 /// Whether a stage works on packs of numbers: see lanes.h.
 template <typename Stage> constexpr bool is_wide = requires { Stage::wide; };
-template <typename First, typename Second> constexpr bool is_wide<InTurn<First, Second>> = is_wide<First>&& is_wide<Second>;
+template <typename First, typename Second> constexpr bool is_wide<InTurn<First, Second>> = (is_wide<First>)&&(is_wide<Second>);
 
 } // namespace hygroloom

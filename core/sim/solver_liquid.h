@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The liquid's part of Solver: releasing drops and one step of the pressure loop. Included by solver.h.
+// The liquid's part of Solver: releasing drops, and going on to when the liquid meets the yarns. Included by solver.h.
 #pragma once
 
 #include "core/sim/solver.h"
@@ -23,6 +23,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
         highest = std::max(highest, d.centre.z + std::cbrt(d.volume));
     }
     const std::size_t drops = scene_.droplets.size(), standing = scene_.liquid.places.size();
+    room_ = 0;
     if (drops + standing == 0) return;
     for (const Vec3d& place : scene_.liquid.places) highest = std::max(highest, place.z);
     std::vector<float> profiles;

