@@ -251,7 +251,7 @@ public:
     /// Goes through an order of stages that decide loops and branches; of so many elements at most.
     template <typename Order> void go_through(const Order& order, int most)
     {
-        constexpr int many = 1 << 17; // whose stages are better started one by one, with as many threads as each can have
+        constexpr int many = 50000; // whose stages are better started one by one, with as many threads as each can have
         if (stage_clock_ || !cooperates_ || most > many) return order(*this);
         int fit = 0;
         check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order>, grid_threads, 0), "asking for its room");
