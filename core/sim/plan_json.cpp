@@ -27,6 +27,8 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     Knobs knobs = knobs_of(fidelity);
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
     for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
+    if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
     return knobs;
 }
 
