@@ -126,4 +126,34 @@ try {
     throw Error(std::string("The model plan cannot be read: ") + e.what());
 }
 
+std::string switched_json(const std::vector<SwitchedPart>& parts)
+{
+    Json json = Json::array();
+    for (const SwitchedPart& part : parts)
+        json.push_back({{"name", part.name},
+                        {"time_s", part.time},
+                        {"share", part.share},
+                        {"limit", part.limit},
+                        {"estimate", part.estimate ? Json(*part.estimate) : Json(nullptr)},
+                        {"kept_off", part.kept_off.empty() ? Json(nullptr) : Json(part.kept_off)}});
+    return json.dump();
+}
+
+std::vector<SwitchedPart> switched_from_json(const std::string& text)
+try {
+    std::vector<SwitchedPart> parts;
+    for (const Json& json : Json::parse(text)) {
+        SwitchedPart& part = parts.emplace_back();
+        part.name = json.at("name");
+        part.time = json.at("time_s");
+        part.share = json.at("share");
+        part.limit = json.at("limit");
+        if (!json.at("estimate").is_null()) part.estimate = json.at("estimate").get<double>();
+        if (!json.at("kept_off").is_null()) part.kept_off = json.at("kept_off");
+    }
+    return parts;
+} catch (const Json::exception& e) {
+    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
+}
+
 } // namespace hygroloom
