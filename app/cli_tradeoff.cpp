@@ -120,6 +120,7 @@ private:
             point.peaks.push_back(outcome.peak_bytes);
         }
         point.liquid_steps = outcome.liquid_steps;
+        point.switched_on = outcome.switched_on;
         point.stages.clear();
         for (const StageTime& stage : outcome.stages) point.stages[stage.name] = 100 * stage.seconds / outcome.wall;
         result_.backend = outcome.backend;

@@ -156,16 +156,6 @@ Json series_of(const Series& s)
     return json;
 }
 
-/// Parts that the plan had left out, and why they are modelled from when on.
-Json switched_on(const RunRecord& run)
-{
-    Json parts = Json::array();
-    for (const SwitchedPart& part : run.switched_on)
-        parts.push_back(
-            {{"name", part.name}, {"time_s", part.time}, {"share", part.share}, {"limit", part.limit}, {"estimate", part.estimate}});
-    return parts;
-}
-
 } // namespace
 
 std::string metrics_json(const RunRecord& run, const Metrics& m)
@@ -191,7 +181,7 @@ std::string metrics_json(const RunRecord& run, const Metrics& m)
           {"wall_s", run.wall},
           {"simulated_s", l.time},
           {"plan", Json::parse(plan_json(run.plan))},
-          {"switched_on", switched_on(run)}}},
+          {"switched_on", Json::parse(switched_json(run.switched_on))}}},
         {"metrics", metrics},
         {"series", series_of(m.series)},
         {"ledger",

@@ -174,6 +174,7 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
         a.knobs.step_error != b.knobs.step_error || a.knobs.saturation_change != b.knobs.saturation_change ||
         a.knobs.network_step_limit != b.knobs.network_step_limit)
         return false;
+    if ((a.watches("sorption") || b.watches("sorption")) && a.knobs.fibre_shells != b.knobs.fibre_shells) return false; // it may come on
     const auto watches = [](const ModelPlan& plan) {
         return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
     };
@@ -217,6 +218,7 @@ TradeoffOutcome OutcomeCollector::outcome(const RunRecord& run) const
     outcome.backend = run.backend;
     outcome.device = run.device;
     outcome.plan = run.plan;
+    outcome.switched_on = run.switched_on;
     return outcome;
 }
 

@@ -50,6 +50,7 @@ struct TradeoffOutcome {
     std::string backend, device;
     std::vector<StageTime> stages;
     ModelPlan plan;
+    std::vector<SwitchedPart> switched_on; ///< that the plan had left out
 };
 
 /// Keeps what a TradeoffOutcome needs, frame by frame.
@@ -92,8 +93,9 @@ TradeoffErrors tradeoff_errors(const TradeoffOutcome& run, const TradeoffOutcome
 struct TradeoffPoint {
     TradeoffVariant variant;
     ModelPlan plan;
-    std::vector<double> walls; ///< s, of each repeat
-    std::vector<double> peaks; ///< bytes, of each repeat
+    std::vector<SwitchedPart> switched_on; ///< that the plan had left out, in the last repeat
+    std::vector<double> walls;             ///< s, of each repeat
+    std::vector<double> peaks;             ///< bytes, of each repeat
     long liquid_steps = 0;
     std::optional<TradeoffErrors> errors; ///< none: there is no reference yet
     std::map<std::string, double> stages; ///< percent of the wall time

@@ -73,7 +73,8 @@ Json point_json(const TradeoffPoint& p)
               {"stands_for", p.stands_for},
               {"errors", p.errors ? errors_json(*p.errors) : Json(nullptr)},
               {"stages_percent", Json::object()},
-              {"plan", Json::parse(plan_json(p.plan))}};
+              {"plan", Json::parse(plan_json(p.plan))},
+              {"switched_on", Json::parse(switched_json(p.switched_on))}};
     for (const auto& [name, percent] : p.stages) json["stages_percent"][name] = percent;
     return json;
 }
@@ -92,6 +93,7 @@ TradeoffPoint point_from_json(const Json& json)
     if (!json.at("errors").is_null()) p.errors = errors_from_json(json.at("errors"));
     for (const auto& [name, percent] : json.at("stages_percent").items()) p.stages[name] = percent;
     p.plan = plan_from_json(json.at("plan").dump());
+    if (json.contains("switched_on")) p.switched_on = switched_from_json(json.at("switched_on").dump());
     return p;
 }
 
@@ -212,7 +214,8 @@ std::string outcome_json(const TradeoffOutcome& o)
                 {"backend", o.backend},
                 {"device", o.device},
                 {"stages", stages},
-                {"plan", Json::parse(plan_json(o.plan))}}
+                {"plan", Json::parse(plan_json(o.plan))},
+                {"switched_on", Json::parse(switched_json(o.switched_on))}}
         .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -236,6 +239,7 @@ try {
     o.device = json.at("device");
     for (const Json& s : json.at("stages")) o.stages.push_back({s[0], s[1], s[2]});
     o.plan = plan_from_json(json.at("plan").dump());
+    o.switched_on = switched_from_json(json.at("switched_on").dump());
     return o;
 } catch (const Json::exception& e) {
     throw Error(std::string("What a run told of itself cannot be read: ") + e.what());

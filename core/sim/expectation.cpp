@@ -160,7 +160,8 @@ double rough_work(const ModelPlan& plan)
 double rough_bytes(const ModelPlan& plan)
 {
     const double particles = plan.particles_per_droplet * plan.counts.drops;
-    return plan.segments * (160.0 + 8.0 * plan.fibre_shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
+    return plan.segments * (160.0 + 8.0 * shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)

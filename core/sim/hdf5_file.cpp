@@ -131,6 +131,8 @@ void write_number(hid_t parent, const std::string& name, double value)
     check(H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value), "The recording cannot be written.");
 }
 
+bool has_number(hid_t parent, const std::string& name) { return H5Aexists(parent, name.c_str()) > 0; }
+
 double read_number(hid_t parent, const std::string& name)
 {
     const Handle attribute(H5Aopen(parent, name.c_str(), H5P_DEFAULT), H5Aclose, "The recording lacks \"" + name + "\"; it is damaged.");

@@ -34,6 +34,7 @@ bool exists(hid_t parent, const std::string& name);
 void write_text(hid_t parent, const std::string& name, const std::string& value); ///< a scalar dataset
 std::string read_text(hid_t parent, const std::string& name);
 void write_number(hid_t parent, const std::string& name, double value); ///< an attribute; replaces an old one
+bool has_number(hid_t parent, const std::string& name);
 double read_number(hid_t parent, const std::string& name);
 
 /// Compressed where that pays.

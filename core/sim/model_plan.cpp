@@ -219,7 +219,7 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool conditioning = experiment.type == ExperimentType::conditioning;
     plan.parts.push_back(decide("liquid", b.drops > 0, supply_in_words(experiment, b), forced));
     const bool wet = drops ? plan.parts.back().on : b.delivered > 0;
-    const std::string angle = fmt::format("The smallest contact angle of a yarn is {:.3g} degrees", b.smallest_angle);
+    const std::string angle = fmt::format("The smallest contact angle of a yarn is {:g} degrees", b.smallest_angle);
     plan.parts.push_back(decide("wicking", wet && b.wicks,
                                 !wet      ? std::string("No liquid comes to the yarns.")
                                 : b.wicks ? angle + ", under 90: its pores draw liquid."
@@ -309,6 +309,11 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 bool ModelPlan::on(const std::string& part) const
 {
     return std::any_of(parts.begin(), parts.end(), [&](const PlannedPart& p) { return p.name == part && p.on; });
+}
+
+bool ModelPlan::watches(const std::string& part) const
+{
+    return std::any_of(parts.begin(), parts.end(), [&](const PlannedPart& p) { return p.name == part && p.watched; });
 }
 
 ModelPlan with_part(ModelPlan plan, const std::string& part)

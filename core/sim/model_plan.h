@@ -56,6 +56,7 @@ struct ModelPlan {
     std::string expectation_source;
 
     bool on(const std::string& part) const;
+    bool watches(const std::string& part) const;
 };
 
 /// The same plan with a part switched on while it runs.

@@ -30,30 +30,38 @@ double drying_rate(const Scene& scene, double time)
     return air.mass_transfer * (1.0 - air.humidity) * saturation_concentration(scene.climate.temperature + air.air_warmth);
 }
 
-const char* what_it_is(const std::string& part)
+const char* what_it_is(const SwitchedPart& part)
 {
-    return part == "sorption" ? "what the fibres could take up where the cloth had got wet"
-           : part == "vapour" ? "what would evaporate in all where the cloth had got wet"
-                              : "how much temperature could change a rate or the water";
+    if (part.name == "heat") return "how much temperature could change a rate or the water";
+    if (part.name == "sorption") return "what the fibres could take up where the cloth had got wet";
+    return part.estimate ? "what would evaporate in all where the cloth had got wet"
+                         : "what fibres exchange with the changing air comes and goes as vapour; what they could take up";
 }
 
 } // namespace
 
 std::string in_words(const SwitchedPart& part)
 {
-    return fmt::format("{} was left out until {:.3g} s and is modelled from there on: {} came to {:.3g} %, over the {:.3g} % that may be "
-                       "left out; the plan had expected {:.3g} % at most.",
-                       part.name == "heat"     ? "Heat"
-                       : part.name == "vapour" ? "Vapour"
-                                               : "Sorption",
-                       part.time, what_it_is(part.name), 100 * part.share, 100 * part.limit, 100 * part.estimate);
+    const std::string expected =
+        part.estimate ? fmt::format("; the plan had expected {:.3g} % at most", 100 * *part.estimate) : std::string();
+    const std::string over =
+        fmt::format("{} came to {:g} %, over the {:g} % that may be left out", what_it_is(part), 100 * part.share, 100 * part.limit);
+    const char* name = part.name == "heat" ? "Heat" : part.name == "vapour" ? "Vapour" : "Sorption";
+    if (part.kept_off.empty())
+        return fmt::format("{} was left out until {:.3g} s and is modelled from there on: {}{}.", name, part.time, over, expected);
+    return fmt::format("{} came over the limit at {:.3g} s; it was not modelled, for {}: {}{}.", name, part.time, part.kept_off, over,
+                       expected);
 }
 
 PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
     : scene_(scene), duration_(plan.counts.duration), water_at_stake_(plan.water_at_stake)
 {
-    for (const PlannedPart& part : plan.parts)
-        if (part.watched) watched_.push_back({{part.name, 0, 0, plan.knobs.neglected_share, part.share.value_or(0)}, false});
+    bool sorption = false;
+    for (const PlannedPart& part : plan.parts) {
+        sorption = sorption || (part.name == "sorption" && part.watched);
+        const bool may_follow = part.name == "vapour" && sorption && !scene.course.empty() && !part.on && !part.forced;
+        if (part.watched || may_follow) watched_.push_back({{part.name, 0, 0, plan.knobs.neglected_share, part.share.value_or(0)}, false});
+    }
     for (const YarnParameters& yarn : scene.yarns)
         thirst_.push_back(std::max(0.0, equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain));
 }
@@ -69,12 +77,18 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
     time_ = frame.time;
     if (time_ <= 0) return over;
 
-    bool sorption = scene_.sorption, vapour = scene_.vapour; // with those that come on now: heat follows them
+    bool sorption = scene_.sorption, vapour = scene_.vapour; // with those that come on now: others follow them
     for (Watched& watched : watched_) {
         SwitchedPart& part = watched.part;
         if (watched.told) continue;
         part.share = share_of(part.name, frame, wet, sorption, vapour);
-        if (part.share <= part.limit) continue;
+        bool follows = part.name == "heat" && std::any_of(watched_.begin(), watched_.end(), [](const Watched& w) { return w.told; });
+        if (part.share <= part.limit) { // as in the plan, fibres that come on exchange vapour with air that changes
+            follows = part.name == "vapour" && sorption && !scene_.sorption && !scene_.course.empty();
+            if (!follows) continue;
+            part.share = wet.thirst / water_at_stake_;
+        }
+        if (follows) part.estimate.reset();
         part.time = frame.time;
         watched.told = true;
         over.push_back(part);
@@ -112,7 +126,8 @@ double PartWatch::dries_until_end(double from) const
     return dried;
 }
 
-/// Of any segment by what its fibres have taken up or given since the start, if nothing of the heat had escaped, K.
+/// Of any segment by what its fibres have taken up or given since the start and by what they can still take from the liquid about them,
+/// if nothing of the heat had escaped, K.
 double PartWatch::warming(const Frame& frame) const
 {
     const double temperature = scene_.climate.temperature;
@@ -122,9 +137,11 @@ double PartWatch::warming(const Frame& frame) const
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         const YarnParameters& yarn = scene_.yarns[type];
         const double regain = static_cast<double>(frame.regain[i]), liquid = static_cast<double>(frame.liquid[i]);
-        const double taken = std::abs(regain - yarn.initial_regain) * (yarn.sorption_heat_scale * heat + latent);
+        const double gained = regain - yarn.initial_regain, sorbed = yarn.sorption_heat_scale * heat;
+        const double to_come = wet_share(static_cast<double>(frame.saturation[i])) * std::max(0.0, thirst_[type] - gained);
+        const double released = std::abs(gained) * (sorbed + latent) + to_come * sorbed;
         const double water = regain + liquid / dry_mass(yarn, scene_.length[i]);
-        most = std::max(most, taken / (yarn.fibre_specific_heat + water * water_specific_heat));
+        most = std::max(most, released / (yarn.fibre_specific_heat + water * water_specific_heat));
     });
     return most;
 }

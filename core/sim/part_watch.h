@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Parts of the physics that a plan leaves out on an estimate are watched while running: the estimate is made again at each frame from how
-// far the cloth has really got wet. It costs a sum over the wet segments of the frame, and nothing where nothing was left out.
+// far the cloth has really got wet. It costs a pass over the segments of the frame, and nothing where nothing was left out.
 #pragma once
 
 #include "core/sim/frame.h"
 #include "core/sim/scene.h"
 
+#include <optional>
+
 namespace hygroloom {
 
-/// A part that the plan had left out and that the run switched on.
+/// A part that the plan had left out and that the run switched on, or would have.
 struct SwitchedPart {
     std::string name;
-    double time = 0;     ///< s, of the frame from which on it is modelled
-    double share = 0;    ///< of the water at stake, or of a rate, that it would come to in the run, as told then
-    double limit = 0;    ///< the share that may be left out
-    double estimate = 0; ///< the share that the plan had expected at most
+    double time = 0;  ///< s, of the frame from which on it is modelled
+    double share = 0; ///< of the water at stake, or of a rate, that it would come to in the run, as told then
+    double limit = 0; ///< the share that may be left out
+    std::optional<double> estimate =
+        std::nullopt;          ///< the share that the plan had expected at most; none: it follows a part that the plan had left out too
+    std::string kept_off = {}; ///< why it was not switched on, in words; empty: it was
 };
 
 /// One sentence: when, and with which number against which limit.
 std::string in_words(const SwitchedPart& part);
 
 /// Follows what a plan's watched parts would come to. Of vapour that is what would have evaporated by now and, from what is wet now, until
-/// the end: as wet cloth that does not dry only grows, a part that comes over the limit would stay over it.
+/// the end. As long as fibres take up nothing, wet cloth that does not dry only grows, and vapour that comes over the limit would stay
+/// over it; fibres that drink may dry it again.
 class PartWatch {
 public:
     /// The scene is the one that runs: parts that are switched on in it are seen as on.
@@ -49,7 +54,7 @@ private:
     const Scene& scene_;
     double duration_;              ///< s
     double water_at_stake_;        ///< kg
-    std::vector<Watched> watched_; ///< in the plan's order
+    std::vector<Watched> watched_; ///< in the plan's order, with vapour where it may follow sorption
     std::vector<double> thirst_;   ///< kg/kg, of each type of yarn: regain that it can still gain from liquid
     double time_ = 0;              ///< s, of the last frame
     double rate_ = 0;              ///< kg/s, at which what was wet then would dry

@@ -27,6 +27,8 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     Knobs knobs = knobs_of(fidelity);
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
     for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
+    if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
     return knobs;
 }
 
@@ -122,6 +124,36 @@ try {
     return plan;
 } catch (const Json::exception& e) {
     throw Error(std::string("The model plan cannot be read: ") + e.what());
+}
+
+std::string switched_json(const std::vector<SwitchedPart>& parts)
+{
+    Json json = Json::array();
+    for (const SwitchedPart& part : parts)
+        json.push_back({{"name", part.name},
+                        {"time_s", part.time},
+                        {"share", part.share},
+                        {"limit", part.limit},
+                        {"estimate", part.estimate ? Json(*part.estimate) : Json(nullptr)},
+                        {"kept_off", part.kept_off.empty() ? Json(nullptr) : Json(part.kept_off)}});
+    return json.dump();
+}
+
+std::vector<SwitchedPart> switched_from_json(const std::string& text)
+try {
+    std::vector<SwitchedPart> parts;
+    for (const Json& json : Json::parse(text)) {
+        SwitchedPart& part = parts.emplace_back();
+        part.name = json.at("name");
+        part.time = json.at("time_s");
+        part.share = json.at("share");
+        part.limit = json.at("limit");
+        if (!json.at("estimate").is_null()) part.estimate = json.at("estimate").get<double>();
+        if (!json.at("kept_off").is_null()) part.kept_off = json.at("kept_off");
+    }
+    return parts;
+} catch (const Json::exception& e) {
+    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
 }
 
 } // namespace hygroloom

@@ -92,7 +92,9 @@ std::vector<SwitchedPart> read_switched_on(hid_t provenance)
         if (!h5::exists(all.get(), name)) continue;
         const h5::Handle group = h5::open_group(all.get(), name);
         const auto number = [&](const char* which) { return h5::read_number(group.get(), which); };
-        parts.push_back({name, number("time_s"), number("share"), number("limit"), number("estimate")});
+        parts.push_back({name, number("time_s"), number("share"), number("limit")});
+        if (h5::has_number(group.get(), "estimate")) parts.back().estimate = number("estimate");
+        if (h5::exists(group.get(), "kept_off")) parts.back().kept_off = h5::read_text(group.get(), "kept_off");
     }
     std::stable_sort(parts.begin(), parts.end(), [](const SwitchedPart& a, const SwitchedPart& b) { return a.time < b.time; });
     return parts;
@@ -194,7 +196,8 @@ void RecordingWriter::note_switched_on(const SwitchedPart& part)
     h5::write_number(group.get(), "time_s", part.time);
     h5::write_number(group.get(), "share", part.share);
     h5::write_number(group.get(), "limit", part.limit);
-    h5::write_number(group.get(), "estimate", part.estimate);
+    if (part.estimate) h5::write_number(group.get(), "estimate", *part.estimate);
+    if (!part.kept_off.empty()) h5::write_text(group.get(), "kept_off", part.kept_off);
     H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL);
 }
 

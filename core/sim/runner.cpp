@@ -126,6 +126,16 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     std::vector<SwitchedPart> due;
 
     std::optional<RecordingWriter> recording;
+    /// kept_off: why the parts that are due stay off; empty: they are on.
+    const auto tell_due = [&](const char* kept_off) {
+        for (SwitchedPart& part : due) {
+            part.kept_off = kept_off;
+            if (recording) recording->note_switched_on(part);
+            if (callbacks.switched_on) callbacks.switched_on(part);
+            run.switched_on.push_back(std::move(part));
+        }
+        due.clear();
+    };
     const auto publish = [&](Frame frame, double time) {
         frame.time = time;
         // Water may not appear or vanish; if it does, the result is worth nothing.
@@ -134,6 +144,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
             throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
         if (recording) recording->append(frame);
         for (SwitchedPart& part : watch.see(frame)) due.push_back(std::move(part));
+        if (time >= experiment->duration_s) tell_due("the run was over");
         if (callbacks.frame) callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
     };
     Clock::time_point told;
@@ -164,15 +175,20 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     };
     // Where the device fails at this, it goes on on the CPU: from an earlier frame if nothing could be held, else from here.
     const auto switch_on = [&](long frame) {
-        if (!try_to([&] { machine.hold(frame); })) return false;
-        for (const SwitchedPart& part : due) now = with_part(std::move(now), part.name);
-        try_to([&] { machine.go_on_with(now); });
-        for (SwitchedPart& part : due) {
-            if (recording) recording->note_switched_on(part);
-            if (callbacks.switched_on) callbacks.switched_on(part);
-            run.switched_on.push_back(std::move(part));
+        bool holds = false;
+        const char* kept_off = "";
+        try {
+            if (!try_to([&] { machine.hold(frame); })) return false;
+            holds = true;
+            ModelPlan with = now;
+            for (const SwitchedPart& part : due) with = with_part(std::move(with), part.name);
+            try_to([&] { machine.go_on_with(with); });
+            now = std::move(with);
+        } catch (const std::bad_alloc&) { // no reason to end a run that is well
+            kept_off = "the memory did not suffice";
+            if (holds) try_to([&] { machine.go_on_with(now); });
         }
-        due.clear();
+        tell_due(kept_off);
         return true;
     };
 
@@ -194,7 +210,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
             published = std::max(published, k);
             machine.keep(k);
         });
-        if (done && !due.empty() && k == published && k < frames) done = switch_on(k);
+        if (done && !due.empty() && k == published) done = switch_on(k);
         k = done ? k + 1 : machine.kept_frame() + (machine.kept_frame() > 0 ? 1 : 0);
     }
     run.wall = seconds_since(start);

@@ -52,7 +52,7 @@ struct RunRecord {
     int threads = 0;
     std::string backend;                   ///< "cpu", "cuda"
     std::string device;                    ///< in words, and where it went on when that failed
-    std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time
+    std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time; also those kept off
     double wall = 0;                       ///< s, of the run; 0 while it runs
 };
 
@@ -60,7 +60,7 @@ struct RunCallbacks {
     std::function<void(const RunRecord&)> started;
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
     std::function<void(const RunProgress&)> progress;        ///< several times a second
-    std::function<void(const SwitchedPart&)> switched_on;    ///< after the frame of its time
+    std::function<void(const SwitchedPart&)> switched_on;    ///< after the frame of its time; before it if that is the last
     std::function<void(const std::string&)> device_failed;   ///< the run is about to go on on the CPU; a sentence
 };
 

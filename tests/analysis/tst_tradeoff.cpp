@@ -133,6 +133,13 @@ private Q_SLOTS:
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
         // The same parts are off, but not the same share would switch one on.
         QVERIFY(!run_alike(plan(35, {{"neglected_share", 0.1}}), plan(35, {{"neglected_share", 0.11}})));
+        const auto watched = [](double shells) { // sorption that is off but may come on, with so many shells
+            ModelPlan off;
+            off.parts = {{"sorption", false, false, "", 0.01, true}};
+            off.knobs.fibre_shells = shells;
+            return off;
+        };
+        QVERIFY(run_alike(watched(5), watched(5)) && !run_alike(watched(5), watched(8)));
     }
     void filesReadBack()
     {
@@ -143,6 +150,7 @@ private Q_SLOTS:
         TradeoffPoint p = point("draft", 1.5, 0);
         p.variant.settings = {{"fibre_shells", 4}};
         p.plan = other.plan;
+        p.switched_on = {{"vapour", 20, 0.0103, 0.01, 0.0075}};
         p.peaks = {3e7};
         p.errors = tradeoff_errors(other, reference);
         p.stages = {{"exchange", 40.5}};
@@ -167,9 +175,12 @@ private Q_SLOTS:
     }
     void anOutcomeSurvivesThePipe()
     {
-        const TradeoffOutcome o = outcome(10, 15, {3, 4.25}, {1, 0, 1}, 1e-6);
+        TradeoffOutcome o = outcome(10, 15, {3, 4.25}, {1, 0, 1}, 1e-6);
+        o.switched_on = {{"vapour", 20, 0.0103, 0.01, 0.0075}, {"heat", 30, 0.02, 0.01, std::nullopt, "the run was over"}};
         const TradeoffOutcome back = outcome_from_json(outcome_json(o));
         QCOMPARE(outcome_json(back), outcome_json(o));
+        QCOMPARE(back.switched_on.size(), std::size_t(2));
+        for (std::size_t i = 0; i < 2; ++i) QCOMPARE(in_words(back.switched_on[i]), in_words(o.switched_on[i]));
         QCOMPARE(tradeoff_errors(back, o).largest, 0.0);
         QVERIFY_EXCEPTION_THROWN(outcome_from_json("{"), Error);
     }

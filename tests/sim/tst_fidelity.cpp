@@ -177,6 +177,11 @@ private Q_SLOTS:
         const ModelPlan plan = plan_from_json(text);
         QCOMPARE(plan.knobs.fibre_shells, 3.0);
         QCOMPARE(plan.knobs.neglected_share, knobs_of(Fidelity::draft).neglected_share);
+        QCOMPARE(plan.knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
+        text = plan_json(plan_with({{"settle_share", 0}}, Fidelity::draft)); // such liquid was drunk at each step
+        QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
+        text.erase(text.find("  \"knobs\""), text.find("  \"parts\"") - text.find("  \"knobs\""));
+        QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, 1.0);
     }
 };
 

@@ -98,7 +98,6 @@ private Q_SLOTS:
         QTest::addColumn<double>("neglected");
         const Design cotton = pool("cotton", 0.65, 10);
         QTest::newRow("a drop falls") << drop_design(35, 0.1) << "liquid" << true << ForcedParts{} << 0.01;
-        QTest::newRow("no drop falls") << cotton << "liquid" << false << ForcedParts{} << 0.01;
         QTest::newRow("yarns wick") << cotton << "wicking" << true << ForcedParts{} << 0.01;
         QTest::newRow("no yarn wicks") << drop_design(120, 0.1) << "wicking" << false << ForcedParts{} << 0.01;
         QTest::newRow("cotton drinks") << cotton << "sorption" << true << ForcedParts{} << 0.01;

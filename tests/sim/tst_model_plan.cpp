@@ -55,6 +55,12 @@ private Q_SLOTS:
         QVERIFY(plan.on("liquid"));
         for (const char* part : {"wicking", "sorption", "vapour", "heat"}) QVERIFY(!plan.on(part));
     }
+    void anAngleJustUnder90IsToldInFull()
+    {
+        const ModelPlan plan = plan_of(drop_design(89.96));
+        const auto wicking = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "wicking"; });
+        QVERIFY2(wicking->on && wicking->reason.find("89.96 degrees, under 90") != std::string::npos, wicking->reason.c_str());
+    }
     void thePapersClosureTakesAllFibresForAlikeButForTheirRegain()
     {
         const auto warp_of = [](const char* fibre, Closure closure, std::optional<double> angle) {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/sim/backend.h"
+#include "core/sim/expectation.h"
 #include "core/sim/plan_json.h"
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
@@ -32,7 +33,7 @@ Design spot(double humidity, double duration = 200)
     return design;
 }
 
-/// Counts what a run asks of it, and fails when told to.
+/// Counts what a run asks of it, and fails or shows wet cloth when told to.
 class WatchedBackend : public Backend {
 public:
     std::string name() const override { return "cuda"; }
@@ -41,13 +42,20 @@ public:
     void load(const Scene& scene) override
     {
         if (++loads == fails_at_load) throw DeviceError("The device failed.");
+        if (loads == full_at_load) throw std::bad_alloc();
         cpu_->load(scene);
     }
-    double advance(double until) override { return cpu_->advance(until); }
-    Frame frame() override { return cpu_->frame(); }
+    double advance(double until) override { return reached_ = cpu_->advance(until); }
+    Frame frame() override
+    {
+        Frame frame = cpu_->frame();
+        if (floods_at > 0 && reached_ >= floods_at) std::fill(frame.saturation.begin(), frame.saturation.end(), 1.0f);
+        return frame;
+    }
     std::vector<std::byte> state() override
     {
         if (++states == fails_at_state) throw DeviceError("The device failed.");
+        if (states == full_at_state) throw std::bad_alloc();
         return cpu_->state();
     }
     void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
@@ -56,8 +64,11 @@ public:
 
     int loads = 0, states = 0;
     int fails_at_load = 0, fails_at_state = 0;
+    int full_at_load = 0, full_at_state = 0; // of memory
+    double floods_at = 0;                    // s, from when on all of the cloth looks wet
 
 private:
+    double reached_ = 0;
     std::unique_ptr<Backend> cpu_ = make_cpu_backend();
 };
 
@@ -196,6 +207,8 @@ private Q_SLOTS:
                   off = run(design, draft({{"vapour", false}, {"sorption", false}}, knobs));
         QCOMPARE(left.record.plan.fibre_shells, 1);
         QCOMPARE(on.record.plan.fibre_shells, 5);
+        QCOMPARE(rough_bytes(left.record.plan), rough_bytes(on.record.plan)); // the shells may come on
+        QVERIFY(rough_bytes(left.record.plan) > rough_bytes(off.record.plan));
         QVERIFY(!left.record.switched_on.empty());
         const SwitchedPart& part = left.record.switched_on[0];
         QCOMPARE(part.name, std::string("sorption"));
@@ -206,6 +219,100 @@ private Q_SLOTS:
         QVERIFY(left.end().water_bound > start);
         const double missed = std::abs(left.end().water_bound - on.end().water_bound);
         QVERIFY2(missed < 0.2 * std::abs(off.end().water_bound - on.end().water_bound), qPrintable(QString::number(missed)));
+    }
+    void heatComesOnWithTheFibresThatWarm() // not when most of the heat has been set free
+    {
+        const Run left = run(spot(0.2), draft({{"vapour", false}}, {{"neglected_share", 0.04}}));
+        const auto& parts = left.record.switched_on;
+        QCOMPARE(parts.size(), std::size_t(2));
+        QCOMPARE(parts[0].name, std::string("sorption"));
+        QCOMPARE(parts[1].name, std::string("heat"));
+        QCOMPARE(parts[1].time, parts[0].time);
+        QVERIFY(in_words(parts[0]).find("the plan had expected") != std::string::npos);
+        QVERIFY2(in_words(parts[1]).find("the plan had expected") == std::string::npos, in_words(parts[1]).c_str());
+        float warmest = 0;
+        for (const Frame& frame : left.frames)
+            warmest = std::max(warmest, *std::max_element(frame.temperature.begin(), frame.temperature.end()));
+        QVERIFY2(warmest > 294.15f + 0.1f, qPrintable(QString::number(warmest)));
+        verify_balance(left);
+    }
+    void vapourFollowsFibresInAirThatChanges_data()
+    {
+        QTest::addColumn<bool>("changes");
+        QTest::addColumn<ForcedParts>("forced");
+        QTest::addColumn<QString>("due");
+        QTest::newRow("as in the plan") << true << ForcedParts{} << "sorption vapour heat";
+        QTest::newRow("not if it is forced off") << true << ForcedParts{{"vapour", false}} << "sorption heat";
+        QTest::newRow("not in steady air") << false << ForcedParts{} << "sorption heat";
+    }
+    void vapourFollowsFibresInAirThatChanges()
+    {
+        QFETCH(bool, changes);
+        QFETCH(ForcedParts, forced);
+        QFETCH(QString, due);
+        Design design = spot(0.2, 1);
+        Experiment& experiment = design.experiments[0];
+        if (changes) experiment.climates = {{0.5, {21, 0.3, 0}}};
+        const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, forced, {{"neglected_share", 0.05}});
+        QVERIFY(plan.watches("sorption") && !plan.on("vapour"));
+        const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+        const auto backend = make_cpu_backend();
+        backend->load(scene);
+        Frame frame = backend->frame();
+        PartWatch watch(scene, plan);
+        QVERIFY(watch.see(frame).empty());
+        std::fill(frame.saturation.begin(), frame.saturation.end(), 0.05f);
+        frame.time = 0.9;
+        QStringList names;
+        for (const SwitchedPart& part : watch.see(frame)) {
+            names << QString::fromStdString(part.name);
+            QVERIFY(part.share > part.limit);
+            QCOMPARE(part.estimate.has_value(), part.name == "sorption");
+        }
+        QCOMPARE(names.join(' '), due);
+        QVERIFY(watch.see(frame).empty());
+    }
+    void whatComesOverTheLimitAtTheEndIsTold()
+    {
+        WatchedBackend backend;
+        backend.floods_at = 50;
+        RunOptions options = draft({{"vapour", false}}, {{"neglected_share", 0.1}});
+        options.recording = folder_.filePath("end.hygrorec").toStdString();
+        const Run left = run(spot(0.65, 50), options, backend);
+        QVERIFY(!left.record.switched_on.empty());
+        const SwitchedPart& part = left.record.switched_on[0];
+        QCOMPARE(part.name, std::string("sorption"));
+        QCOMPARE(part.time, 50.0);
+        QCOMPARE(part.kept_off, std::string("the run was over"));
+        QVERIFY2(in_words(part).starts_with("Sorption came over the limit at 50 s; it was not modelled"), in_words(part).c_str());
+        QCOMPARE(left.metrics.notes.at(0), in_words(part));
+        QCOMPARE(backend.loads, 1);
+        const Recording recording(options.recording);
+        QCOMPARE(in_words(recording.run().switched_on.at(0)), in_words(part));
+    }
+    void theRunGoesOnWithoutAPartThatFindsNoMemory_data()
+    {
+        QTest::addColumn<int>("atLoad");
+        QTest::addColumn<int>("atState");
+        QTest::newRow("when the scene is loaded with it") << 2 << 0;
+        QTest::newRow("when asked what it has come to") << 0 << 1;
+    }
+    void theRunGoesOnWithoutAPartThatFindsNoMemory()
+    {
+        QFETCH(int, atLoad);
+        QFETCH(int, atState);
+        const Design design = spot(0.993);
+        WatchedBackend backend;
+        backend.full_at_load = atLoad;
+        backend.full_at_state = atState;
+        const Run left = run(design, draft({{"heat", false}}), backend), off = run(design, draft({{"heat", false}, {"vapour", false}}));
+        QCOMPARE(left.record.switched_on.size(), std::size_t(1));
+        QCOMPARE(left.record.switched_on[0].kept_off, std::string("the memory did not suffice"));
+        QCOMPARE(left.metrics.notes, std::vector<std::string>{in_words(left.record.switched_on[0])});
+        QCOMPARE(left.frames.size(), off.frames.size());
+        QCOMPARE(left.end().water_evaporated, 0.0);
+        const double moved = std::abs(left.end().water_liquid - off.end().water_liquid);
+        QVERIFY2(moved < 1e-3 * off.end().water_delivered, qPrintable(QString::number(moved)));
     }
     void heatFollowsTheVapourThatComesOn()
     {
