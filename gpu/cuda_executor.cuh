@@ -330,7 +330,7 @@ private:
         const char* name_;
         cudaEvent_t events_[2] = {};
     };
-    /// That share a GPU.
+    /// That share a GPU; of more than 64 GPUs some count together.
     static std::atomic<int>& scenes_on(int device)
     {
         static std::atomic<int> scenes[64];
