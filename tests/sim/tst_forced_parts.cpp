@@ -3,7 +3,7 @@
 // out matters less, and forcing what it decided itself changes no byte.
 #include "core/sim/backend.h"
 #include "core/sim/runner.h"
-#include "tests/support/drop_design.h"
+#include "tests/support/spot_design.h"
 
 #include <QTest>
 
@@ -12,19 +12,6 @@ using namespace hygroloom;
 namespace {
 
 /// A pool of a microlitre, on cotton or on polyester that is wetted well.
-Design pool(const char* fibre, double humidity, double duration)
-{
-    Design design = drop_design(fibre == std::string("cotton") ? 35 : 20);
-    design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{fibre, 1.0}};
-    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
-    experiment.volume_ul = 1;
-    experiment.sample_mm = {16, 16};
-    experiment.duration_s = duration;
-    experiment.climate = {21, humidity, 0};
-    design.experiments = {experiment};
-    return design;
-}
-
 Design sample(ExperimentType type, double duration)
 {
     Design design = drop_design(35);
@@ -96,19 +83,20 @@ private Q_SLOTS:
         QTest::addColumn<bool>("on");
         QTest::addColumn<ForcedParts>("others");
         QTest::addColumn<double>("neglected");
-        const Design cotton = pool("cotton", 0.65, 10);
+        const Design cotton = spot_design("cotton", 0.65, 10);
         QTest::newRow("a drop falls") << drop_design(35, 0.1) << "liquid" << true << ForcedParts{} << 0.01;
         QTest::newRow("yarns wick") << cotton << "wicking" << true << ForcedParts{} << 0.01;
         QTest::newRow("no yarn wicks") << drop_design(120, 0.1) << "wicking" << false << ForcedParts{} << 0.01;
         QTest::newRow("cotton drinks") << cotton << "sorption" << true << ForcedParts{} << 0.01;
         QTest::newRow("a humidity step") << sample(ExperimentType::conditioning, 600) << "sorption" << true << ForcedParts{} << 0.01;
         QTest::newRow("polyester drinks little")
-            << pool("polyester", 0.65, 10) << "sorption" << false << ForcedParts{{"vapour", false}} << 0.03;
-        QTest::newRow("it dries") << pool("polyester", 0.5, 50) << "vapour" << true << ForcedParts{} << 0.01;
+            << spot_design("polyester", 0.65, 10) << "sorption" << false << ForcedParts{{"vapour", false}} << 0.03;
+        QTest::newRow("it dries") << spot_design("polyester", 0.5, 50) << "vapour" << true << ForcedParts{} << 0.01;
         QTest::newRow("a humidity step's vapour") << sample(ExperimentType::conditioning, 600) << "vapour" << true << ForcedParts{} << 0.01;
-        QTest::newRow("it hardly dries") << pool("polyester", 0.999, 50) << "vapour" << false << ForcedParts{} << 0.01;
+        QTest::newRow("it hardly dries") << spot_design("polyester", 0.999, 50) << "vapour" << false << ForcedParts{} << 0.01;
         QTest::newRow("fibres warm") << cotton << "heat" << true << ForcedParts{} << 0.01;
-        QTest::newRow("hardly any cooling") << pool("polyester", 0.993, 50) << "heat" << false << ForcedParts{{"vapour", true}} << 0.01;
+        QTest::newRow("hardly any cooling") << spot_design("polyester", 0.993, 50) << "heat" << false << ForcedParts{{"vapour", true}}
+                                            << 0.01;
         QTest::newRow("a small stain") << cotton << "growth" << true << ForcedParts{} << 0.01;
         QTest::newRow("wet all over") << sample(ExperimentType::drying, 600) << "growth" << false << ForcedParts{} << 0.01;
     }
@@ -140,7 +128,7 @@ private Q_SLOTS:
     }
     void aPartThatIsOffLeavesItsQuantityAlone()
     {
-        const Design design = pool("cotton", 0.65, 10);
+        const Design design = spot_design("cotton", 0.65, 10);
         const Run dry = run(drop_design(35, 0.1), {{"liquid", false}}, {}), still = run(design, {{"wicking", false}}, {});
         QCOMPARE(dry.end.ledger.water_delivered, 0.0);
         const auto wet = [](const Run& run) {

@@ -8,7 +8,7 @@
 #include "core/sim/plan_json.h"
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
-#include "tests/support/drop_design.h"
+#include "tests/support/spot_design.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -19,19 +19,7 @@ namespace {
 
 /// A microlitre on polyester that it wets well. The estimate takes for granted that liquid stops where it fills a fifth of the pores; given
 /// minutes, it does not.
-Design spot(double humidity, double duration = 200)
-{
-    Design design = drop_design(20);
-    design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"polyester", 1.0}};
-    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
-    experiment.name = "drop";
-    experiment.volume_ul = 1;
-    experiment.sample_mm = {16, 16};
-    experiment.duration_s = duration;
-    experiment.climate = {21, humidity, 0};
-    design.experiments = {experiment};
-    return design;
-}
+Design spot(double humidity, double duration = 200) { return spot_design("polyester", humidity, duration); }
 
 /// Counts what a run asks of it, and fails or shows wet cloth when told to.
 class WatchedBackend : public Backend {
