@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Packs of numbers for sums over neighbours: eight at once on a CPU, in threads side by side on a GPU. The lanes of a pack are
-// added in one order, so a sum does not depend on the processor's width.
+// added in one order, whatever the processor's width.
 #pragma once
 
 #include "core/base/portable.h"

@@ -272,17 +272,34 @@ private:
             now.end = ends ? next.end : now.end;
         }
     }
-    /// Those with particles; behind them stands an empty one.
-    HL_FN static int find_runs(const Cells& cells, Run* runs)
+    /// Those with particles; behind them stands an empty one. Rows beside each other along y are the lanes of a pack.
+    static int find_runs(const Cells& cells, Run* runs)
     {
+        const int wide = cells.y1 - cells.y0 + 1;
+        Pack far_y{};
+        for (int lane = 0; lane < wide; ++lane) far_y[lane] = cells.gap_y(cells.y0 + lane);
         int count = 0;
-        for (int z = cells.z0; z <= cells.z1; ++z)
-            for (int y = cells.y0; y <= cells.y1; ++y) {
-                runs[count] = cells.run(y, z);
-                count += int(runs[count].first < runs[count].end);
+        for (int z = cells.z0; z <= cells.z1; ++z) {
+            const Real far_z = cells.gap_z(z);
+            const Pack left = cells.reach * cells.reach - far_z * far_z - far_y * far_y, half = root(positive(left));
+            const Slots first = cells_x(cells, cells.x.x - half), last = cells_x(cells, cells.x.x + half);
+            for (int lane = 0; lane < wide; ++lane) {
+                const int* row = cells.g.start + (z * cells.g.ny + cells.y0 + lane) * cells.g.nx;
+                runs[count] = {row[first[lane]], row[last[lane] + 1]};
+                count += int(left[lane] > 0) & int(runs[count].first < runs[count].end);
             }
+        }
         runs[count] = {0, 0};
         return count;
+    }
+    /// The cells that places are in along x, as inside(cell_x()) has one of them.
+    static Slots cells_x(const Cells& cells, const Pack& x)
+    {
+        const CellGrid& g = cells.g;
+        const Pack place = positive((x - g.origin.x) / g.size), end = Pack{} + Real(g.whole_x - 1);
+        const Slots cell = (__builtin_convertvector(place < end ? place : end, Slots) >> g.shift) - g.first_x;
+        const Slots low = cell > 0 ? cell : Slots{}, high = Slots{} + (g.nx - 1);
+        return low < high ? low : high;
     }
 #endif
 };
