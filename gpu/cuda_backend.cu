@@ -20,7 +20,11 @@ public:
     std::string device() const override { return device_; }
     void set_threads(int) override {}
     /// The thread that loads a scene is the one that advances it and asks for its frames.
-    void load(const Scene& scene) override { solver().load(scene); }
+    void load(const Scene& scene) override
+    {
+        if (scene.double_precision) throw DeviceError("Particles in double precision (fidelity.double_precision) run on a CPU only.");
+        solver().load(scene);
+    }
     void unload() override
     {
         if (!solver_) return;

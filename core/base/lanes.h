@@ -10,7 +10,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Four numbers that are fetched together: a place and what is known there.
 struct alignas(4 * sizeof(Real)) Quad {
@@ -207,4 +207,4 @@ inline int list_lanes(const Mask& wanted, int first, int* slots, bool has_room)
 
 #endif
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -16,6 +16,13 @@
 #define HL_UNROLL(times)
 #endif
 
+// What depends on Real is compiled for both number types and stands in a namespace for each, so that both fit into one program.
+#ifdef HYGROLOOM_DOUBLE
+#define HL_PRECISION in_double
+#else
+#define HL_PRECISION in_single
+#endif
+
 namespace hygroloom {
 
 /// Number type of the liquid's particles; everything on the yarns is double.

@@ -5,7 +5,7 @@
 #include "core/base/units.h"
 #include "core/physics/sph_kernels.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// The energy per volume of a liquid whose share of the space round a particle is phi (1 deep inside, 1/2 at the surface):
 ///     e = a ((1 - phi)^2 + sharpness H^2 |grad phi|^2),
@@ -78,4 +78,4 @@ HL_FN Real wall_pull(Real energy_per_area, Real distance, Real support)
     return energy_per_area * Real(4.0 * pi) * distance * spline_kernel(distance, support);
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

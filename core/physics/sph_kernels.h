@@ -6,7 +6,7 @@
 #include "core/base/units.h"
 #include "core/base/vec3.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// W(r), 1/m3; of one distance (Real) or a pack of them.
 template <typename T> HL_FN T spline_kernel(T r, Real support)
@@ -81,4 +81,4 @@ HL_FN Real curvature_virial_beyond_plane(Real distance, Real support)
     return Real(3) * kernel_in_plane(distance, support) - distance * kernel_in_plane_slope(distance, support);
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

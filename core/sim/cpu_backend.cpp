@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/sim/backend.h"
-#include "core/sim/cpu_executor.h"
-#include "core/sim/solver.h"
+#include "core/sim/scene.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,14 @@
 #include <thread>
 
 namespace hygroloom {
+
+namespace in_single {
+std::unique_ptr<Backend> make_cpu_solver(); // cpu_solver.cpp
+}
+namespace in_double {
+std::unique_ptr<Backend> make_cpu_solver();
+}
+
 namespace {
 
 std::string processor_name()
@@ -19,6 +26,7 @@ std::string processor_name()
     return "processor";
 }
 
+/// Runs each scene in the precision it asks for.
 class CpuBackend : public Backend {
 public:
     std::string name() const override { return "cpu"; }
@@ -27,20 +35,35 @@ public:
     {
         const int all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
         threads_ = threads > 0 ? threads : all;
-        solver_.executor().set_threads(threads_);
+        solver_->set_threads(threads_);
     }
-    void load(const Scene& scene) override { solver_.load(scene); }
-    double advance(double until) override { return solver_.advance(until, 0.05); }
-    Frame frame() override { return solver_.frame(); }
-    std::vector<std::byte> state() override { return solver_.state(); }
-    void go_on_from(const std::vector<std::byte>& state) override { solver_.go_on_from(state); }
-    long liquid_steps() const override { return solver_.liquid_steps(); }
-    int particles() const override { return solver_.particles(); }
-    void time_stages() override { solver_.executor().time_stages(); }
-    std::vector<StageTime> stage_times() override { return solver_.executor().stage_times(); }
+    void load(const Scene& scene) override
+    {
+        if (scene.double_precision != is_double_) {
+            is_double_ = scene.double_precision;
+            solver_ = is_double_ ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
+            solver_->set_threads(threads_);
+            if (times_stages_) solver_->time_stages();
+        }
+        solver_->load(scene);
+    }
+    double advance(double until) override { return solver_->advance(until); }
+    Frame frame() override { return solver_->frame(); }
+    std::vector<std::byte> state() override { return solver_->state(); }
+    void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
+    long liquid_steps() const override { return solver_->liquid_steps(); }
+    int particles() const override { return solver_->particles(); }
+    void time_stages() override
+    {
+        times_stages_ = true;
+        solver_->time_stages();
+    }
+    std::vector<StageTime> stage_times() override { return solver_->stage_times(); }
 
 private:
-    Solver<CpuExecutor> solver_;
+    std::unique_ptr<Backend> solver_ = in_single::make_cpu_solver();
+    bool is_double_ = false;
+    bool times_stages_ = false;
     int threads_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 std::vector<Vec3d> droplet_lattice(int count, double spacing)
 {
@@ -55,4 +55,4 @@ double pressure_stiffness(double spacing, double support)
     return 1.0 / (2.0 * volume * volume * (dot(sum, sum) + squares));
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// The count places of a cubic lattice nearest to a point between them, about their own middle; a ball. Same count, same places.
 std::vector<Vec3d> droplet_lattice(int count, double spacing);
@@ -19,4 +19,4 @@ double height_clear_of(std::span<const Vec3> particles, const Vec3d& centre, dou
 /// delta x dt^2 of the pressure loop for a particle in a full cubic lattice of this spacing, Pa s2 per kg/m3.
 double pressure_stiffness(double spacing, double support);
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

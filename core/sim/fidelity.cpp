@@ -34,6 +34,8 @@ constexpr KnobInfo table[] = {
      "share of liquid at rest that yarns drink before it settles anew; 0: it never sleeps"},
     {"rest_tolerance", &Knobs::rest_tolerance, "", 0, 0.1, false, 1e-3, 1e-5,
      "change of the air's humidity at which the visited region grows; 0: all of the sample is visited"},
+    {"double_precision", &Knobs::double_precision, "", 0, 1, true, 0, 1,
+     "whether the liquid's particles are numbers of double precision, 0 or 1; always on a CPU then"},
     {"neglected_share", &Knobs::neglected_share, "", 0, 0.5, false, 0.01, 0,
      "share of the water, or of a rate, below which a part of the physics is left out"},
 };
@@ -73,9 +75,9 @@ std::span<const KnobInfo> knob_table() { return table; }
 Knobs knobs_of(Fidelity fidelity)
 {
     switch (fidelity) {
-    case Fidelity::draft: return {2000, 5, 20e-3, 0.2, 2e-3, 1, 8, 0.02, 0.03, 1e-3, 0.01};
-    case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0.001};
-    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 1, 1, 0.01, 0.0, 1e-6, 0.0};
+    case Fidelity::draft: return {2000, 5, 20e-3, 0.2, 2e-3, 1, 8, 0.02, 0.03, 1e-3, 0, 0.01};
+    case Fidelity::standard: return {8000, 8, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0, 0.001};
+    case Fidelity::reference: return {8000, 16, 1e-3, 0.03, 1e-4, 1, 1, 0.01, 0.0, 1e-6, 0, 0.0};
     }
     return {};
 }

@@ -29,6 +29,7 @@ struct Knobs {
     double density_tolerance = 0;     ///< of the pressure loop, fraction
     double settle_share = 0;          ///< of liquid at rest that yarns drink before it settles anew; 0: it never rests
     double rest_tolerance = 0;        ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
+    double double_precision = 0;      ///< of the liquid's particles: 0 no, 1 yes; the yarns always are
     double neglected_share = 0;       ///< of the delivered water, or of the wicking rate, below which a part is left out
     bool operator==(const Knobs&) const = default;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 namespace {
 
 /// A yarn's section, cut into rows and columns of beads.
@@ -135,4 +135,4 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
     return result;
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -4,7 +4,7 @@
 
 #include "core/sim/steps/cloth_field.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Shapes of the scene's types of yarn; their profiles go to one array.
 std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles);
@@ -33,4 +33,4 @@ struct HostBeads {
 /// kernels, m.
 HostBeads make_beads(const Scene& scene, double spacing, double support, double reach);
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

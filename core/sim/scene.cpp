@@ -371,6 +371,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
     scene.density_tolerance = plan.knobs.density_tolerance;
     scene.settle_share = plan.knobs.settle_share;
+    scene.double_precision = plan.knobs.double_precision != 0;
     scene.seed = seed;
     return scene;
 }

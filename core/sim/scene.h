@@ -161,7 +161,8 @@ struct Scene {
     double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
     int steps_between_drinks = 1;  ///< of the free liquid
     double density_tolerance = 0.01;
-    double settle_share = 0; ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
+    bool double_precision = false; ///< of the free liquid's particles
+    double settle_share = 0;       ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
     std::uint64_t seed = 1;
 
     int crossings() const { return ends * picks; }

@@ -20,7 +20,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
@@ -236,7 +236,7 @@ private:
     Beads beads_; ///< their counts; the pointers come with beads()
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION
 
 #include "core/sim/solver_liquid.h"
 #include "core/sim/solver_state.h"

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 constexpr Real support_in_spacings = Real(2.0);
 constexpr double grain_viscosity = 0.015;   // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
@@ -341,4 +341,4 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid()
     return l;
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

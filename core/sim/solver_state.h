@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Writes or reads all that load() does not find in the scene and that the next step does not find anew.
 template <typename Executor> template <typename Archive> void Solver<Executor>::pass_state(Archive& archive)
@@ -48,4 +48,4 @@ template <typename Executor> template <typename Archive> void Solver<Executor>::
     regain_.upload(all);
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// The largest change of saturation since before[], as bits of a float; before[] is brought up to date.
 struct TrackChange {
@@ -493,4 +493,4 @@ template <typename Executor> Frame Solver<Executor>::frame()
     return f;
 }
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

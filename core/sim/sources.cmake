@@ -13,6 +13,7 @@ embed_text(${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json ${CMAKE_CURRENT_BINA
 target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp
   sim/cpu_backend.cpp
+  sim/cpu_solver.cpp
   sim/droplet.cpp
   sim/expectation.cpp
   sim/fidelity.cpp
@@ -25,3 +26,9 @@ target_sources(hygroloom_core PRIVATE
   sim/runner.cpp
   sim/scene.cpp
 )
+
+# What depends on the particles' number type, once more in double precision.
+add_library(hygroloom_core_double OBJECT sim/cpu_solver.cpp sim/droplet.cpp sim/host_cloth.cpp)
+target_compile_definitions(hygroloom_core_double PRIVATE HYGROLOOM_DOUBLE)
+target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eigen TBB::tbb)
+target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)

@@ -5,7 +5,7 @@
 #include "core/base/lanes.h"
 #include "core/sim/scene.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 using Packs = Vec3T<Pack>;
 HL_FN Vec3 sum_beside(const Packs& packs) { return {sum_beside(packs.x), sum_beside(packs.y), sum_beside(packs.z)}; }
@@ -267,4 +267,4 @@ struct CellGrid {
     HL_FN int cell_z(Real z) const { return (whole(z - origin.z, whole_z) >> shift) - first_z; }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -33,19 +33,20 @@ std::string refusal(const std::string& name, const std::string& value)
 /// A drop that meets the cloth and is half drunk, with one knob set.
 struct ShortRun {
     Frame end;
+    std::vector<std::byte> state;
     long steps = 0; ///< of the liquid
 };
-ShortRun drop_with(const KnobSettings& settings)
+ShortRun drop_with(const KnobSettings& settings, Backend& backend, double until = 0.1)
 {
     const Design design = drop_design();
     KnobSettings all{{"particles_per_droplet", 500}, {"settle_share", 0}};
     all.insert(settings.begin(), settings.end());
     const ModelPlan plan = plan_with(all, Fidelity::draft);
-    const auto backend = make_cpu_backend();
-    backend->load(build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1));
-    for (double reached = 0; reached < 0.1;) reached = backend->advance(0.1);
-    return {backend->frame(), backend->liquid_steps()};
+    backend.load(build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1));
+    for (double reached = 0; reached < until;) reached = backend.advance(until);
+    return {backend.frame(), backend.state(), backend.liquid_steps()};
 }
+ShortRun drop_with(const KnobSettings& settings) { return drop_with(settings, *make_cpu_backend()); }
 
 } // namespace
 
@@ -93,7 +94,8 @@ private Q_SLOTS:
                                           {"steps_between_drinks", 5},
                                           {"density_tolerance", 0.03},
                                           {"settle_share", 0.04},
-                                          {"rest_tolerance", 2e-4}});
+                                          {"rest_tolerance", 2e-4},
+                                          {"double_precision", 1}});
         const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
         QCOMPARE(scene.particles_per_droplet, 300);
         QCOMPARE(scene.fibre_shells, 3);
@@ -105,6 +107,7 @@ private Q_SLOTS:
         QCOMPARE(scene.density_tolerance, 0.03);
         QCOMPARE(scene.settle_share, 0.04);
         QCOMPARE(scene.rest_tolerance, 2e-4);
+        QVERIFY(scene.double_precision);
     }
     void theLiquidsStepsAreAsLongAsAsked()
     {
@@ -119,6 +122,29 @@ private Q_SLOTS:
             QVERIFY2(a.water_liquid > 0 && std::abs(a.water_liquid - b.water_liquid) < 0.1 * b.water_delivered,
                      qPrintable(QString("%1 %2").arg(a.water_liquid).arg(b.water_liquid)));
         }
+    }
+    void particlesHaveThePrecisionThatIsAsked()
+    {
+        const auto backend = make_cpu_backend();
+        const KnobSettings twice{{"double_precision", 1}};
+        // The same fall, but for roundings.
+        const ShortRun single = drop_with({}, *backend, 5e-3), precise = drop_with(twice, *backend, 5e-3),
+                       again = drop_with({}, *backend, 5e-3);
+        QVERIFY2(precise.state.size() > single.state.size() + 500 * 6 * sizeof(float),
+                 qPrintable(QString("%1 %2").arg(single.state.size()).arg(precise.state.size())));
+        QVERIFY(again.end.positions == single.end.positions && again.end.velocities == single.end.velocities);
+        QCOMPARE(precise.end.positions.size(), single.end.positions.size());
+        const auto height = [](const ShortRun& run) {
+            double sum = 0;
+            for (const auto& place : run.end.positions) sum += double(place[2]);
+            return sum / double(run.end.positions.size());
+        };
+        QVERIFY2(std::abs(height(single) - height(precise)) < 1e-7, qPrintable(QString("%1 %2").arg(height(single)).arg(height(precise))));
+        // And drunk, within what rounding grows to.
+        const Ledger a = drop_with({}).end.ledger, b = drop_with(twice).end.ledger;
+        QVERIFY(std::abs(b.water_imbalance()) <= 1e-12 * b.water_delivered);
+        QVERIFY2(b.water_liquid > 0 && std::abs(a.water_liquid - b.water_liquid) < 0.05 * b.water_delivered,
+                 qPrintable(QString("%1 %2").arg(a.water_liquid).arg(b.water_liquid)));
     }
     void yarnsDrinkAsOftenAsAsked()
     {

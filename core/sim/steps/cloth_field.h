@@ -5,7 +5,7 @@
 #include "core/physics/fluid_forces.h"
 #include "core/sim/steps/contact.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Of the beads of one type of yarn.
 struct BeadType {
@@ -146,4 +146,4 @@ private:
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

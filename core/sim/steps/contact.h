@@ -5,7 +5,7 @@
 #include "core/physics/water.h"
 #include "core/sim/steps/liquid.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// One type of yarn as stages see it.
 struct YarnShape {
@@ -449,4 +449,4 @@ struct ForgetContact {
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

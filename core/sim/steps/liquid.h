@@ -6,7 +6,7 @@
 #include "core/physics/sph_kernels.h"
 #include "core/sim/state.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
 constexpr Real kept_pressure = Real(0.5);
@@ -541,4 +541,4 @@ struct MoveParticles {
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

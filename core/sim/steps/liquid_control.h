@@ -6,7 +6,7 @@
 #include "core/sim/steps/contact.h"
 #include "core/sim/steps/liquid.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
 constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
@@ -310,4 +310,4 @@ private:
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -9,7 +9,7 @@
 #include "core/sim/steps/liquid.h"
 #include "core/sim/steps/liquid_control.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// The liquid's steps up to the moment when it meets the yarns, or until its budget is spent. An Executor offers for_each, sort_into_cells,
 /// loop and when. Sorting writes the particles to the other side; LiquidControl::side says on which they are in the end.
@@ -107,4 +107,4 @@ private:
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

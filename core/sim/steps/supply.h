@@ -5,7 +5,7 @@
 #include "core/base/portable.h"
 #include "core/sim/steps/yarn_exchange.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Segments that hang in the liquid are full and have its temperature.
 struct KeepFed {
@@ -206,4 +206,4 @@ struct EstimateExchange {
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -4,7 +4,7 @@
 
 #include "core/sim/steps/yarn_lines.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 /// Liquid, heat and vapour between the two segments of a crossing, each an implicit step of its own.
 struct ExchangeAtCrossing {
@@ -520,4 +520,4 @@ struct TakeStock {
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION

@@ -8,7 +8,7 @@
 #include "core/sim/state.h"
 #include "core/sim/team.h"
 
-namespace hygroloom {
+namespace hygroloom::inline HL_PRECISION {
 
 constexpr int most_newton_rounds = 40;
 
@@ -349,4 +349,4 @@ struct DiffuseVapourAlongYarn {
     }
 };
 
-} // namespace hygroloom
+} // namespace hygroloom::inline HL_PRECISION
