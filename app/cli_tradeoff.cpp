@@ -49,6 +49,8 @@ std::vector<TradeoffVariant> asked_variants(const TradeoffOptions& options, cons
         throw Stop(exit_usage, "--knobs " + options.knobs + ": " + error.what());
     }
     keep_asked(variants, options.fidelities);
+    if (options.knobs.empty() && options.backend == "cuda") // a GPU has no doubles for particles
+        std::erase_if(variants, [](const TradeoffVariant& variant) { return variant.settings.contains("double_precision"); });
     for (TradeoffVariant& variant : variants) variant.settings.insert(always.begin(), always.end());
     if (options.convergence)
         for (const TradeoffVariant& variant : convergence_variants(always)) variants.push_back(variant);
@@ -119,6 +121,7 @@ private:
             point.walls.push_back(outcome.wall);
             point.peaks.push_back(outcome.peak_bytes);
         }
+        point.analytic = closed_form_errors(outcome);
         point.liquid_steps = outcome.liquid_steps;
         point.switched_on = outcome.switched_on;
         point.stages.clear();
@@ -171,6 +174,8 @@ void print_table(const Tradeoff& t)
                    p.walls.empty() ? "-" : fmt::format("{:.3g} s", p.wall()), p.peaks.empty() ? "-" : bytes_text(p.peak()),
                    p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
                    p.errors ? percent(p.errors->overlap) : "-");
+        for (const MetricError& m : p.analytic)
+            fmt::print("    {}: {:.5g}, by a closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
         for (const std::string& name : p.stands_for) fmt::print("    the same run: {}\n", name);
     }
     for (const ConvergenceStep& step : t.convergence)

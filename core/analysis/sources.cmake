@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   analysis/cell_map.cpp
+  analysis/closed_forms.cpp
   analysis/comparison.cpp
   analysis/enclosing_circle.cpp
   analysis/laboratory.cpp

@@ -2,6 +2,7 @@
 #include "core/analysis/tradeoff.h"
 
 #include "core/analysis/cell_map.h"
+#include "core/analysis/closed_forms.h"
 #include "core/base/error.h"
 
 #include <fmt/chrono.h>
@@ -180,8 +181,9 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
     };
     if ((watches(a) || watches(b)) && a.knobs.neglected_share != b.knobs.neglected_share) return false;
     return !a.on("liquid") ||
-           (a.knobs.density_tolerance == b.knobs.density_tolerance && a.knobs.settle_share == b.knobs.settle_share &&
-            a.knobs.liquid_step_factor == b.knobs.liquid_step_factor && a.knobs.steps_between_drinks == b.knobs.steps_between_drinks);
+           (a.knobs.double_precision == b.knobs.double_precision && a.knobs.density_tolerance == b.knobs.density_tolerance &&
+            a.knobs.settle_share == b.knobs.settle_share && a.knobs.liquid_step_factor == b.knobs.liquid_step_factor &&
+            a.knobs.steps_between_drinks == b.knobs.steps_between_drinks);
 }
 
 void OutcomeCollector::start(const RunRecord& run)
@@ -211,7 +213,9 @@ void OutcomeCollector::add(const Frame& frame)
 TradeoffOutcome OutcomeCollector::outcome(const RunRecord& run) const
 {
     TradeoffOutcome outcome;
-    outcome.metrics = numbers_of(run, metrics_.metrics());
+    const Metrics metrics = metrics_.metrics();
+    outcome.metrics = numbers_of(run, metrics);
+    if (!metrics.conditioning || metrics.conditioning->settled) outcome.closed_forms = closed_forms(run);
     outcome.moments = moments_;
     outcome.air_temperature_c = air_temperature_c_;
     outcome.wall = run.wall;
@@ -230,6 +234,18 @@ TradeoffErrors tradeoff_errors(const TradeoffOutcome& run, const TradeoffOutcome
     compare_maps(run, reference, errors);
     for (const MetricError& m : errors.metrics) errors.largest = std::max(errors.largest, m.error);
     if (errors.overlap) errors.largest = std::max(errors.largest, 1 - *errors.overlap);
+    return errors;
+}
+
+std::vector<MetricError> closed_form_errors(const TradeoffOutcome& run)
+{
+    std::vector<MetricError> errors;
+    for (const auto& [name, answer] : run.closed_forms) {
+        const auto found = run.metrics.find(name);
+        if (found == run.metrics.end() || !found->second) continue;
+        const double scale = scale_of(name, answer, run.air_temperature_c);
+        errors.push_back({name, found->second, answer, relative(*found->second, answer, scale)});
+    }
     return errors;
 }
 

@@ -42,6 +42,7 @@ struct TradeoffMoment {
 /// What is kept of one run. Moments at a quarter, a half, three quarters and the end of it.
 struct TradeoffOutcome {
     std::map<std::string, std::optional<double>> metrics; ///< as metrics_json() names them; none: could not be determined
+    std::map<std::string, double> closed_forms;           ///< of metrics: see closed_forms(); none of a sample that still changed
     std::vector<TradeoffMoment> moments;
     double air_temperature_c = 0; ///< at the end
     double wall = 0;              ///< s
@@ -88,6 +89,8 @@ struct TradeoffErrors {
 
 /// Metrics are compared relatively to the reference's; a temperature to its distance from the air, or to 1 K where that is less.
 TradeoffErrors tradeoff_errors(const TradeoffOutcome& run, const TradeoffOutcome& reference);
+/// How far its metrics lie from closed forms, scaled alike.
+std::vector<MetricError> closed_form_errors(const TradeoffOutcome& run);
 
 /// A measured variant.
 struct TradeoffPoint {
@@ -98,6 +101,7 @@ struct TradeoffPoint {
     std::vector<double> peaks;             ///< bytes, of each repeat
     long liquid_steps = 0;
     std::optional<TradeoffErrors> errors; ///< none: there is no reference yet
+    std::vector<MetricError> analytic;    ///< see closed_form_errors()
     std::map<std::string, double> stages; ///< percent of the wall time
     bool pareto = false;                  ///< nothing timed is both faster and more accurate
     std::vector<std::string> stands_for;  ///< variants that were left out because their runs would be the same

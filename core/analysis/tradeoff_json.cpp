@@ -24,9 +24,11 @@ constexpr const char* how_memory =
 constexpr const char* how_error =
     "The largest of: each metric's difference over the reference's value (a temperature's over its distance from "
     "the air, one-way transport's over 100 % at least), each content's over all water that moved, 1 - overlap. Map: relative L2 over cells "
-    "of 2 x 2 "
-    "crossings. Overlap of the wetted segments: intersection over union. Contents, map and overlap are taken "
+    "of 2 x 2 crossings. Overlap of the wetted segments: intersection over union. Contents, map and overlap are taken "
     "at a quarter, a half, three quarters and the end.";
+constexpr const char* how_closed_forms =
+    "Where a closed form gives a metric it is the reference here: the regain in equilibrium with the air; the wet bulb of a sheet "
+    "and the rate at which it dries off both faces.";
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 std::optional<double> optional_in(const Json& json) { return json.is_null() ? std::nullopt : std::optional(json.get<double>()); }
@@ -38,15 +40,28 @@ Json settings_json(const KnobSettings& settings)
     return json;
 }
 
+Json metric_errors_json(const std::vector<MetricError>& errors)
+{
+    Json json = Json::object();
+    for (const MetricError& m : errors)
+        json[m.name] = {{"value", or_null(m.value)}, {"reference", or_null(m.reference)}, {"error", m.error}};
+    return json;
+}
+
+std::vector<MetricError> metric_errors_from_json(const Json& json)
+{
+    std::vector<MetricError> errors;
+    for (const auto& [name, m] : json.items())
+        errors.push_back({name, optional_in(m.at("value")), optional_in(m.at("reference")), m.at("error")});
+    return errors;
+}
+
 Json errors_json(const TradeoffErrors& errors)
 {
-    Json metrics = Json::object();
-    for (const MetricError& m : errors.metrics)
-        metrics[m.name] = {{"value", or_null(m.value)}, {"reference", or_null(m.reference)}, {"error", m.error}};
     return {{"largest", errors.largest},
             {"map_relative_l2", or_null(errors.map)},
             {"wetted_overlap", or_null(errors.overlap)},
-            {"metrics", metrics}};
+            {"metrics", metric_errors_json(errors.metrics)}};
 }
 
 TradeoffErrors errors_from_json(const Json& json)
@@ -55,8 +70,7 @@ TradeoffErrors errors_from_json(const Json& json)
     errors.largest = json.at("largest");
     errors.map = optional_in(json.at("map_relative_l2"));
     errors.overlap = optional_in(json.at("wetted_overlap"));
-    for (const auto& [name, m] : json.at("metrics").items())
-        errors.metrics.push_back({name, optional_in(m.at("value")), optional_in(m.at("reference")), m.at("error")});
+    errors.metrics = metric_errors_from_json(json.at("metrics"));
     return errors;
 }
 
@@ -72,6 +86,7 @@ Json point_json(const TradeoffPoint& p)
               {"pareto", p.pareto},
               {"stands_for", p.stands_for},
               {"errors", p.errors ? errors_json(*p.errors) : Json(nullptr)},
+              {"closed_forms", metric_errors_json(p.analytic)},
               {"stages_percent", Json::object()},
               {"plan", Json::parse(plan_json(p.plan))},
               {"switched_on", Json::parse(switched_json(p.switched_on))}};
@@ -91,6 +106,7 @@ TradeoffPoint point_from_json(const Json& json)
     p.pareto = json.at("pareto");
     p.stands_for = json.at("stands_for").get<std::vector<std::string>>();
     if (!json.at("errors").is_null()) p.errors = errors_from_json(json.at("errors"));
+    if (json.contains("closed_forms")) p.analytic = metric_errors_from_json(json.at("closed_forms"));
     for (const auto& [name, percent] : json.at("stages_percent").items()) p.stages[name] = percent;
     p.plan = plan_from_json(json.at("plan").dump());
     if (json.contains("switched_on")) p.switched_on = switched_from_json(json.at("switched_on").dump());
@@ -129,7 +145,7 @@ std::string tradeoff_json(const Tradeoff& t)
                       {"repeats", t.repeats},
                       {"complete", t.complete}}},
                     {"scene", {{"fabric", t.fabric}, {"experiment", t.experiment}, {"type", t.type}, {"duration_s", t.duration}}},
-                    {"how", {{"wall_s", how_time}, {"peak_bytes", how_memory}, {"errors", how_error}}},
+                    {"how", {{"wall_s", how_time}, {"peak_bytes", how_memory}, {"errors", how_error}, {"closed_forms", how_closed_forms}}},
                     {"points", points},
                     {"convergence", convergence}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -207,6 +223,7 @@ std::string outcome_json(const TradeoffOutcome& o)
     }
     for (const StageTime& s : o.stages) stages.push_back({s.name, s.seconds, s.calls});
     return Json{{"metrics", metrics},
+                {"closed_forms", Json(o.closed_forms)},
                 {"moments", moments},
                 {"air_temperature_c", o.air_temperature_c},
                 {"wall", o.wall},
@@ -224,6 +241,7 @@ try {
     const Json json = Json::parse(text);
     TradeoffOutcome o;
     for (const auto& [name, value] : json.at("metrics").items()) o.metrics[name] = optional_in(value);
+    o.closed_forms = json.at("closed_forms").get<std::map<std::string, double>>();
     for (const Json& m : json.at("moments")) {
         TradeoffMoment moment;
         moment.time = m.at("time");

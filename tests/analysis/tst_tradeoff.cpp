@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // How far runs lie from the reference, worked by hand; the Pareto front; the files.
+#include "core/analysis/closed_forms.h"
 #include "core/analysis/tradeoff.h"
 #include "core/base/error.h"
+#include "core/physics/water.h"
+#include "core/sim/scene.h"
 #include "tests/support/drop_design.h"
 
 #include <QTest>
@@ -39,6 +42,31 @@ TradeoffPoint point(const char* name, double wall, double error)
     return p;
 }
 
+/// As a run of the experiment begins.
+RunRecord run_of(const Design& design)
+{
+    RunRecord run;
+    run.design = design;
+    run.fabric = design.fabrics[0].name;
+    run.experiment = design.experiments[0].name;
+    run.plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+    run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0], run.plan.region);
+    run.seed = 1;
+    return run;
+}
+
+Design conditioning_design(const char* warp, const char* weft)
+{
+    Design design = drop_design();
+    design.fabrics[0].warp.material = {{warp}};
+    design.fabrics[0].weft.material = {{weft}};
+    design.experiments[0].type = ExperimentType::conditioning;
+    design.experiments[0].climate = {20, 0.65, 0.1};
+    design.experiments[0].initial = {20, 0.2, 0.1};
+    design.experiments[0].droplets.clear();
+    return design;
+}
+
 bool near(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 } // namespace
@@ -68,6 +96,43 @@ private Q_SLOTS:
         const TradeoffErrors errors = tradeoff_errors(other, reference);
         QCOMPARE(error_of(errors, "absorbency_time_s"), 1.0);
         QVERIFY(!errors.map && !errors.overlap); // no water moved, nothing got wet
+    }
+    void closedFormsAreScaledLikeMetrics()
+    {
+        TradeoffOutcome run = outcome(10, 15, {0, 0}, {0, 0}, 0);
+        QVERIFY(closed_form_errors(run).empty());
+        run.closed_forms = {{"radius_mm", 8}, {"surface_temperature_steady_c", 14}, {"absorbency_time_s", 3}, {"regain_end", 1}};
+        const std::vector<MetricError> errors = closed_form_errors(run); // of those that the run has
+        QCOMPARE(errors.size(), std::size_t(2));
+        QVERIFY(near(errors[0].error, 0.25) && *errors[0].value == 10 && *errors[0].reference == 8);
+        QVERIFY(near(errors[1].error, 1.0 / 11)); // of the 11 K below the air
+    }
+    void fibresComeToRestInTheAir()
+    {
+        const double wool = closed_forms(run_of(conditioning_design("wool", "wool"))).at("regain_end"),
+                     cotton = closed_forms(run_of(conditioning_design("cotton", "cotton"))).at("regain_end"),
+                     both = closed_forms(run_of(conditioning_design("wool", "cotton"))).at("regain_end");
+        QVERIFY2(std::abs(wool - find_library_material("wool")->standard_regain) < 0.005, qPrintable(QString::number(wool)));
+        QVERIFY2(std::abs(cotton - find_library_material("cotton")->standard_regain) < 0.005, qPrintable(QString::number(cotton)));
+        QVERIFY2(both > cotton + 0.3 * (wool - cotton) && both < cotton + 0.7 * (wool - cotton), qPrintable(QString::number(both)));
+        Design changing = conditioning_design("wool", "wool");
+        changing.experiments[0].climates = {{1, {20, 0.3, 0.1}}};
+        QVERIFY(closed_forms(run_of(changing)).empty());
+        QVERIFY(closed_forms(run_of(drop_design())).empty());
+    }
+    void aWetSheetComesToItsWetBulb()
+    {
+        Design design = conditioning_design("wool", "wool");
+        design.experiments[0].type = ExperimentType::drying;
+        design.experiments[0].initial_water_g_m2 = 100;
+        design.experiments[0].duration_s = 3600;
+        const RunRecord run = run_of(design);
+        const std::map<std::string, double> answers = closed_forms(run);
+        const Scene scene = build_scene(design, run.textile, design.experiments[0], run.plan, 1);
+        const double celsius = answers.at("surface_temperature_steady_c"), rate = answers.at("drying_rate_g_m2_h") / 3.6e6;
+        QVERIFY2(celsius < 17 && celsius > 15.8, qPrintable(QString::number(celsius))); // still air at 20 C and 65 %: 15.9 in a strong wind
+        const double brought = 2 * scene.climate.heat_transfer * (20 - celsius), taken = rate * heat_of_evaporation(273.15 + celsius);
+        QVERIFY2(std::abs(brought - taken) < 1e-9 * taken, qPrintable(QString("%1 %2").arg(brought).arg(taken)));
     }
     void oneWayTransportCountsByItsGrades()
     {
@@ -128,6 +193,7 @@ private Q_SLOTS:
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"fibre_shells", 5}})));
         QVERIFY(run_alike(plan(120, {}), plan(120, {{"fibre_shells", 5}}))); // repellent: its fibres take up nothing
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"settle_share", 0.05}})));
+        QVERIFY(!run_alike(plan(120, {}), plan(120, {{"double_precision", 1}})));
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"liquid_step_factor", 0.5}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"steps_between_drinks", 1}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
@@ -153,6 +219,7 @@ private Q_SLOTS:
         p.switched_on = {{"vapour", 20, 0.0103, 0.01, 0.0075}};
         p.peaks = {3e7};
         p.errors = tradeoff_errors(other, reference);
+        p.analytic = {{"regain_end", 0.14, 0.145, 0.0345}};
         p.stages = {{"exchange", 40.5}};
         p.stands_for = {"fibre_shells=5"};
         t.points = {p, point("<standard>", 4, 0.01)};
@@ -176,6 +243,7 @@ private Q_SLOTS:
     void anOutcomeSurvivesThePipe()
     {
         TradeoffOutcome o = outcome(10, 15, {3, 4.25}, {1, 0, 1}, 1e-6);
+        o.closed_forms = {{"radius_mm", 9.5}};
         o.switched_on = {{"vapour", 20, 0.0103, 0.01, 0.0075}, {"heat", 30, 0.02, 0.01, std::nullopt, "the run was over"}};
         const TradeoffOutcome back = outcome_from_json(outcome_json(o));
         QCOMPARE(outcome_json(back), outcome_json(o));

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/closed_forms.h"
+
+#include "core/physics/water.h"
+#include "core/sim/scene.h"
+
+namespace hygroloom {
+namespace {
+
+/// Of all fibres together, in equilibrium with the climate.
+double resting_regain(const Scene& scene)
+{
+    double water = 0, fibres = 0;
+    for (int i = 0; i < scene.segments(); ++i) {
+        const bool is_warp = i < scene.crossings();
+        const int line = is_warp ? i / scene.picks : scene.ends + (i - scene.crossings()) / scene.ends;
+        const YarnParameters& yarn = scene.yarns[scene.type[static_cast<std::size_t>(line)]];
+        const double mass = yarn.fibre_density * yarn.fibre_area * scene.length[static_cast<std::size_t>(i)];
+        fibres += mass;
+        water += mass * yarn.resting_regain;
+    }
+    return water / fibres;
+}
+
+/// K, by halving between the coldest air there is and this one.
+double wet_bulb(const ClimateParameters& air)
+{
+    double low = air.temperature - 60, high = air.temperature;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        const double evaporates = air.mass_transfer * (saturation_concentration(middle) - air.vapour); // kg/(m2 s)
+        (air.heat_transfer * (air.temperature - middle) > evaporates * heat_of_evaporation(middle) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace
+
+std::map<std::string, double> closed_forms(const RunRecord& run)
+{
+    const Experiment& experiment = *find_experiment(run.design, run.experiment);
+    const bool conditions = experiment.type == ExperimentType::conditioning && run.plan.on("sorption");
+    const bool dries = experiment.type == ExperimentType::drying && run.plan.on("vapour");
+    if (!conditions && !dries) return {};
+    const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
+    if (!scene.course.empty()) return {};
+    if (conditions) return {{"regain_end", resting_regain(scene)}};
+    const ClimateParameters& air = scene.climate;
+    const double temperature = scene.heat ? wet_bulb(air) : air.temperature;
+    const double rate = 2 * air.mass_transfer * (saturation_concentration(temperature) - air.vapour);
+    return {{"surface_temperature_steady_c", celsius_from_kelvin(temperature)}, {"drying_rate_g_m2_h", 3.6e6 * rate}};
+}
+
+} // namespace hygroloom

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run must come to whatever its resolution, where a closed form says so.
+#pragma once
+
+#include "core/sim/runner.h"
+
+#include <map>
+#include <string>
+
+namespace hygroloom {
+
+/// Of a run in air that stays the same, by the names of metrics_json(): the regain in equilibrium with the air (conditioning); the
+/// temperature at which the air warms a wet sheet as fast as evaporation cools it, and the rate then, off both faces (drying).
+std::map<std::string, double> closed_forms(const RunRecord& run);
+
+} // namespace hygroloom
