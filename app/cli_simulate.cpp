@@ -65,6 +65,16 @@ std::optional<FidelityTarget> target_of(const SimulateOptions& options)
     return target;
 }
 
+/// With what is expected of the machine that the run would go to.
+ModelPlan planned(const SimulateOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
+                  const KnobSettings& knobs)
+{
+    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs);
+    const std::string backend = expected_backend(options.backend);
+    if (backend != "cpu" && !knobs.contains("double_precision")) expect(plan, shipped_measurements(backend));
+    return plan;
+}
+
 /// As named, or the one that keeps what auto was told.
 FidelityChoice chosen_fidelity(const SimulateOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
                                const Fabric& fabric, const ForcedParts& forced, const KnobSettings& knobs)
@@ -72,7 +82,7 @@ FidelityChoice chosen_fidelity(const SimulateOptions& options, const std::option
     if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
     std::vector<ModelPlan> plans;
     for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
-        plans.push_back(plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs));
+        plans.push_back(planned(options, design, fabric, fidelity, forced, knobs));
     return choose_fidelity(plans, *target);
 }
 
@@ -91,7 +101,7 @@ int plan(const SimulateOptions& options)
     require_valid(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
     const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, fabric, forced, knobs);
-    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), choice.fidelity, forced, knobs);
+    ModelPlan plan = planned(options, design, fabric, choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
     if (options.json)
         fmt::print("{}\n", plan_json(plan));
@@ -238,6 +248,8 @@ void add_plan(CLI::App& app, Verb& verb)
     plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft\n\n" +
                      knob_help());
     add_run_options(plan_verb, *options);
+    plan_verb.add_option("--backend", options->backend, "auto, cpu or cuda: the machine whose cost is told, which need not be there")
+        ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     plan_verb.callback([&verb, options] { verb = [options] { return plan(*options); }; });
 }
 

@@ -240,13 +240,14 @@ std::string measured_help()
 {
     std::string text =
         "Measured on the scenes that ship (error: the largest of all numbers, all contents and 1 - overlap, against the reference):\n";
-    for (const MeasuredScene& scene : shipped_measurements()) {
-        text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
-        for (const MeasuredRun& run : scene.runs)
-            if (run.settings.empty())
-                text += fmt::format("    {:<10} {:>8.3g} s {:>8} {:>8}\n", name_of(run.plan.fidelity), run.seconds, bytes_text(run.bytes),
-                                    percent(run.error));
-    }
+    for (const char* backend : {"cpu", "cuda"})
+        for (const MeasuredScene& scene : shipped_measurements(backend)) {
+            text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
+            for (const MeasuredRun& run : scene.runs)
+                if (run.settings.empty())
+                    text += fmt::format("    {:<10} {:>8.3g} s {:>8} {:>8}\n", name_of(run.plan.fidelity), run.seconds,
+                                        bytes_text(run.bytes), percent(run.error));
+        }
     return text;
 }
 

@@ -46,6 +46,12 @@ std::vector<BackendInfo> find_backends()
     return found;
 }
 
+std::string expected_backend(const std::string& name)
+{
+    if (name == "cuda") return name;
+    return chosen_gpus(name).empty() ? "cpu" : "cuda";
+}
+
 std::unique_ptr<Backend> make_backend(const std::string& name)
 {
     const std::vector<int> gpus = chosen_gpus(name);

@@ -9,6 +9,9 @@ namespace hygroloom {
 /// The CPU first, then every GPU, usable or not.
 std::vector<BackendInfo> find_backends();
 
+/// Where a run on "auto", "cpu" or "cuda" is expected to go: "cpu" or "cuda", which need not be there. Throws Error for another word.
+std::string expected_backend(const std::string& name);
+
 /// "auto", "cpu" or "cuda". Throws DeviceError with the reason when it is not there.
 std::unique_ptr<Backend> make_backend(const std::string& name);
 

@@ -19,12 +19,11 @@ for project in resources/tradeoff/*.hygro; do
   cp "out/tradeoff/$scene$suffix/tradeoff.json" "resources/tradeoff/$scene$suffix.json"
 done
 
-# The scenes that the expectation is tested with, on the same machine; only the CPU's are compared.
-[ "$backend" = cpu ] || exit 0
+# The scenes that the expectation is tested with, on the same machine.
 for project in tests/data/tradeoff/*.hygro; do
   scene=$(basename "$project" .hygro)
   case " ${SCENES:-$scene} " in *" $scene "*) ;; *) continue ;; esac
   echo "$scene"
-  "$cli" tradeoff "$project" --backend cpu --fidelities draft,standard --knobs none -o "out/tradeoff/$scene" "$@"
-  cp "out/tradeoff/$scene/tradeoff.json" "tests/data/tradeoff/$scene.json"
+  "$cli" tradeoff "$project" --backend "$backend" --fidelities draft,standard --knobs none -o "out/tradeoff/$scene$suffix" "$@"
+  cp "out/tradeoff/$scene$suffix/tradeoff.json" "tests/data/tradeoff/$scene$suffix.json"
 done

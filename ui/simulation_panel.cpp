@@ -2,6 +2,7 @@
 #include "ui/simulation_panel.h"
 
 #include "core/base/error.h"
+#include "core/sim/expectation.h"
 #include "gpu/backends.h"
 #include "ui/appearance.h"
 #include "ui/plan_dialog.h"
@@ -134,6 +135,7 @@ void SimulationPanel::addDevices()
             }
         }
     }
+    connect(device_, &QComboBox::currentIndexChanged, this, &SimulationPanel::refreshPlans);
     device_->setAccessibleName(tr("Device"));
     device_->setToolTip(tr("The machine that runs the physics."));
     device_->setMinimumContentsLength(12);
@@ -198,12 +200,15 @@ void SimulationPanel::refreshPlans()
         showExpectations();
         return;
     }
-    planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex()](const NewestJob::Turn& turn) {
+    planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex(), machine = expected_backend(backend())](const NewestJob::Turn& turn) {
         std::array<Expectation, 3> plans;
         for (std::size_t i = 0; i < plans.size() && !turn.outdated(); ++i) {
             try {
                 plans[i].plan = plan_model(*design, design->fabrics[static_cast<std::size_t>(fabric)],
                                            design->experiments[static_cast<std::size_t>(experiment)], fidelity_order[i]);
+                if (machine != "cpu") {
+                    expect(*plans[i].plan, shipped_measurements(machine));
+                }
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());
             }

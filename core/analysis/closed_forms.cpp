@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/closed_forms.h"
 
+#include "core/analysis/laboratory.h"
 #include "core/physics/water.h"
 #include "core/sim/scene.h"
+
+#include <numeric>
 
 namespace hygroloom {
 namespace {
@@ -34,6 +37,13 @@ double wet_bulb(const ClimateParameters& air)
     return 0.5 * (low + high);
 }
 
+/// Whether there is still water outside the fibres when the constant-rate period ends.
+bool stays_wet(const Scene& scene)
+{
+    const double liquid = std::accumulate(scene.initial_liquid.begin(), scene.initial_liquid.end(), 0.0);
+    return liquid > 0 && steady_to * (liquid + scene.initial_bound) >= scene.initial_bound;
+}
+
 } // namespace
 
 std::map<std::string, double> closed_forms(const RunRecord& run)
@@ -45,6 +55,7 @@ std::map<std::string, double> closed_forms(const RunRecord& run)
     const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
     if (!scene.course.empty()) return {};
     if (conditions) return {{"regain_end", resting_regain(scene)}};
+    if (!stays_wet(scene)) return {};
     const ClimateParameters& air = scene.climate;
     const double temperature = scene.heat ? wet_bulb(air) : air.temperature;
     const double rate = 2 * air.mass_transfer * (saturation_concentration(temperature) - air.vapour);

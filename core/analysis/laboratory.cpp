@@ -60,10 +60,10 @@ DryingResult drying_result(const std::vector<double>& time, const std::vector<do
     DryingResult result;
     if (time.empty() || left.front() <= 0) return result;
     const double first = left.front();
-    const std::optional<double> from = falls_to(time, left, 0.8 * first), to = falls_to(time, left, 0.3 * first);
+    const std::optional<double> from = falls_to(time, left, steady_from * first), to = falls_to(time, left, steady_to * first);
     result.time_to_dry = falls_to(time, left, 0.04 * first);
     if (!from || !to) return result;
-    result.rate = 0.5 * first / (*to - *from) / area;
+    result.rate = (steady_from - steady_to) * first / (*to - *from) / area;
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < time.size(); ++i)

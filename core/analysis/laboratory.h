@@ -14,6 +14,9 @@ struct WickingResult {
 };
 WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height);
 
+/// Of the water, what is left where the constant-rate period begins and ends.
+constexpr double steady_from = 0.8, steady_to = 0.3;
+
 /// Of a wet sample in an air stream (AATCC 199 and 201).
 struct DryingResult {
     std::optional<double> rate; ///< kg/(m2 s) of sample, mean while 80 to 30 % of the water are left: the constant-rate period

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace hygroloom {
 
@@ -44,41 +45,54 @@ MeasuredScene scene_from(const Json& json)
     return scene;
 }
 
-/// Liquid steps times particles. A drop moves until it rests, a few capillary times long; then it sleeps but for a part of the time in
-/// which yarns drink it, which goes with its volume and with their suction.
-double particle_steps(const ModelPlan& plan)
+/// Of a plan's run.
+struct Steps {
+    double liquid = 0;
+    double network = 0;
+    double particles = 0; ///< of the liquid, on average
+    double segments = 0;  ///< that are visited
+};
+
+/// Of the liquid, and with how many particles. A drop moves until it rests, a few capillary times long. Then, as long as yarns drink it,
+/// which goes with its volume and with their suction, it wakes each time a share has gone, for some capillary times of that share.
+void count_liquid(const ModelPlan& plan, Steps& steps)
 {
-    if (!plan.on("liquid")) return 0;
+    if (!plan.on("liquid")) return;
     constexpr double density = 998.0, tension = 0.0728; // kg/m3, N/m, of water
-    // After the measured drops on textiles F and G.
-    constexpr double moving_times = 10;                                   // capillary times
+    const auto capillary_time = [](double volume) { return std::sqrt(density * volume / tension); };
+    // After the measured drop on textile F.
+    constexpr double moving_times = 10, waking_times = 2.9;               // capillary times
     constexpr double drinking = 4.2, drunk_volume = 15e-9, suction = 0.8; // s, m3 and the cosine with which it took so long
-    constexpr double awake = 0.1;                                         // of that time, if the liquid may sleep
     constexpr double usual_step = 0.85;                                   // of the capillary limit
     const SceneCounts& scene = plan.counts;
-    const double volume = std::max(1e-18, scene.drop_volume);
+    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
     const double support = 2.0 * std::cbrt(volume / std::max(1, plan.particles_per_droplet));
     const double step =
         plan.knobs.liquid_step_factor * usual_step * 0.25 * std::sqrt(density * support * support * support / (2.0 * pi * tension));
-    const double moves = std::min(moving_times * std::sqrt(density * volume / tension), scene.duration), rest = scene.duration - moves;
-    const bool drunk = plan.on("wicking"), sleeps = plan.knobs.settle_share > 0;
-    const double drinks = drunk ? std::min(rest, drinking * volume / drunk_volume * suction / std::max(0.01, scene.suction)) : rest;
-    const double flows = sleeps ? (drunk ? awake * drinks : 0.0) : drinks;
+    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
+    const bool drunk = plan.on("wicking");
+    const double until_empty = drinking * volume / drunk_volume * suction / std::max(0.01, scene.suction);
+    const double drinks = drunk ? std::min(rest, until_empty) : rest;
+    double flows = drinks;
+    if (settle_share > 0) {
+        const double wakings = drunk ? drinks / until_empty / settle_share : 0.0;
+        flows = std::min(drinks, wakings * waking_times * capillary_time(settle_share * volume));
+    }
     const double left = drunk ? 0.4 : 1.0; // of the particles, on average
-    return (moves + flows) / step * plan.particles_per_droplet * scene.drops * left;
+    steps.liquid = (moves + flows) / step;
+    steps.particles = plan.particles_per_droplet * scene.drops * left;
 }
 
-/// Steps of the yarns times segments that are visited.
-double segment_steps(const ModelPlan& plan)
+/// Of the yarns.
+void count_network(const ModelPlan& plan, Steps& steps)
 {
-    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return 0;
-    const double visited = plan.segments * (plan.on("growth") ? plan.counts.wet_share : 1.0);
+    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return;
+    steps.segments = plan.segments * (plan.on("growth") ? plan.counts.wet_share : 1.0);
     const double frames = plan.counts.duration / std::max(1e-9, plan.frame_interval);
     constexpr double standard_error = 5e-4;
     const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
-    double steps = frames * std::max(1.0, finer);
-    if (plan.on("liquid")) steps += plan.counts.duration / plan.knobs.network_step_limit;
-    return visited * steps;
+    steps.network = frames * std::max(1.0, finer);
+    if (plan.on("liquid")) steps.network += plan.counts.duration / plan.knobs.network_step_limit;
 }
 
 /// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
@@ -137,32 +151,41 @@ try {
     throw Error(fmt::format("{}: The measured trade-off cannot be read: {}", file, e.what()));
 }
 
-const std::vector<MeasuredScene>& shipped_measurements()
+const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend)
 {
-    static const std::vector<MeasuredScene> scenes = [] {
-        std::vector<MeasuredScene> list;
+    static const std::map<std::string, std::vector<MeasuredScene>> scenes = [] {
+        std::map<std::string, std::vector<MeasuredScene>> lists{{"cpu", {}}, {"cuda", {}}};
         for (const Json& scene : Json::parse(measured_scenes_json)) {
             MeasuredScene read = scene_from(scene);
-            if (read.backend == "cpu") list.push_back(std::move(read));
+            lists[read.backend].push_back(std::move(read));
         }
-        return list;
+        return lists;
     }();
-    return scenes;
+    return scenes.at(backend);
 }
 
-double rough_work(const ModelPlan& plan)
+double rough_work(const ModelPlan& plan, const std::string& backend)
 {
+    Steps steps;
+    count_liquid(plan, steps);
+    count_network(plan, steps);
+    if (backend == "cuda") {
+        // Seconds on an H200: a step takes a while however little there is to do.
+        constexpr double start = 0.2, liquid_step = 1.2e-4, particle = 3e-9, network_step = 2e-4, segment = 1e-9;
+        return start + steps.liquid * (liquid_step + particle * steps.particles) +
+               steps.network * (network_step + segment * steps.segments);
+    }
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and step of the yarns, and to set up.
     constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.05;
     const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
-    return start + particle_steps(plan) * particle * wider + segment_steps(plan) * segment;
+    return start + steps.liquid * steps.particles * particle * wider + steps.network * steps.segments * segment;
 }
 
 double rough_bytes(const ModelPlan& plan)
 {
     const double particles = plan.particles_per_droplet * plan.counts.drops;
     const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
-    return plan.segments * (160.0 + 8.0 * shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    return plan.segments * (400.0 + 8.0 * shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
@@ -170,7 +193,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
     if (!nearest.run) {
-        plan.expected_seconds = rough_work(plan);
+        plan.expected_seconds = rough_work(plan, "cpu");
         plan.expected_bytes = 40e6 + rough_bytes(plan);
         plan.expectation_source =
             "A rough guess from unit costs of 2 cores of an AMD EPYC: no scene of this kind was measured at this fidelity.";
@@ -178,7 +201,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     }
     const MeasuredRun& run = *nearest.run;
     const MeasuredScene& scene = *nearest.scene;
-    plan.expected_seconds = run.seconds * rough_work(plan) / rough_work(run.plan);
+    plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool as_set = run.plan.knobs == plan.knobs;
     if (as_set) plan.expected_error = run.error;

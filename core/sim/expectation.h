@@ -28,12 +28,12 @@ struct MeasuredScene {
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.
 MeasuredScene measured_scene(const std::string& json, const std::string& file);
 
-/// Those that ship with the program: resources/tradeoff/*.json, of the CPU.
-const std::vector<MeasuredScene>& shipped_measurements();
+/// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
+const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
 
 /// Work of a run in seconds of one measured machine, a rough guess that only its ratio to that of a run of the same kind makes useful.
-double rough_work(const ModelPlan& plan);
-/// Memory of the scene's arrays, bytes, without the program.
+double rough_work(const ModelPlan& plan, const std::string& backend);
+/// Memory that grows with the scene, bytes: its arrays, its geometry and its frames, without the program.
 double rough_bytes(const ModelPlan& plan);
 
 /// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of

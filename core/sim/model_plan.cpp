@@ -378,7 +378,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
                         ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.knobs.settle_share)
                         : std::string("liquid at rest is never skipped"));
     plan.counts = counts_of(experiment, bounds);
-    expect(plan, shipped_measurements());
+    expect(plan, shipped_measurements("cpu"));
     return plan;
 }
 

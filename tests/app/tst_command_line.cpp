@@ -35,6 +35,7 @@ private Q_SLOTS:
         QTest::newRow("no such option") << QStringList{"check", f, "--colour"};
         QTest::newRow("no such fabric") << QStringList{"check", f, "--fabric", "Textile Z"};
         QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
+        QTest::newRow("no such machine") << QStringList{"plan", f, "--backend", "abacus"};
         QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
         QTest::newRow("auto without a wish") << QStringList{"plan", f, "--fidelity", "auto"};
         QTest::newRow("auto with two wishes") << QStringList{"simulate", f, "--fidelity", "auto", "--error", "5%", "--time", "10s"};
@@ -141,6 +142,12 @@ private Q_SLOTS:
         QCOMPARE(answer.code, 0);
         QVERIFY(answer.out.contains("wicking"));
         QVERIFY(run_cli({"plan", example("textile-F.hygro"), "--json", "--physics", "heat=off"}).json().contains("parts"));
+        const auto source = [](const QString& backend) {
+            const QJsonObject plan = run_cli({"plan", example("textile-F.hygro"), "--json", "--backend", backend}).json();
+            return plan["expected"].toObject()["source"].toString();
+        };
+        QVERIFY(source("cuda").contains("H200")); // a GPU that need not be there
+        QVERIFY(!source("cpu").contains("H200") && source("cpu").contains("thread(s)"));
     }
     void planListsTheKnobsAndTakesOne()
     {
@@ -153,7 +160,7 @@ private Q_SLOTS:
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
         QCOMPARE(knobs["steps_between_drinks"].toInt(), 8);
-        QCOMPARE(knobs.size(), 11);
+        QCOMPARE(knobs.size(), 12);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }
     void autoSaysWhatItTookAndWhy()

@@ -85,6 +85,19 @@ private Q_SLOTS:
         QVERIFY(!more.expected_error); // it was measured with other knobs
         QVERIFY(more.expected_bytes > 30e6);
     }
+    void aGpuIsExpectedFromWhatWasMeasuredOnOne()
+    {
+        ModelPlan plan = plan_of(35);
+        const double on_cpu = plan.expected_seconds;
+        expect(plan, shipped_measurements("cuda"));
+        QVERIFY2(mentions(plan.expectation_source, "H200"), plan.expectation_source.c_str());
+        QVERIFY2(plan.expected_seconds < 0.5 * on_cpu, qPrintable(QString("%1 %2").arg(plan.expected_seconds).arg(on_cpu)));
+        QVERIFY(plan.expected_error);
+        // A GPU that one drop does not fill takes hardly longer for twice the particles.
+        const ModelPlan more = plan_of(35, Fidelity::standard, {{"particles_per_droplet", 2.0 * plan.particles_per_droplet}});
+        QVERIFY(rough_work(more, "cpu") / rough_work(plan, "cpu") > 2);
+        QVERIFY(rough_work(more, "cuda") / rough_work(plan, "cuda") < 2);
+    }
     void withoutAMeasurementOfItsKindItIsAGuess()
     {
         Design design = drop_design();
@@ -154,15 +167,15 @@ private Q_SLOTS:
         double worst = 1;
         for (const MeasuredRun& run : scene.runs) {
             ModelPlan plan = run.plan;
-            expect(plan, shipped_measurements());
+            expect(plan, shipped_measurements(scene.backend));
             const double time = plan.expected_seconds / run.seconds, memory = plan.expected_bytes / run.bytes;
             qInfo("%s: time %.2f, memory %.2f of the measured", name_of(run.plan.fidelity), time, memory);
             QVERIFY2(!mentions(plan.expectation_source, "rough guess"), plan.expectation_source.c_str());
             worst = std::max({worst, time, 1 / time});
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
-        QEXPECT_FAIL("small-drying-of-wool.json", "known miss: a segment of the small sample takes two thirds of a large one's time", Continue);
         QEXPECT_FAIL("small-droplet-on-twill.json", "known miss: how fast a cloth drinks a drop is taken from the one measured", Continue);
+        QEXPECT_FAIL("small-drying-of-wool-cuda.json", "known miss: 0.2 s, most of it the start, are foretold as 0.4 s", Continue);
         QVERIFY(worst < 1.5);
     }
 };
