@@ -94,7 +94,8 @@ std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return st
 
 std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each)
 try {
-    return make_backends(options.backend, asked, scenes, bytes_each);
+    const std::string backend = as_usage([&] { return backend_for(options.backend, knob_settings(options)); });
+    return make_backends(backend, asked, scenes, bytes_each);
 } catch (const DeviceError& error) {
     throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
 }

@@ -70,8 +70,8 @@ ModelPlan planned(const SimulateOptions& options, const Design& design, const Fa
                   const KnobSettings& knobs)
 {
     ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs);
-    const std::string backend = expected_backend(options.backend);
-    if (backend != "cpu" && !knobs.contains("double_precision")) expect(plan, shipped_measurements(backend));
+    const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knobs)); });
+    if (backend != "cpu") expect(plan, shipped_measurements(backend));
     return plan;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/project/atomic_file.h"
 #include "core/sim/expectation.h"
+#include "gpu/backends.h"
 
 #include <fmt/format.h>
 
@@ -49,9 +50,12 @@ std::vector<TradeoffVariant> asked_variants(const TradeoffOptions& options, cons
         throw Stop(exit_usage, "--knobs " + options.knobs + ": " + error.what());
     }
     keep_asked(variants, options.fidelities);
-    if (options.knobs.empty() && options.backend == "cuda") // a GPU has no doubles for particles
+    if (options.knobs.empty() && options.backend == "cuda")
         std::erase_if(variants, [](const TradeoffVariant& variant) { return variant.settings.contains("double_precision"); });
-    for (TradeoffVariant& variant : variants) variant.settings.insert(always.begin(), always.end());
+    for (TradeoffVariant& variant : variants) {
+        variant.settings.insert(always.begin(), always.end());
+        as_usage([&] { return backend_for(options.backend, variant.settings); });
+    }
     if (options.convergence)
         for (const TradeoffVariant& variant : convergence_variants(always)) variants.push_back(variant);
     return variants;

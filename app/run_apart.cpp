@@ -32,7 +32,7 @@ TradeoffOutcome run_here(const ApartRun& run, const TradeoffVariant& variant, Ru
     RunOptions options = run.options;
     options.fidelity = variant.fidelity;
     options.knobs = variant.settings;
-    const std::unique_ptr<Backend> backend = make_backend(run.backend);
+    const std::unique_ptr<Backend> backend = make_backend(backend_for(run.backend, variant.settings));
     if (backend->name() == "cpu") backend->time_stages(); // on a GPU it would keep stages from running on without the host
     OutcomeCollector collector;
     RunCallbacks callbacks;

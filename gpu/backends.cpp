@@ -46,6 +46,14 @@ std::vector<BackendInfo> find_backends()
     return found;
 }
 
+std::string backend_for(const std::string& name, const KnobSettings& knobs)
+{
+    const auto found = knobs.find("double_precision");
+    if (found == knobs.end() || found->second == 0) return name;
+    if (name == "cuda") throw Error("fidelity.double_precision: Only a CPU has it; the backend must be auto or cpu, \"cuda\" was given.");
+    return "cpu";
+}
+
 std::string expected_backend(const std::string& name)
 {
     if (name == "cuda") return name;

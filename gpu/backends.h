@@ -3,11 +3,16 @@
 #pragma once
 
 #include "core/sim/backend.h"
+#include "core/sim/fidelity.h"
 
 namespace hygroloom {
 
 /// The CPU first, then every GPU, usable or not.
 std::vector<BackendInfo> find_backends();
+
+/// What "auto", "cpu" or "cuda" means with these knobs: a CPU where particles are in double precision. Throws Error when it was a GPU
+/// that was asked for.
+std::string backend_for(const std::string& name, const KnobSettings& knobs);
 
 /// Where a run on "auto", "cpu" or "cuda" is expected to go: "cpu" or "cuda", which need not be there. Throws Error for another word.
 std::string expected_backend(const std::string& name);

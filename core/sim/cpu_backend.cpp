@@ -40,8 +40,8 @@ public:
     void load(const Scene& scene) override
     {
         if (scene.double_precision != is_double_) {
+            solver_ = scene.double_precision ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
             is_double_ = scene.double_precision;
-            solver_ = is_double_ ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
             solver_->set_threads(threads_);
             if (times_stages_) solver_->time_stages();
         }

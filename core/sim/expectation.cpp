@@ -154,14 +154,16 @@ try {
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend)
 {
     static const std::map<std::string, std::vector<MeasuredScene>> scenes = [] {
-        std::map<std::string, std::vector<MeasuredScene>> lists{{"cpu", {}}, {"cuda", {}}};
+        std::map<std::string, std::vector<MeasuredScene>> lists;
         for (const Json& scene : Json::parse(measured_scenes_json)) {
             MeasuredScene read = scene_from(scene);
             lists[read.backend].push_back(std::move(read));
         }
         return lists;
     }();
-    return scenes.at(backend);
+    static const std::vector<MeasuredScene> none;
+    const auto found = scenes.find(backend);
+    return found == scenes.end() ? none : found->second;
 }
 
 double rough_work(const ModelPlan& plan, const std::string& backend)
@@ -185,7 +187,8 @@ double rough_bytes(const ModelPlan& plan)
 {
     const double particles = plan.particles_per_droplet * plan.counts.drops;
     const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
-    return plan.segments * (400.0 + 8.0 * shells) + particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
+    return plan.segments * (400.0 + 8.0 * shells) + wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
@@ -193,10 +196,11 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
     if (!nearest.run) {
-        plan.expected_seconds = rough_work(plan, "cpu");
+        const std::string backend = measured.empty() ? "cpu" : measured.front().backend;
+        plan.expected_seconds = rough_work(plan, backend);
         plan.expected_bytes = 40e6 + rough_bytes(plan);
-        plan.expectation_source =
-            "A rough guess from unit costs of 2 cores of an AMD EPYC: no scene of this kind was measured at this fidelity.";
+        plan.expectation_source = fmt::format("A rough guess from unit costs of {}: no scene of this kind was measured at this fidelity.",
+                                              backend == "cuda" ? "an NVIDIA H200" : "2 cores of an AMD EPYC");
         return;
     }
     const MeasuredRun& run = *nearest.run;

@@ -37,7 +37,7 @@ double rough_work(const ModelPlan& plan, const std::string& backend);
 double rough_bytes(const ModelPlan& plan);
 
 /// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of
-/// their rough works; without any, from the rough work alone, and without an error.
+/// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 
 /// What the user wants of --fidelity auto: one of both.

@@ -35,7 +35,7 @@ constexpr KnobInfo table[] = {
     {"rest_tolerance", &Knobs::rest_tolerance, "", 0, 0.1, false, 1e-3, 1e-5,
      "change of the air's humidity at which the visited region grows; 0: all of the sample is visited"},
     {"double_precision", &Knobs::double_precision, "", 0, 1, true, 0, 1,
-     "whether the liquid's particles are numbers of double precision, 0 or 1; always on a CPU then"},
+     "whether the liquid's particles are in double precision, 0 or 1; such a run goes to a CPU"},
     {"neglected_share", &Knobs::neglected_share, "", 0, 0.5, false, 0.01, 0,
      "share of the water, or of a rate, below which a part of the physics is left out"},
 };

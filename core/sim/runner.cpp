@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/backend.h"
+#include "core/sim/expectation.h"
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
 
@@ -114,6 +115,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.experiment = experiment_name;
     run.plan = plan_model(design, *fabric, *experiment, options.fidelity, options.forced, options.knobs);
     run.plan.fidelity_reason = options.fidelity_reason;
+    if (backend.name() != "cpu") expect(run.plan, shipped_measurements(backend.name()));
     run.textile = textile_of_run(design, *fabric, *experiment, run.plan.region);
     run.seed = options.seed;
     run.threads = options.threads;

@@ -36,6 +36,7 @@ private Q_SLOTS:
         QTest::newRow("no such fabric") << QStringList{"check", f, "--fabric", "Textile Z"};
         QTest::newRow("no such experiment") << QStringList{"plan", f, "--experiment", "x"};
         QTest::newRow("no such machine") << QStringList{"plan", f, "--backend", "abacus"};
+        QTest::newRow("double precision on a GPU") << QStringList{"plan", f, "--backend", "cuda", "--set", "fidelity.double_precision=1"};
         QTest::newRow("no such fidelity") << QStringList{"plan", f, "--fidelity", "best"};
         QTest::newRow("auto without a wish") << QStringList{"plan", f, "--fidelity", "auto"};
         QTest::newRow("auto with two wishes") << QStringList{"simulate", f, "--fidelity", "auto", "--error", "5%", "--time", "10s"};
