@@ -130,8 +130,10 @@ private:
         point.switched_on = outcome.switched_on;
         point.stages.clear();
         for (const StageTime& stage : outcome.stages) point.stages[stage.name] = 100 * stage.seconds / outcome.wall;
-        result_.backend = outcome.backend;
-        result_.device = outcome.device;
+        if (result_.backend.empty()) { // particles in double precision may have gone to a CPU
+            result_.backend = outcome.backend;
+            result_.device = outcome.device;
+        }
         outcomes_[i] = std::move(outcome);
         compare();
     }
