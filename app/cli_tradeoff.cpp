@@ -125,7 +125,7 @@ private:
             point.walls.push_back(outcome.wall);
             point.peaks.push_back(outcome.peak_bytes);
         }
-        point.analytic = closed_form_errors(outcome);
+        point.closed_forms = closed_form_errors(outcome);
         point.liquid_steps = outcome.liquid_steps;
         point.switched_on = outcome.switched_on;
         point.stages.clear();
@@ -180,7 +180,7 @@ void print_table(const Tradeoff& t)
                    p.walls.empty() ? "-" : fmt::format("{:.3g} s", p.wall()), p.peaks.empty() ? "-" : bytes_text(p.peak()),
                    p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
                    p.errors ? percent(p.errors->overlap) : "-");
-        for (const MetricError& m : p.analytic)
+        for (const MetricError& m : p.closed_forms)
             fmt::print("    {}: {:.5g}, by a closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
         for (const std::string& name : p.stands_for) fmt::print("    the same run: {}\n", name);
     }

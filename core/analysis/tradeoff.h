@@ -100,13 +100,13 @@ struct TradeoffPoint {
     std::vector<double> walls;             ///< s, of each repeat
     std::vector<double> peaks;             ///< bytes, of each repeat
     long liquid_steps = 0;
-    std::optional<TradeoffErrors> errors; ///< none: there is no reference yet
-    std::vector<MetricError> analytic;    ///< see closed_form_errors()
-    std::map<std::string, double> stages; ///< percent of the wall time
-    bool pareto = false;                  ///< nothing timed is both faster and more accurate
-    std::vector<std::string> stands_for;  ///< variants that were left out because their runs would be the same
-    double wall() const;                  ///< median, s
-    double peak() const;                  ///< median, bytes
+    std::optional<TradeoffErrors> errors;  ///< none: there is no reference yet
+    std::vector<MetricError> closed_forms; ///< see closed_form_errors()
+    std::map<std::string, double> stages;  ///< percent of the wall time
+    bool pareto = false;                   ///< nothing timed is both faster and more accurate
+    std::vector<std::string> stands_for;   ///< variants that were left out because their runs would be the same
+    double wall() const;                   ///< median, s
+    double peak() const;                   ///< median, bytes
 };
 
 /// Difference of one coarser reference to the next finer one.

@@ -86,7 +86,7 @@ Json point_json(const TradeoffPoint& p)
               {"pareto", p.pareto},
               {"stands_for", p.stands_for},
               {"errors", p.errors ? errors_json(*p.errors) : Json(nullptr)},
-              {"closed_forms", metric_errors_json(p.analytic)},
+              {"closed_forms", metric_errors_json(p.closed_forms)},
               {"stages_percent", Json::object()},
               {"plan", Json::parse(plan_json(p.plan))},
               {"switched_on", Json::parse(switched_json(p.switched_on))}};
@@ -106,7 +106,7 @@ TradeoffPoint point_from_json(const Json& json)
     p.pareto = json.at("pareto");
     p.stands_for = json.at("stands_for").get<std::vector<std::string>>();
     if (!json.at("errors").is_null()) p.errors = errors_from_json(json.at("errors"));
-    if (json.contains("closed_forms")) p.analytic = metric_errors_from_json(json.at("closed_forms"));
+    if (json.contains("closed_forms")) p.closed_forms = metric_errors_from_json(json.at("closed_forms"));
     for (const auto& [name, percent] : json.at("stages_percent").items()) p.stages[name] = percent;
     p.plan = plan_from_json(json.at("plan").dump());
     if (json.contains("switched_on")) p.switched_on = switched_from_json(json.at("switched_on").dump());

@@ -221,7 +221,7 @@ private Q_SLOTS:
         p.switched_on = {{"vapour", 20, 0.0103, 0.01, 0.0075}};
         p.peaks = {3e7};
         p.errors = tradeoff_errors(other, reference);
-        p.analytic = {{"regain_end", 0.14, 0.145, 0.0345}};
+        p.closed_forms = {{"regain_end", 0.14, 0.145, 0.0345}};
         p.stages = {{"exchange", 40.5}};
         p.stands_for = {"fibre_shells=5"};
         t.points = {p, point("<standard>", 4, 0.01)};
