@@ -31,10 +31,11 @@ HL_FN double wet_share(double saturation)
     return share < 0 ? 0.0 : share > 1 ? 1.0 : share;
 }
 
-/// Rate at which pores come to saturation, 1/s: h_lg S_v per volume of pores, S_v = 2 x fibre fraction / radius.
-HL_FN double phase_change_rate(double fibre_fraction, double fibre_radius, double pore_fraction)
+/// Rate at which pores come to saturation, 1/s: h_lg S_v per volume of pores, S_v = 2 x fibre fraction / radius. Fibre and pores as
+/// fractions or as areas of a section.
+HL_FN double phase_change_rate(double fibre, double fibre_radius, double pores)
 {
-    return pore_mass_transfer * 2.0 * fibre_fraction / fibre_radius / pore_fraction;
+    return pore_mass_transfer * 2.0 * fibre / (fibre_radius * pores);
 }
 
 /// Share by which its own cooling slows what evaporates from a wet face: the psychrometer's balance of heat (W/(m2 K)) and vapour (m/s)

@@ -20,9 +20,18 @@ struct Isotherm {
     bool shifts = true; ///< with temperature
 };
 
-/// Differential heat of sorption from the liquid, J/kg water; humidity is the fibre's own. Gibson's law; within 15 % of the
-/// integral heats of wetting in Morton and Hearle's table 8.1.
-HL_FN double heat_of_sorption(double humidity) { return 195e3 * (1.0 - humidity) * (1.0 / (0.2 + humidity) + 1.0 / (1.05 - humidity)); }
+/// Differential heat of sorption from the liquid and its slope with humidity, J/kg water; humidity is the fibre's own. Gibson's law;
+/// within 15 % of the integral heats of wetting in Morton and Hearle's table 8.1.
+struct SorptionHeat {
+    double heat, slope;
+};
+HL_FN SorptionHeat sorption_heat_at(double humidity)
+{
+    const double wet = 1.0 - humidity, dry = 0.2 + humidity, damp = 1.05 - humidity, both = 1.0 / (dry * damp);
+    const double first = damp * both, second = dry * both;
+    return {195e3 * wet * (first + second), 195e3 * (wet * (second * second - first * first) - first - second)};
+}
+HL_FN double heat_of_sorption(double humidity) { return sorption_heat_at(humidity).heat; }
 
 /// Regain at 20 C: GAB where fitted, else the master curve of Lotens and Havenith; never above saturation.
 HL_FN double regain_at_reference(const Isotherm& isotherm, double humidity)
@@ -51,40 +60,43 @@ inline double heat_of_wetting(const Isotherm& isotherm)
     return heat;
 }
 
-/// Slope of heat_of_sorption() with humidity, J/kg.
-HL_FN double heat_of_sorption_slope(double humidity)
+/// By how much ln humidity over a fibre of unchanged regain rises with temperature, per heat of sorption (Clausius and Clapeyron), kg/J.
+HL_FN double isotherm_shift(double temperature)
 {
-    const double wet = 1.0 - humidity, first = 1.0 / (0.2 + humidity), second = 1.0 / (1.05 - humidity);
-    return 195e3 * (wet * (second * second - first * first) - first - second);
+    return (water_molar_mass / gas_constant) * (1.0 / isotherm_temperature - 1.0 / temperature);
 }
 
-/// The humidity at 20 C that holds the same water as this humidity does at this temperature (Clausius and Clapeyron with the
-/// heat of sorption): the least root of ln r - q(r) M/R (1/T - 1/T0) = ln a, by Newton's steps kept in a bracket.
-HL_FN double reference_humidity(double humidity, double temperature)
+/// The humidity at 20 C that holds the same water as this humidity does where isotherms are shifted: the least root of
+/// ln r + q(r) shift = ln a, by Newton's steps kept in a bracket, from a guess if there is one (greater than 0).
+HL_FN double reference_humidity(double humidity, double shift, double guess)
 {
     if (humidity <= 0) return 0;
-    const double shift = (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature);
     // Above 30 C the root nearest to 1 is 1 itself, and no limit of those below: fibres hold less there.
-    const double most = shift < 0 ? 1.0 - 1e-9 : 1.0;
+    const double most = shift > 0 ? 1.0 - 1e-9 : 1.0;
     const double a = humidity > most ? most : humidity;
     const double target = std::log(a);
-    const double farthest = a * std::exp(heat_of_sorption(0.0) * shift);
-    double low = shift < 0 ? farthest : a, high = shift < 0 ? a : farthest < 1 ? farthest : 1.0;
-    double r = a;
+    double low = shift > 0 ? 0.0 : a, high = shift > 0 ? a : 1.0;
+    double r = guess > low && guess < high ? guess : a;
     for (int round = 0; round < 60; ++round) {
-        const double excess = std::log(r) - heat_of_sorption(r) * shift - target;
+        const SorptionHeat q = sorption_heat_at(r);
+        const double excess = std::log(r) + q.heat * shift - target;
         if (excess >= 0)
             high = r;
         else
             low = r;
-        double next = r - excess / (1.0 / r - heat_of_sorption_slope(r) * shift);
-        const bool inside = next >= low && next <= high;
+        double next = r - excess * r / (1.0 + q.slope * r * shift);
+        const bool inside = next >= low && next <= high && next > 0;
         if (!inside) next = 0.5 * (low + high);
         const double moved = next > r ? next - r : r - next;
         r = next;
         if (moved < (inside ? 1e-8 * r : 1e-14)) break; // what a Newton step leaves goes with its square
     }
     return r;
+}
+/// The same at a temperature.
+HL_FN double reference_humidity(double humidity, double temperature)
+{
+    return reference_humidity(humidity, isotherm_shift(temperature), 0.0);
 }
 
 /// The humidity at 20 C that a fibre of this regain is in equilibrium with: the inverse of regain_at_reference().
@@ -111,17 +123,17 @@ HL_FN double humidity_at_reference(const Isotherm& isotherm, double regain)
     return a < 0 ? 0.0 : a < 1 ? a : 1.0;
 }
 
-/// Slope of regain_at_reference() with humidity; 0 where it is cut off at saturation.
-HL_FN double regain_slope_at_reference(const Isotherm& isotherm, double humidity)
+/// Slope of regain_at_reference() with humidity, where that gives this regain; 0 where it is cut off at saturation.
+HL_FN double regain_slope_at_reference(const Isotherm& isotherm, double humidity, double regain)
 {
-    if (regain_at_reference(isotherm, humidity) >= isotherm.saturation_regain) return 0;
+    if (regain >= isotherm.saturation_regain) return 0;
     if (isotherm.monolayer_regain > 0) {
         const double ka = isotherm.gab_k * humidity, c = isotherm.gab_c;
         const double dry = 1.0 - ka, bound = 1.0 - ka + c * ka;
         return isotherm.monolayer_regain * c * isotherm.gab_k * (dry * bound + ka * (bound - (c - 1.0) * dry)) /
                (dry * dry * bound * bound);
     }
-    const double first = 1.0 / (humidity + 0.321), second = 1.0 / (1.262 - humidity);
+    const double low = humidity + 0.321, high = 1.262 - humidity, both = 1.0 / (low * high), first = high * both, second = low * both;
     return 0.578 * isotherm.standard_regain * (first + second + humidity * (second * second - first * first));
 }
 

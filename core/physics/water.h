@@ -48,12 +48,17 @@ HL_FN double saturation_pressure(double temperature)
 /// Vapour concentration over water, kg/m3 (C* of the paper).
 HL_FN double saturation_concentration(double temperature) { return saturation_pressure(temperature) / (vapour_gas_constant * temperature); }
 
-/// Its slope with temperature, kg/(m3 K).
-HL_FN double saturation_concentration_slope(double temperature)
+/// The same with its slope with temperature, kg/(m3 K).
+struct Saturation {
+    double concentration, slope;
+};
+HL_FN Saturation saturation_at(double temperature)
 {
-    const double t = celsius_from_kelvin(temperature), below = 257.14 + t;
-    const double exponent_slope = ((18.678 - 2.0 * t / 234.5) * below - (18.678 - t / 234.5) * t) / (below * below);
-    return saturation_concentration(temperature) * (exponent_slope - 1.0 / temperature);
+    const double t = celsius_from_kelvin(temperature), below = 1.0 / (257.14 + t), part = t * (1.0 / 234.5);
+    const double exponent = (18.678 - part) * t * below, inverse = 1.0 / temperature;
+    const double concentration = 611.21 / vapour_gas_constant * std::exp(exponent) * inverse;
+    return {concentration, concentration * ((18.678 - 2.0 * part - exponent) * below - inverse)};
 }
+HL_FN double saturation_concentration_slope(double temperature) { return saturation_at(temperature).slope; }
 
 } // namespace hygroloom

@@ -255,7 +255,7 @@ template <typename Executor> void Solver<Executor>::step_network(double dt, bool
     if (changes) {
         if (scene_.wicking) each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
         if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
-        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false, 0, false});
+        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
     }
     choose_network_step(dt);
     if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
@@ -321,7 +321,7 @@ template <typename Executor> void Solver<Executor>::exchange(double dt)
     if (scene_.swelling > 0) swell();
     if (scene_.vapour) {
         each_line("vapour", DiffuseVapourAlongYarn{segments(), climate, dt, scene_.cell_area, scene_.heat, scene_.face_only});
-        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true, scene_.cell_area, scene_.heat});
+        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
     choose_exchange_step(dt);

@@ -49,7 +49,8 @@ double crank_concentration(double fourier, double position)
 /// Between the middles of the shells of segment 0, and from the last one's to the skin.
 double regain_at(const Frame& frame, int shells, double skin, double position)
 {
-    const auto middle = [&](int k) { return 0.5 * (shell_start(k, shells) + shell_start(k + 1, shells)); };
+    const Shells drawn(shells);
+    const auto middle = [&](int k) { return 0.5 * (drawn.start(k) + drawn.start(k + 1)); };
     int outer = 0;
     while (outer < shells && middle(outer) < position) ++outer;
     const auto at = [&](int k) { return static_cast<double>(frame.shells[static_cast<std::size_t>(k)]); };

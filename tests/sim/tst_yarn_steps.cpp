@@ -214,7 +214,7 @@ private Q_SLOTS:
         const double capacity = 997 * coarse.pore_area * n.length[0];
         n.liquid = {0.3 * capacity, 0.3 * capacity};
         n.crossing.liquid_conductance = 1e-6;
-        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), room(), 1.0, true, false, false, 0, false}(0);
+        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), room(), 1.0, true, false, false}(0);
         QVERIFY(n.liquid[1] > 0.5 * capacity);
         QVERIFY(std::abs(n.liquid[0] + n.liquid[1] - 0.6 * capacity) < 1e-14 * capacity);
         // Equal suction: the pore filled is equally wide in both, r ~ s^(1/3).
@@ -227,7 +227,7 @@ private Q_SLOTS:
         const double capacity = 997 * yarn.pore_area * n.length[0];
         n.liquid = {capacity, 0.999 * capacity};
         n.crossing.liquid_conductance = 1.0;
-        ExchangeAtCrossing{n.views(), room(), 1e3, true, false, false, 0, false}(0);
+        ExchangeAtCrossing{n.views(), room(), 1e3, true, false, false}(0);
         for (double m : n.liquid) QVERIFY(m >= 0 && m <= capacity * (1 + 1e-12));
     }
     void segmentInBalanceStaysAsItIs()
@@ -330,18 +330,19 @@ private Q_SLOTS:
                     n.liquid[0] = saturation * climate.density * n.pores[0];
                     n.vapour[0] = 0.5 * climate.vapour * pore_air(n.pores[0], n.liquid[0], climate.density);
                     const ExchangeInSegment stage{n.views(), climate, 8e-8, dt, true, true, true};
+                    n.work2[0] = climate.vapour; // foreseen
                     double base[largest_shell_count], response[largest_shell_count];
-                    const double air = pore_air(n.pores[0], n.liquid[0], climate.density),
-                                 capacity = heat_capacity(yarn, n.length[0], n.liquid[0]);
-                    const auto fibre = stage.prepare_fibre(0, yarn, base, response);
-                    double warmth = 0;
+                    const double air = pore_air(n.pores[0], n.liquid[0], climate.density);
+                    const ExchangeInSegment::Start start = stage.start_of(0, yarn, air, base, response);
+                    ExchangeInSegment::Warm found = stage.at_warmth(0);
                     ExchangeInSegment::Outcome fast{};
                     ++tried;
-                    if (!stage.newton(0, yarn, fibre, air, saturation, capacity, warmth, fast)) continue;
+                    if (!stage.newton(start, 0, found, fast)) continue;
                     ++closed;
-                    const double searched = stage.find_warmth(0, yarn, fibre, air, saturation, capacity);
-                    const auto slow = stage.pore_balance(0, yarn, fibre, air, saturation, searched);
-                    QVERIFY2(std::abs(warmth - searched) < 1e-5, qPrintable(QString("%1 %2").arg(warmth).arg(searched)));
+                    const ExchangeInSegment::Warm searched = stage.at_warmth(stage.find_warmth(start));
+                    const auto slow = stage.pore_balance(start, searched);
+                    QVERIFY2(std::abs(found.warmth - searched.warmth) < 1e-5,
+                             qPrintable(QString("%1 %2").arg(found.warmth).arg(searched.warmth)));
                     QVERIFY(std::abs(fast.pore_vapour - slow.pore_vapour) < 1e-6 * saturation_concentration(climate.temperature));
                 }
         QVERIFY2(closed > 0.8 * tried, qPrintable(QString("%1 of %2").arg(closed).arg(tried)));

@@ -14,8 +14,6 @@ struct ExchangeAtCrossing {
     bool move_liquid;
     bool move_heat;
     bool move_vapour;
-    double face_area; ///< m2, see ForeseeVapour
-    bool cools;       ///< whether evaporation does
 
     HL_FN void operator()(int index) const
     {
@@ -30,7 +28,7 @@ struct ExchangeAtCrossing {
         double moved = 0;
         if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
         if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
-        if (move_vapour) diffuse(a, b, warp, weft, crossing.vapour_conductance);
+        if (move_vapour) diffuse(a, b, crossing.vapour_conductance);
     }
 
     /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
@@ -60,10 +58,11 @@ struct ExchangeAtCrossing {
                 low = x;
             const double slope = 1.0 + conductance * (saturation_power(sa, exponent) * scale_a + saturation_power(sb, exponent) * scale_b);
             double next = x - residual / slope;
-            if (!(next > low && next < high)) next = 0.5 * (low + high);
+            const bool inside = next > low && next < high;
+            if (!inside) next = 0.5 * (low + high);
             const double change = next > x ? next - x : x - next;
             x = next;
-            if (change <= 1e-13 * (cap_a + cap_b)) break;
+            if (change <= (inside ? 1e-9 : 1e-13) * (cap_a + cap_b)) break; // what a Newton step leaves goes with its square
         }
         s.liquid[a] -= x;
         s.liquid[b] += x;
@@ -82,13 +81,11 @@ struct ExchangeAtCrossing {
         s.warmth[b] = (heat_b + passed) / new_b;
     }
 
-    /// From the concentrations that DiffuseVapourAlongYarn foresaw.
-    HL_FN void diffuse(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double vapour_conductance) const
+    /// From what DiffuseVapourAlongYarn foresaw.
+    HL_FN void diffuse(int a, int b, double vapour_conductance) const
     {
-        const ForeseeVapour foresee{s, climate, dt, face_area, cools};
         const double conductance = dt * vapour_conductance;
-        const double passed =
-            conductance * (s.work2[a] - s.work2[b]) / (1.0 + conductance * (1.0 / foresee(warp, a).pivot + 1.0 / foresee(weft, b).pivot));
+        const double passed = conductance * (s.work2[a] - s.work2[b]) / (1.0 + conductance * (1.0 / s.work1[a] + 1.0 / s.work1[b]));
         s.vapour[a] -= passed; // less than nothing is what liquid, fibres and air will give
         s.vapour[b] += passed;
     }
@@ -116,6 +113,24 @@ struct ExchangeInSegment {
     struct Fibre {
         double dry_mass, bound, base, slope;
     };
+    /// What a segment brings to all trials.
+    struct Start {
+        const YarnParameters& yarn;
+        Fibre fibre;
+        double liquid, vapour, warmth; ///< kg, kg, K
+        double air;                    ///< m3 in the pores
+        double wet;                    ///< share of the pores
+        double room;                   ///< kg, for more liquid
+        double capacity;               ///< J/K
+        double evaporating;            ///< m3 of pore vapour that all the fibres' surface brings to saturation in the step
+        double to_air;                 ///< m3, through the face
+        double to_air_heat;            ///< J/K
+    };
+    /// What a trial's temperature brings.
+    struct Warm {
+        double warmth, temperature, shift; ///< see isotherm_shift()
+        Saturation saturated;
+    };
 
     HL_FN void operator()(int index) const
     {
@@ -126,30 +141,48 @@ struct ExchangeInSegment {
         if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
 
         double base[largest_shell_count], response[largest_shell_count];
-        const Fibre fibre = prepare_fibre(i, yarn, base, response);
-        const double wet = s.liquid[i] / (climate.density * s.pores[i]);
-        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound);
-
-        double warmth = s.warmth[i];
+        const Start start = start_of(i, yarn, air, base, response);
+        Warm now = at_warmth(start.warmth);
         Outcome outcome;
-        if (!vapour || !newton(i, yarn, fibre, air, wet, capacity, warmth, outcome)) {
-            warmth = s.warmth[i];
-            if (heat) warmth = find_warmth(i, yarn, fibre, air, wet, capacity);
-            outcome = pore_balance(i, yarn, fibre, air, wet, warmth);
+        if (!vapour || !newton(start, i, now, outcome)) {
+            now = at_warmth(heat ? find_warmth(start) : start.warmth);
+            outcome = pore_balance(start, now);
         }
-        accept(i, yarn, fibre, base, response, warmth, outcome, capacity);
-        if (vapour && sorption) s.uptake[i] = uptake(yarn, fibre, wet, outcome, climate.temperature + warmth, capacity);
+        accept(i, start, base, response, now, outcome);
+        if (vapour && sorption) s.uptake[i] = uptake(start, now, outcome);
+    }
+
+    HL_FN Start start_of(int i, const YarnParameters& yarn, double air, double* base, double* response) const
+    {
+        const Fibre fibre = prepare_fibre(i, yarn, base, response);
+        const double full = climate.density * s.pores[i];
+        return {yarn,
+                fibre,
+                s.liquid[i],
+                s.vapour[i],
+                s.warmth[i],
+                air,
+                s.liquid[i] / full,
+                full - s.liquid[i],
+                heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound),
+                s.pores[i] * phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area) * dt,
+                dt * climate.mass_transfer * face_area,
+                dt * climate.heat_transfer * face_area};
+    }
+    HL_FN Warm at_warmth(double warmth) const
+    {
+        const double temperature = climate.temperature + warmth;
+        return {warmth, temperature, isotherm_shift(temperature), saturation_at(temperature)};
     }
 
     /// With the warmth it brings, which makes fibres take less.
-    HL_FN double uptake(const YarnParameters& yarn, const Fibre& fibre, double wet, const Outcome& o, double temperature,
-                        double capacity) const
+    HL_FN double uptake(const Start& start, const Warm& now, const Outcome& o) const
     {
-        const double taken = fmax_(0.0, bound_response(yarn, fibre, wet, temperature, o).to_vapour);
+        const double taken = fmax_(0.0, bound_response(start, now, o).to_vapour);
         if (!heat) return taken;
-        const double humidity = fmin_(1.0, o.pore_vapour / saturation_concentration(temperature));
-        const double less_per_kelvin = taken * humidity * saturation_concentration_slope(temperature); // kg/K
-        return taken / (1.0 + less_per_kelvin * heat_of_evaporation(temperature) / (capacity + dt * climate.heat_transfer * face_area));
+        const double humidity = fmin_(1.0, o.pore_vapour / now.saturated.concentration);
+        const double less_per_kelvin = taken * humidity * now.saturated.slope; // kg/K
+        return taken / (1.0 + less_per_kelvin * heat_of_evaporation(now.temperature) / (start.capacity + start.to_air_heat));
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
@@ -162,7 +195,7 @@ struct ExchangeInSegment {
                off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
     }
 
-    /// Implicit Euler on shells (see shell_start()) with the skin held at a regain: two right-hand sides, one elimination.
+    /// Implicit Euler on shells (see Shells) with the skin held at a regain: two right-hand sides, one elimination.
     HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, double* base, double* response) const
     {
         const int n = s.shells;
@@ -177,19 +210,20 @@ struct ExchangeInSegment {
         const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius);
         const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
         const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
+        const Shells shells(n);
         double upper[largest_shell_count];
         double inner = 0; // conductance of the shell's inner face
         for (int k = 0; k < n; ++k) {
             const bool skin = k == n - 1;
             const double at_face = skin ? regain[k] : 0.5 * (regain[k] + regain[k + 1]);
             const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, at_face, temperature);
-            const double face = shell_start(k + 1, n), between = 0.5 * ((skin ? face : shell_start(k + 2, n)) - shell_start(k, n));
-            const double outer = scale * diffusivity * 2.0 * face / between, share = shell_share(k, n);
+            const double face = shells.start(k + 1), between = 0.5 * ((skin ? face : shells.start(k + 2)) - shells.start(k));
+            const double outer = scale * diffusivity * 2.0 * face / between, share = shells.share(k);
             const double lower = -inner;
-            const double pivot = share + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0);
-            upper[k] = skin ? 0.0 : -outer / pivot;
-            base[k] = (share * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) / pivot;
-            response[k] = ((skin ? outer : 0.0) - (k > 0 ? lower * response[k - 1] : 0.0)) / pivot;
+            const double pivot = 1.0 / (share + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0));
+            upper[k] = skin ? 0.0 : -outer * pivot;
+            base[k] = (share * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) * pivot;
+            response[k] = ((skin ? outer : 0.0) - (k > 0 ? lower * response[k - 1] : 0.0)) * pivot;
             inner = outer;
         }
         for (int k = n - 2; k >= 0; --k) {
@@ -197,8 +231,8 @@ struct ExchangeInSegment {
             response[k] -= upper[k] * response[k + 1];
         }
         for (int k = 0; k < n; ++k) {
-            fibre.base += base[k] * shell_share(k, n);
-            fibre.slope += response[k] * shell_share(k, n);
+            fibre.base += base[k] * shells.share(k);
+            fibre.slope += response[k] * shells.share(k);
         }
         fibre.base *= fibre.dry_mass;
         fibre.slope *= fibre.dry_mass;
@@ -213,28 +247,26 @@ struct ExchangeInSegment {
     HL_FN static double fmin_(double a, double b) { return a < b ? a : b; }
     HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
 
-    /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; the return of balance() is what is missing, kg.
-    HL_FN Outcome try_vapour(int i, const YarnParameters& yarn, const Fibre& fibre, double wet, double temperature,
-                             double pore_vapour) const
+    /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; near: the reference humidity of a trial like it, or 0.
+    HL_FN Outcome try_vapour(const Start& start, const Warm& now, double pore_vapour, double near) const
     {
+        const Fibre& fibre = start.fibre;
         Outcome o{pore_vapour, 0, fibre.base, 0, 0};
-        const double saturated = saturation_concentration(temperature);
+        const double saturated = now.saturated.concentration;
         if (sorption) {
-            const double humidity = skin_humidity(wet, pore_vapour, saturated);
-            o.reference = yarn.isotherm.shifts ? reference_humidity(humidity, temperature) : humidity;
-            o.skin = regain_at_reference(yarn.isotherm, o.reference);
+            const Isotherm& isotherm = start.yarn.isotherm;
+            const double humidity = skin_humidity(start.wet, pore_vapour, saturated);
+            o.reference = isotherm.shifts ? reference_humidity(humidity, now.shift, near) : humidity;
+            o.skin = regain_at_reference(isotherm, o.reference);
             o.bound = fibre.base + fibre.slope * o.skin;
         }
         const double taken = o.bound - fibre.bound;
-        const double room = climate.density * s.pores[i] - s.liquid[i];
-        o.from_liquid = fmax_(fmin_(vapour ? wet * taken : taken, s.liquid[i]), -room);
+        o.from_liquid = fmax_(fmin_(vapour ? start.wet * taken : taken, start.liquid), -start.room);
         if (vapour) {
-            const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
-            const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
             const double excess = saturated - pore_vapour;
-            const double share = excess > 0 ? wet_share(wet) : 1.0;
-            o.evaporated = fmax_(fmin_(s.pores[i] * rate * dt * share * excess, s.liquid[i] - o.from_liquid), -room - o.from_liquid);
-            o.to_air = dt * climate.mass_transfer * face_area * (pore_vapour - climate.vapour);
+            const double share = excess > 0 ? wet_share(start.wet) : 1.0;
+            o.evaporated = fmax_(fmin_(start.evaporating * share * excess, start.liquid - o.from_liquid), -start.room - o.from_liquid);
+            o.to_air = start.to_air * (pore_vapour - climate.vapour);
         }
         return o;
     }
@@ -243,52 +275,51 @@ struct ExchangeInSegment {
     struct BoundResponse {
         double to_vapour = 0, to_warmth = 0;
     };
-    HL_FN BoundResponse bound_response(const YarnParameters& yarn, const Fibre& fibre, double wet, double temperature,
-                                       const Outcome& o) const
+    HL_FN BoundResponse bound_response(const Start& start, const Warm& now, const Outcome& o) const
     {
-        const double saturated = saturation_concentration(temperature);
-        const double answer = fibre.slope * regain_slope_at_reference(yarn.isotherm, o.reference);
-        if (o.reference <= 0) return {answer / saturated, 0};
-        const bool shifts = yarn.isotherm.shifts;
-        const double shift = shifts ? (water_molar_mass / gas_constant) * (1.0 / temperature - 1.0 / isotherm_temperature) : 0.0;
-        const double stiffness = 1.0 / o.reference - heat_of_sorption_slope(o.reference) * shift;
-        const double seen = skin_humidity(wet, o.pore_vapour, saturated);
-        const double per_humidity = answer / (stiffness * seen) * (o.pore_vapour < saturated ? 1.0 - wet : 0.0);
-        BoundResponse response;
-        response.to_vapour = per_humidity / saturated;
-        response.to_warmth = -per_humidity * o.pore_vapour / (saturated * saturated) * saturation_concentration_slope(temperature);
-        if (shifts)
-            response.to_warmth -=
-                answer * heat_of_sorption(o.reference) * water_molar_mass / (gas_constant * temperature * temperature * stiffness);
+        const auto [saturated, saturated_slope] = now.saturated;
+        const Isotherm& isotherm = start.yarn.isotherm;
+        const double answer = start.fibre.slope * regain_slope_at_reference(isotherm, o.reference, o.skin);
+        const double per_saturation = 1.0 / saturated;
+        if (o.reference <= 0) return {answer * per_saturation, 0};
+        const SorptionHeat held = sorption_heat_at(o.reference);
+        // d ln humidity = d ln reference x stiffness + heat of sorption x d shift
+        const double stiffness = 1.0 + o.reference * held.slope * (isotherm.shifts ? now.shift : 0.0);
+        const double per_share = answer * o.reference / stiffness;
+        const double seen = skin_humidity(start.wet, o.pore_vapour, saturated);
+        const double per_vapour = o.pore_vapour < saturated ? per_share * (1.0 - start.wet) / seen * per_saturation : 0.0;
+        BoundResponse response{per_vapour, -per_vapour * o.pore_vapour * per_saturation * saturated_slope};
+        if (isotherm.shifts)
+            response.to_warmth -= per_share * held.heat * (water_molar_mass / gas_constant) / (now.temperature * now.temperature);
         return response;
     }
 
-    HL_FN double missing(int i, const Fibre& fibre, double air, const Outcome& o) const
+    HL_FN double missing(const Start& start, const Outcome& o) const
     {
-        return air * o.pore_vapour - s.vapour[i] - o.evaporated + o.to_air + (o.bound - fibre.bound - o.from_liquid);
+        return start.air * o.pore_vapour - start.vapour - o.evaporated + o.to_air + (o.bound - start.fibre.bound - o.from_liquid);
     }
 
-    HL_FN Outcome pore_balance(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double warmth) const
+    HL_FN Outcome pore_balance(const Start& start, const Warm& now) const
     {
-        const double temperature = climate.temperature + warmth;
-        if (!vapour) return try_vapour(i, yarn, fibre, wet, temperature, s.vapour[i] / air);
+        const double air = start.air, met = start.vapour / air;
+        if (!vapour) return try_vapour(start, now, met, 0.0);
         // Rising in the trial: more vapour means less evaporation, more sorption, more loss.
-        double low = 0, high = fmax_(saturation_concentration(temperature), fmax_(climate.vapour, s.vapour[i] / air)) * 1.0001;
-        double low_missing = missing(i, fibre, air, try_vapour(i, yarn, fibre, wet, temperature, low));
-        Outcome o = try_vapour(i, yarn, fibre, wet, temperature, high);
-        double high_missing = missing(i, fibre, air, o);
+        double low = 0, high = fmax_(now.saturated.concentration, fmax_(climate.vapour, met)) * 1.0001;
+        double low_missing = missing(start, try_vapour(start, now, low, 0.0));
+        Outcome o = try_vapour(start, now, high, 0.0);
+        double high_missing = missing(start, o);
         while (high_missing < 0 && high < 1e3) { // a drying fibre may push its pore over saturation
             high *= 2;
-            o = try_vapour(i, yarn, fibre, wet, temperature, high);
-            high_missing = missing(i, fibre, air, o);
+            o = try_vapour(start, now, high, 0.0);
+            high_missing = missing(start, o);
         }
-        if (low_missing >= 0) return try_vapour(i, yarn, fibre, wet, temperature, 0.0);
+        if (low_missing >= 0) return try_vapour(start, now, 0.0, 0.0);
         int side = 0;
         for (int round = 0; round < 80 && high - low > 1e-14 * high; ++round) { // Illinois
             double trial = (low * high_missing - high * low_missing) / (high_missing - low_missing);
             if (!(trial > low && trial < high)) trial = 0.5 * (low + high);
-            o = try_vapour(i, yarn, fibre, wet, temperature, trial);
-            const double m = missing(i, fibre, air, o);
+            o = try_vapour(start, now, trial, o.reference);
+            const double m = missing(start, o);
             if (m > -1e-9 * air * high && m < 1e-9 * air * high) break;
             if (m > 0) {
                 high = trial;
@@ -306,113 +337,112 @@ struct ExchangeInSegment {
     }
 
     /// The fibre's own humidity half-way through the step: what the heat of the water it took goes by.
-    HL_FN static double half_way(const YarnParameters& yarn, const Fibre& fibre, const Outcome& o)
+    HL_FN static double half_way(const Start& start, const Outcome& o)
     {
-        return humidity_at_reference(yarn.isotherm, 0.5 * (fibre.bound + o.bound) / fibre.dry_mass);
+        return humidity_at_reference(start.yarn.isotherm, 0.5 * (start.fibre.bound + o.bound) / start.fibre.dry_mass);
     }
 
-    /// Heat released by the outcome, J.
-    HL_FN double phase_heat(const YarnParameters& yarn, const Fibre& fibre, const Outcome& o, double temperature) const
+    /// Heat released by the outcome, J; held: half_way().
+    HL_FN double phase_heat(const Start& start, const Outcome& o, double held, double temperature) const
     {
-        const double taken = o.bound - fibre.bound;
-        double released = 0;
-        if (taken != 0) released += taken * yarn.sorption_heat_scale * heat_of_sorption(half_way(yarn, fibre, o));
-        released += heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
-        return released;
+        const double taken = o.bound - start.fibre.bound;
+        return taken * start.yarn.sorption_heat_scale * heat_of_sorption(held) +
+               heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
     }
-    HL_FN double surplus(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity,
-                         double warmth) const
+    HL_FN double surplus(const Start& start, const Outcome& o, double held, const Warm& now) const
     {
-        const Outcome o = pore_balance(i, yarn, fibre, air, wet, warmth);
-        const double lost = dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth);
-        return capacity * (warmth - s.warmth[i]) + lost - phase_heat(yarn, fibre, o, climate.temperature + warmth);
+        return start.capacity * (now.warmth - start.warmth) + start.to_air_heat * (now.warmth - climate.air_warmth) -
+               phase_heat(start, o, held, now.temperature);
+    }
+    /// Heat that is left over where the pores are balanced at a warmth, J.
+    HL_FN double surplus_at(const Start& start, double warmth) const
+    {
+        const Warm now = at_warmth(warmth);
+        const Outcome o = pore_balance(start, now);
+        return surplus(start, o, half_way(start, o), now);
     }
 
-    /// Pore vapour and warmth together by Newton's rounds; false when they do not close in, which kinks can cause, and the bracketed
-    /// searches are to do it.
-    HL_FN bool newton(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity, double& warmth,
-                      Outcome& o) const
+    /// Pore vapour and warmth together by Newton's rounds, from the vapour that was foreseen; false when they do not close in, which kinks
+    /// can cause, and the bracketed searches are to do it. What is left open is 1e-8 of the pore's vapour at saturation, and 1e-8 K.
+    HL_FN bool newton(const Start& start, int i, Warm& now, Outcome& o) const
     {
-        const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
-        const double rate = s.pores[i] * dt * phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
-        const double room = climate.density * s.pores[i] - s.liquid[i];
-        const double to_air = dt * climate.mass_transfer * face_area, to_air_heat = dt * climate.heat_transfer * face_area;
-        double pore = fmax_(0.0, s.vapour[i] / air);
+        double pore = fmax_(0.0, s.work2[i]);
+        double near = 0;
         for (int round = 0; round < 12; ++round) {
-            const double temperature = climate.temperature + warmth;
-            const double saturated = saturation_concentration(temperature), saturated_slope = saturation_concentration_slope(temperature);
-            o = try_vapour(i, yarn, fibre, wet, temperature, pore);
-            const double taken = o.bound - fibre.bound;
-            const double mass = missing(i, fibre, air, o);
-            const double joules = heat ? capacity * (warmth - s.warmth[i]) + to_air_heat * (warmth - climate.air_warmth) -
-                                             phase_heat(yarn, fibre, o, temperature)
-                                       : 0.0;
-            const double little = saturated * (1e-10 * air + 1e-13 * rate);
-            if (mass > -little && mass < little && joules > -1e-8 * capacity && joules < 1e-8 * capacity) return true;
+            const auto [saturated, saturated_slope] = now.saturated;
+            o = try_vapour(start, now, pore, near);
+            near = o.reference;
+            const double held = heat && sorption ? half_way(start, o) : 0.0;
+            const double mass = missing(start, o);
+            const double joules = heat ? surplus(start, o, held, now) : 0.0;
+            const double little = saturated * (1e-8 * start.air + 1e-13 * start.evaporating);
+            if (mass > -little && mass < little && joules > -1e-8 * start.capacity && joules < 1e-8 * start.capacity) return true;
 
-            const BoundResponse bound = sorption ? bound_response(yarn, fibre, wet, temperature, o) : BoundResponse{};
+            const BoundResponse bound = sorption ? bound_response(start, now, o) : BoundResponse{};
             const double bound_p = bound.to_vapour, bound_t = bound.to_warmth;
-            const bool drinks = o.from_liquid < s.liquid[i] && o.from_liquid > -room;
-            const double liquid_p = drinks ? wet * bound_p : 0.0, liquid_t = drinks ? wet * bound_t : 0.0;
-            const bool dries = o.evaporated < s.liquid[i] - o.from_liquid && o.evaporated > -room - o.from_liquid;
-            const double share = saturated > pore ? wet_share(wet) : 1.0;
-            const double vapour_p = dries ? -rate * share : -liquid_p, vapour_t = dries ? rate * share * saturated_slope : -liquid_t;
+            const bool drinks = o.from_liquid < start.liquid && o.from_liquid > -start.room;
+            const double liquid_p = drinks ? start.wet * bound_p : 0.0, liquid_t = drinks ? start.wet * bound_t : 0.0;
+            const bool dries = o.evaporated < start.liquid - o.from_liquid && o.evaporated > -start.room - o.from_liquid;
+            const double share = start.evaporating * (saturated > pore ? wet_share(start.wet) : 1.0);
+            const double vapour_p = dries ? -share : -liquid_p, vapour_t = dries ? share * saturated_slope : -liquid_t;
 
-            const double mass_p = air - vapour_p + to_air + bound_p - liquid_p;
+            const double mass_p = start.air - vapour_p + start.to_air + bound_p - liquid_p;
             double step_p = 0, step_t = 0;
             if (heat) {
-                const double latent = heat_of_evaporation(temperature);
-                const double held = half_way(yarn, fibre, o);
-                double sorbing = heat_of_sorption(held);
-                const double rise = regain_slope_at_reference(yarn.isotherm, held);
-                if (rise > 0) sorbing += 0.5 * taken / fibre.dry_mass * heat_of_sorption_slope(held) / rise;
-                sorbing *= yarn.sorption_heat_scale;
+                const double latent = heat_of_evaporation(now.temperature), taken = o.bound - start.fibre.bound;
+                const SorptionHeat sorbed = sorption_heat_at(held);
+                double sorbing = sorbed.heat;
+                const double rise =
+                    regain_slope_at_reference(start.yarn.isotherm, held, 0.5 * (start.fibre.bound + o.bound) / start.fibre.dry_mass);
+                if (rise > 0) sorbing += 0.5 * taken * sorbed.slope / (start.fibre.dry_mass * rise);
+                sorbing *= start.yarn.sorption_heat_scale;
                 const double mass_t = -vapour_t + bound_t - liquid_t;
                 const double joules_p = -sorbing * bound_p - latent * (bound_p - liquid_p - vapour_p);
-                const double joules_t = capacity + to_air_heat - sorbing * bound_t - latent * (bound_t - liquid_t - vapour_t) +
+                const double joules_t = start.capacity + start.to_air_heat - sorbing * bound_t - latent * (bound_t - liquid_t - vapour_t) +
                                         2361.0 * (taken - o.from_liquid - o.evaporated); // the latent heat falls with temperature
                 const double determinant = mass_p * joules_t - mass_t * joules_p;
                 if (!(determinant > 0)) return false;
-                step_p = (mass * joules_t - mass_t * joules) / determinant;
-                step_t = (mass_p * joules - mass * joules_p) / determinant;
+                const double scale = 1.0 / determinant;
+                step_p = (mass * joules_t - mass_t * joules) * scale;
+                step_t = (mass_p * joules - mass * joules_p) * scale;
             } else {
                 step_p = mass / mass_p;
             }
             if (step_t > 5.0) step_t = 5.0;
             if (step_t < -5.0) step_t = -5.0;
             pore = pore - step_p > 0 ? pore - step_p : 0.1 * pore;
-            warmth -= step_t;
+            if (heat) now = at_warmth(now.warmth - step_t);
         }
         return false;
     }
 
     /// The warmth at which the heat balance closes; it rises with warmth.
-    HL_FN double find_warmth(int i, const YarnParameters& yarn, const Fibre& fibre, double air, double wet, double capacity) const
+    HL_FN double find_warmth(const Start& start) const
     {
         double width = 0.05;
-        double low = s.warmth[i], high = s.warmth[i];
-        double low_surplus = surplus(i, yarn, fibre, air, wet, capacity, low);
+        double low = start.warmth, high = start.warmth;
+        double low_surplus = surplus_at(start, low);
         double high_surplus = low_surplus;
         while (low_surplus > 0 && low > -80) {
             high = low;
             high_surplus = low_surplus;
             low -= width;
             width *= 3;
-            low_surplus = surplus(i, yarn, fibre, air, wet, capacity, low);
+            low_surplus = surplus_at(start, low);
         }
         while (high_surplus < 0 && high < 80) {
             low = high;
             low_surplus = high_surplus;
             high += width;
             width *= 3;
-            high_surplus = surplus(i, yarn, fibre, air, wet, capacity, high);
+            high_surplus = surplus_at(start, high);
         }
         int side = 0;
         double trial = high_surplus == low_surplus ? low : low - low_surplus * (high - low) / (high_surplus - low_surplus);
         for (int round = 0; round < 40 && high - low > 1e-7; ++round) {
             if (!(trial >= low && trial <= high)) trial = 0.5 * (low + high);
-            const double m = surplus(i, yarn, fibre, air, wet, capacity, trial);
-            if (m > -1e-7 * capacity && m < 1e-7 * capacity) break;
+            const double m = surplus_at(start, trial);
+            if (m > -1e-7 * start.capacity && m < 1e-7 * start.capacity) break;
             if (m > 0) {
                 high = trial;
                 high_surplus = m;
@@ -430,10 +460,10 @@ struct ExchangeInSegment {
     }
 
     /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
-    HL_FN void accept(int i, const YarnParameters& yarn, const Fibre& fibre, const double* base, const double* response, double warmth,
-                      const Outcome& o, double capacity) const
+    HL_FN void accept(int i, const Start& start, const double* base, const double* response, const Warm& now, const Outcome& o) const
     {
-        const double temperature = climate.temperature + warmth;
+        const Fibre& fibre = start.fibre;
+        const double capacity = start.capacity, temperature = now.temperature;
         double taken = 0;
         if (sorption) {
             // A yarn that holds neither liquid nor vapour enough gives its fibres what there is.
@@ -444,7 +474,7 @@ struct ExchangeInSegment {
                 double& regain = s.regain[i * s.shells + k];
                 regain += share * (base[k] + response[k] * o.skin - regain);
             }
-            taken = bound_water(s, yarn, i) - fibre.bound;
+            taken = bound_water(s, start.yarn, i) - fibre.bound;
         }
         double from_liquid = fmin_(o.from_liquid, s.liquid[i]);
         double evaporated = vapour ? fmin_(o.evaporated, s.liquid[i] - from_liquid) : 0.0;
@@ -462,8 +492,8 @@ struct ExchangeInSegment {
         final.bound = fibre.bound + taken;
         final.from_liquid = from_liquid;
         final.evaporated = evaporated;
-        double released = heat ? phase_heat(yarn, fibre, final, temperature) : 0.0;
-        const double lost = heat ? dt * climate.heat_transfer * face_area * (warmth - climate.air_warmth) : 0.0;
+        double released = heat ? phase_heat(start, final, half_way(start, final), temperature) : 0.0;
+        const double lost = heat ? start.to_air_heat * (now.warmth - climate.air_warmth) : 0.0;
         double reached = s.warmth[i] + (released - lost) / capacity;
         // What the air that is left cannot hold condenses, or leaves where there is no room for it.
         const double left = s.liquid[i] - from_liquid - evaporated;

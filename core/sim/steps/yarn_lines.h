@@ -83,7 +83,7 @@ struct WickAlongYarn {
     /// One Newton round by elimination; returns whether any saturation changed too much for it to be the last.
     template <typename Team> HL_FN bool newton_round(const Team& team, const YarnLine& line, double gravity) const
     {
-        constexpr double little = 1e-13;
+        constexpr double little = 1e-9; // what a round leaves goes with the square of its change
         const YarnParameters& yarn = line.yarn;
         const int a = line.first, b = line.last;
         const auto row = [&](int i) -> Equation {
@@ -141,24 +141,30 @@ HL_FN double heat_capacity(const YarnParameters& yarn, double length, double wat
     return length * yarn.fibre_area * yarn.fibre_density * yarn.fibre_specific_heat + water * water_specific_heat;
 }
 
-/// Radius over the fibre's at which shell k of n begins: thinner towards the skin, where water enters first.
-HL_FN double shell_start(int k, int n)
-{
-    const double inwards = 1.0 - static_cast<double>(k) / n;
-    return 1.0 - inwards * inwards;
-}
-/// Of the fibre's section, in shell k of n.
-HL_FN double shell_share(int k, int n)
-{
-    const double inner = shell_start(k, n), outer = shell_start(k + 1, n);
-    return (outer - inner) * (outer + inner);
-}
+/// Shells that divide a fibre: thinner towards the skin, where water enters first.
+struct Shells {
+    double width; ///< of a shell, before they are drawn to the skin
+    HL_FN explicit Shells(int count) : width(1.0 / count) {}
+    /// Radius over the fibre's at which shell k begins.
+    HL_FN double start(int k) const
+    {
+        const double inwards = 1.0 - k * width;
+        return 1.0 - inwards * inwards;
+    }
+    /// Of the fibre's section, in shell k.
+    HL_FN double share(int k) const
+    {
+        const double inner = start(k), outer = start(k + 1);
+        return (outer - inner) * (outer + inner);
+    }
+};
 
 /// Water bound in a segment's fibres, kg.
 HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segment)
 {
+    const Shells shells(s.shells);
     double regain = 0;
-    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * shell_share(k, s.shells);
+    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * shells.share(k);
     return regain * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
 }
 
@@ -262,8 +268,7 @@ struct ForeseeVapour {
     {
         if (s.liquid[i] <= 0) return 0;
         constexpr double most_cooling = 3.0; // K
-        const double fibre_share = yarn.fibre_area / (yarn.fibre_area + yarn.pore_area);
-        const double rate = phase_change_rate(fibre_share, yarn.fibre_radius, 1.0 - fibre_share);
+        const double rate = phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area);
         const double wanted = s.pores[i] * rate * dt * wet_share(s.liquid[i] / (climate.density * s.pores[i]));
         const double dry = heat_capacity(yarn, s.length[i], 0.0);
         const double bearable = heat ? dry * most_cooling / heat_of_evaporation(climate.temperature) : s.liquid[i];
@@ -274,7 +279,7 @@ struct ForeseeVapour {
 
 /// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for
 /// it. What the exchange that follows will take is foreseen, so that it goes as far as it does. Leaves the concentrations foreseen in
-/// work2.
+/// work2, the pivots in work1.
 struct DiffuseVapourAlongYarn {
     Segments s;
     ClimateParameters climate;
@@ -311,18 +316,22 @@ struct DiffuseVapourAlongYarn {
     {
         const YarnLine line = s.visited_line(index);
         const int a = line.first, b = line.last;
-        double *joints = s.work0, *concentration = s.work2;
+        double *joints = s.work0, *pivot = s.work1, *concentration = s.work2;
+        const ForeseeVapour foresee{s, climate, dt, face_area, heat};
         if (!team.any_of(a, b, [&](int i) { return is_disturbed(i); })) {
-            team.each(a, b, [&](int i) { concentration[i] = climate.vapour; });
+            team.each(a, b, [&](int i) {
+                pivot[i] = foresee(line.yarn, i).pivot;
+                concentration[i] = climate.vapour;
+            });
             return;
         }
 
-        const ForeseeVapour foresee{s, climate, dt, face_area, heat};
         team.each(a, b - 1, [&](int i) { joints[i] = joint(line.yarn, i); });
         const auto row = [&](int i) -> Equation {
             const double before_joint = i > a ? joints[i - 1] : 0.0, next_joint = i < b - 1 ? joints[i] : 0.0;
             const VapourAtHome home = foresee(line.yarn, i);
             const double end = cut_ends(line, i);
+            pivot[i] = home.pivot;
             return {-before_joint, home.pivot + end + before_joint + next_joint, -next_joint, home.known + end * climate.vapour};
         };
         team.solve(a, b, row, [&](int i, double found) { concentration[i] = found; });
