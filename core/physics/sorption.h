@@ -89,7 +89,7 @@ HL_FN double reference_humidity(double humidity, double shift, double guess)
         if (!inside) next = 0.5 * (low + high);
         const double moved = next > r ? next - r : r - next;
         r = next;
-        if (moved < (inside ? 1e-8 * r : 1e-14)) break; // what a Newton step leaves goes with its square
+        if (moved < (inside ? 1e-6 * r : 1e-14)) break; // what a Newton step leaves goes with its square
     }
     return r;
 }
