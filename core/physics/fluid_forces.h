@@ -26,8 +26,8 @@ struct SurfaceEnergy {
 constexpr double surface_support_in_spacings = 3.0;
 constexpr double surface_sharpness = 0.0545;
 /// Surface tension over a x spacing. In the continuum, integrated over the layer under a flat surface, 0.1814; particles in shells,
-/// at rest under their own pressure, make it less: a calibration on swings and Laplace pressures of 1 000 to 4 000 particles.
-constexpr double surface_tension_of_well = 0.152;
+/// at rest under their own pressure, make it less: a calibration on swings and Laplace pressures of 1 000 to 16 000 particles.
+constexpr double surface_tension_of_well = 0.1468;
 
 HL_FN SurfaceEnergy surface_energy(Real surface_tension, Real spacing)
 {
@@ -56,7 +56,7 @@ template <typename T> HL_FN Vec3T<T> surface_force(T pull, const Vec3T<T>& tilt,
 /// 90, 105, 120 and 135 were asked for (4 000 particles: within 1.5 degrees of that).
 
 /// Energy per area of the wall's potential over the surface tension.
-HL_FN Real wall_attraction(Real cosine) { return Real(0.05) + (cosine > 0 ? cosine * (Real(1.3) - Real(0.33) * cosine) : Real(0)); }
+HL_FN Real wall_attraction(Real cosine) { return Real(0.052) + (cosine > 0 ? cosine * (Real(1.346) - Real(0.342) * cosine) : Real(0)); }
 
 /// How much the wall counts as liquid.
 HL_FN Real wall_share(Real cosine)
