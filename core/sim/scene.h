@@ -120,6 +120,8 @@ struct Scene {
     std::vector<double> pores;             ///< m3, one per segment; empty: its yarn's pore area times its length
     std::vector<float> shift;              ///< m, of each segment's middle beside its yarn's place; empty: none
     std::vector<std::uint8_t> warp_up;     ///< one per crossing, end x picks + pick
+    std::vector<float> warp_up_share;      ///< of the crossings that each stands for; empty: each is one
+    int threads_per_cell = 1;              ///< ends, and picks, that each stands for, about
     double cell_area = 0;                  ///< m2 of fabric per crossing
     double half_thickness = 0;             ///< m
     double warp_pitch = 0, weft_pitch = 0; ///< m, from end to end and from pick to pick

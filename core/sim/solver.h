@@ -211,7 +211,7 @@ private:
     Buffer<std::int64_t> absorbed_;
     Buffer<int> contact_;
     Buffer<YarnShape> shapes_;
-    Buffer<float> profiles_, shift_;
+    Buffer<float> profiles_, shift_, warp_up_share_;
 
     // Liquid.
     LiquidControl flow_;            ///< as it was when last looked at

@@ -47,6 +47,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     const auto shells = static_cast<std::size_t>(scene_.fibre_shells);
     length_.upload(scene_.length);
     warp_up_.upload(scene_.warp_up);
+    warp_up_share_.upload(scene_.warp_up_share);
     shift_.upload(scene_.shift.empty() ? std::vector<float>(n, 0.0f) : scene_.shift);
     type_.upload(scene_.type);
     yarns_.upload(scene_.yarns);
@@ -220,10 +221,13 @@ template <typename Executor> void Solver<Executor>::drink(double dt)
         pumped_ += came;
         if (pool_[k] <= 0) continue;
         const double volume = static_cast<double>(pool_[k]) * water_quantum / density;
-        const double radius = std::max({std::cbrt(1.5 * volume / pi), scene_.warp_pitch, scene_.weft_pitch});
-        visit_around(radius);
+        const int threads = scene_.threads_per_cell;
+        const double cell = std::max(scene_.warp_pitch, scene_.weft_pitch);
+        const double radius = std::max(std::cbrt(1.5 * volume / pi), cell / threads);
+        visit_around(threads > 1 ? radius + cell : radius); // a cell may be covered in part
         totals_.write(0, {});
-        const AskPool ask{segments(), {pool.top, radius, scene_.warp_pitch, scene_.weft_pitch}, density, dt, -1.0, &totals_.data()->asked};
+        const FedFace face{pool.top, radius, scene_.warp_pitch, scene_.weft_pitch, threads};
+        const AskPool ask{segments(), face, density, dt, -1.0, &totals_.data()->asked};
         each_segment("ask pool", ask);
         each_segment("take from pool", TakeFromPool{ask, pool_[k], &totals_.data()->given});
         pool_[k] -= totals_.read(0).given;
@@ -375,6 +379,7 @@ template <typename Executor> Segments Solver<Executor>::segments()
     s.shells = scene_.fibre_shells;
     s.length = length_.data();
     s.warp_up = warp_up_.data();
+    s.warp_up_share = scene_.warp_up_share.empty() ? nullptr : warp_up_share_.data();
     s.fed = scene_.fed.empty() ? nullptr : fed_.data();
     s.pores = pores_.data();
     s.supplied = supplied_.data();

@@ -12,6 +12,7 @@ file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json @ONLY CON
 embed_text(${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp measured_scenes_json)
 target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp
+  sim/coarse_scene.cpp
   sim/cpu_backend.cpp
   sim/cpu_solver.cpp
   sim/droplet.cpp

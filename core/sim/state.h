@@ -98,6 +98,7 @@ struct Segments : Yarns {
     int shells = 0;
     const double* length = nullptr;
     const std::uint8_t* warp_up = nullptr; ///< per crossing
+    const float* warp_up_share = nullptr;  ///< per crossing, of those that it stands for; null: each is one
     const std::uint8_t* fed = nullptr;     ///< whether it stays full; null: none does
     double* pores = nullptr;               ///< m3
     double* supplied = nullptr;            ///< kg since the start by hanging in liquid; null where none does

@@ -29,15 +29,25 @@ struct FedFace {
     bool top = true;
     double radius = 0; ///< m; less than 0: the whole face
     double warp_pitch = 0, weft_pitch = 0;
+    int places = 1; ///< along each side of a crossing's cell that are looked at; more in bundles of yarns
 
-    /// Whether it is the segment of a crossing that lies on the fed face.
-    HL_FN bool feeds(const Segments& s, int i) const
+    /// Part of a segment that lies on the fed face, and there within the circle.
+    HL_FN double share(const Segments& s, int i) const
     {
         const int crossing = s.crossing_of(i);
-        if (((s.warp_up[crossing] != 0) == s.is_warp(i)) != top) return false;
-        if (radius < 0) return true;
-        const double x = (crossing / s.picks - 0.5 * (s.ends - 1)) * warp_pitch,
-                     y = (crossing % s.picks - 0.5 * (s.picks - 1)) * weft_pitch;
+        const double warp = s.warp_up_share ? static_cast<double>(s.warp_up_share[crossing]) : s.warp_up[crossing] != 0 ? 1.0 : 0.0;
+        const double on_face = s.is_warp(i) == top ? warp : 1.0 - warp;
+        if (radius < 0 || on_face <= 0) return on_face;
+        int inside = 0;
+        for (int place = 0; place < places * places; ++place)
+            inside += is_inside(s, crossing, beside(place / places), beside(place % places));
+        return on_face * inside / (places * places);
+    }
+    HL_FN double beside(int place) const { return (place + 0.5) / places - 0.5; }
+    HL_FN bool is_inside(const Segments& s, int crossing, double beside_end, double beside_pick) const
+    {
+        const double x = (crossing / s.picks + beside_end - 0.5 * (s.ends - 1)) * warp_pitch,
+                     y = (crossing % s.picks + beside_pick - 0.5 * (s.picks - 1)) * weft_pitch;
         return x * x + y * y <= radius * radius;
     }
 };
@@ -63,12 +73,13 @@ struct AskPool {
 
     HL_FN std::int64_t wanted(int i) const
     {
-        if (!face.feeds(s, i)) return 0;
+        const double share = face.share(s, i);
+        if (share <= 0) return 0;
         const double capacity = density * s.pores[i];
         const double room = capacity - s.liquid[i] - static_cast<double>(s.absorbed[i]) * water_quantum;
         if (room <= 0) return 0;
         const YarnParameters& yarn = s.yarn_of(i);
-        const double drawn = evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double drawn = share * (evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity);
         return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
     }
     HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
