@@ -171,9 +171,9 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
 {
     const auto same_part = [](const PlannedPart& x, const PlannedPart& y) { return x.name == y.name && x.on == y.on; };
     if (!std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), same_part)) return false;
-    if (a.particles_per_droplet != b.particles_per_droplet || a.fibre_shells != b.fibre_shells || a.rest_tolerance != b.rest_tolerance ||
-        a.knobs.step_error != b.knobs.step_error || a.knobs.saturation_change != b.knobs.saturation_change ||
-        a.knobs.network_step_limit != b.knobs.network_step_limit)
+    if (a.particles_per_droplet != b.particles_per_droplet || a.fibre_shells != b.fibre_shells ||
+        a.crossings_per_cell != b.crossings_per_cell || a.rest_tolerance != b.rest_tolerance || a.knobs.step_error != b.knobs.step_error ||
+        a.knobs.saturation_change != b.knobs.saturation_change || a.knobs.network_step_limit != b.knobs.network_step_limit)
         return false;
     if ((a.watches("sorption") || b.watches("sorption")) && a.knobs.fibre_shells != b.knobs.fibre_shells) return false; // it may come on
     const auto watches = [](const ModelPlan& plan) {

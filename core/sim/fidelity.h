@@ -21,6 +21,7 @@ constexpr int largest_shell_count = 32;
 struct Knobs {
     double particles_per_droplet = 0; ///< at most; a quarter where no yarn drinks and liquid may sleep, fewer in a tiny drop
     double fibre_shells = 0;          ///< radial cells in a fibre
+    double crossings_per_cell = 0;    ///< ends, and picks, that are simulated as one; where free liquid meets single yarns none are
     double network_step_limit = 0;    ///< s, while free liquid is about
     double saturation_change = 0;     ///< that a network step aims at while free liquid or pools are about
     double step_error = 0;            ///< of a step without drops: part of the water and heat at stake that it may misplace
@@ -41,7 +42,7 @@ struct KnobInfo {
     const char* unit; ///< "" for a plain number
     double least, most;
     bool whole;            ///< only whole numbers
-    double cheaper, finer; ///< one step from standard, for tradeoff; where nothing is cheaper, standard's own
+    double cheaper, finer; ///< one step from standard each, for tradeoff; its own if it is cheapest, two cheaper ones if it is finest
     const char* meaning;   ///< begins small, without a full stop
 };
 

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
+#include "core/sim/bundles.h"
 #include "core/sim/expectation.h"
 
 #include <fmt/format.h>
@@ -290,6 +291,32 @@ TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experim
     return sample;
 }
 
+/// Whether each bundle's yarns are of one type.
+bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bundles)
+{
+    for (int yarn = 0; yarn < bundles.yarns; ++yarn)
+        for (int bundle : {bundles.first_of(yarn), bundles.last_of(yarn)})
+            if (textile.type_of(kind, yarn) != textile.type_of(kind, bundles.middle_of(bundle))) return false;
+    return true;
+}
+
+/// How many crossings a cell has, told in a sentence where they are or might have been several.
+std::string decide_cells(ModelPlan& plan, const Textile& textile)
+{
+    const int wanted = static_cast<int>(plan.knobs.crossings_per_cell);
+    plan.crossings_per_cell = 1;
+    if (wanted == 1) return "";
+    const Bundles ends = bundles_of(textile.ends(), wanted), picks = bundles_of(textile.picks(), wanted);
+    const char* why_not = plan.on("liquid") ? "free liquid meets single yarns"
+                          : !bundles_are_alike(textile, YarnKind::warp, ends) || !bundles_are_alike(textile, YarnKind::weft, picks)
+                              ? "bundles of so many would mix yarns that differ"
+                              : nullptr;
+    if (why_not) return fmt::format(" Each crossing stays a cell of its own, although crossings_per_cell is {}: {}.", wanted, why_not);
+    plan.crossings_per_cell = wanted;
+    return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
+                       ends.yarns, picks.yarns, ends.count, picks.count);
+}
+
 SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 {
     const auto [width, height] = sample_extent_mm(experiment);
@@ -368,15 +395,18 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.segments = 2 * plan.region.ends * plan.region.picks;
     plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, experiment, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
+    const std::string cells = decide_cells(plan, textile);
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
     plan.resolution_reason =
-        fmt::format("{} fidelity{}: {} particles a drop, one cell per yarn and crossing, {} shells in a fibre, network steps of at "
+        fmt::format("{} fidelity{}: {} particles a drop, one cell per {} and crossing, {} shells in a fibre, network steps of at "
                     "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
-                    name_of(fidelity), settings.empty() ? "" : " with knobs set by the user", plan.particles_per_droplet, plan.fibre_shells,
-                    1e3 * plan.knobs.network_step_limit, plan.knobs.saturation_change,
+                    name_of(fidelity), settings.empty() ? "" : " with knobs set by the user", plan.particles_per_droplet,
+                    plan.crossings_per_cell > 1 ? "bundle" : "yarn", plan.fibre_shells, 1e3 * plan.knobs.network_step_limit,
+                    plan.knobs.saturation_change,
                     plan.knobs.settle_share > 0
                         ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.knobs.settle_share)
-                        : std::string("liquid at rest is never skipped"));
+                        : std::string("liquid at rest is never skipped")) +
+        cells;
     plan.counts = counts_of(experiment, bounds);
     expect(plan, shipped_measurements("cpu"));
     return plan;

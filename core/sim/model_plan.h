@@ -45,9 +45,10 @@ struct ModelPlan {
     std::string region_reason;
     int particles_per_droplet = 0;
     int segments = 0;
-    int fibre_shells = 0;      ///< radial cells in a fibre
-    double frame_interval = 0; ///< s
-    double rest_tolerance = 0; ///< see Scene; 0: all of the sample is visited
+    int fibre_shells = 0;       ///< radial cells in a fibre
+    int crossings_per_cell = 1; ///< ends, and picks, in a bundle that is simulated as one
+    double frame_interval = 0;  ///< s
+    double rest_tolerance = 0;  ///< see Scene; 0: all of the sample is visited
     std::string resolution_reason;
     SceneCounts counts;
     double expected_seconds = 0;

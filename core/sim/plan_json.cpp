@@ -29,6 +29,7 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
     // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
     if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
+    if (!values.contains("crossings_per_cell")) knobs.crossings_per_cell = 1; // each was a cell
     return knobs;
 }
 
@@ -72,6 +73,7 @@ std::string plan_json(const ModelPlan& plan)
          {{"particles_per_droplet", plan.particles_per_droplet},
           {"segments", plan.segments},
           {"fibre_shells", plan.fibre_shells},
+          {"crossings_per_cell", plan.crossings_per_cell},
           {"frame_interval_s", plan.frame_interval},
           {"network_step_limit_s", plan.knobs.network_step_limit},
           {"saturation_change", plan.knobs.saturation_change},
@@ -111,6 +113,7 @@ try {
     plan.particles_per_droplet = resolution.at("particles_per_droplet");
     plan.segments = resolution.at("segments");
     plan.fibre_shells = resolution.at("fibre_shells");
+    plan.crossings_per_cell = resolution.value("crossings_per_cell", 1);
     plan.frame_interval = resolution.at("frame_interval_s");
     plan.knobs = knobs_from_json(json, plan.fidelity);
     plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/sim/backend.h"
+#include "core/sim/coarse_scene.h"
 #include "core/sim/expectation.h"
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
@@ -122,7 +123,13 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();
-    SafeMachine machine(backend, build_scene(design, run.textile, *experiment, run.plan, options.seed), options);
+    Scene scene = build_scene(design, run.textile, *experiment, run.plan, options.seed);
+    std::optional<Scene> single; // with single yarns, as frames are shown, where they are simulated in bundles
+    if (run.plan.crossings_per_cell > 1) {
+        single = std::move(scene);
+        scene = coarsened(*single, run.plan.crossings_per_cell);
+    }
+    SafeMachine machine(backend, std::move(scene), options);
     ModelPlan now = run.plan; // with the parts that are switched on while it runs
     PartWatch watch(machine.scene(), run.plan);
     std::vector<SwitchedPart> due;
@@ -144,8 +151,9 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         const Ledger& l = frame.ledger;
         if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
             throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
-        if (recording) recording->append(frame);
         for (SwitchedPart& part : watch.see(frame)) due.push_back(std::move(part));
+        if (single) frame = refined(std::move(frame), machine.scene(), *single);
+        if (recording) recording->append(frame);
         if (time >= experiment->duration_s) tell_due("the run was over");
         if (callbacks.frame) callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
     };

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/physics/water.h"
 #include "core/sim/scene.h"
-#include "tests/support/drop_design.h"
+#include "tests/support/spot_design.h"
 
 #include <QTest>
 
@@ -181,6 +181,8 @@ private Q_SLOTS:
         QCOMPARE(half.particles_per_droplet, 600.0);
         QCOMPARE(quarter.particles_per_droplet, 300.0);
         QCOMPARE(half.fibre_shells, 8.0);
+        QCOMPARE(half.crossings_per_cell, 2.0);
+        QCOMPARE(quarter.crossings_per_cell, 4.0);
         QCOMPARE(half.network_step_limit, 2e-3);
         QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
         QCOMPARE(quarter.steps_between_drinks, 4.0);
@@ -199,6 +201,12 @@ private Q_SLOTS:
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"liquid_step_factor", 0.5}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"steps_between_drinks", 1}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
+        QVERIFY(run_alike(plan(35, {}), plan(35, {{"crossings_per_cell", 2}}))); // a drop meets single yarns
+        const auto spot = [](const KnobSettings& settings) {
+            const Design design = spot_design("cotton", 0.5, 10);
+            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
+        };
+        QVERIFY(run_alike(spot({}), spot({{"crossings_per_cell", 1}})) && !run_alike(spot({}), spot({{"crossings_per_cell", 2}})));
         // The same parts are off, but not the same share would switch one on.
         QVERIFY(!run_alike(plan(35, {{"neglected_share", 0.1}}), plan(35, {{"neglected_share", 0.11}})));
         const auto watched = [](double shells) { // sorption that is off but may come on, with so many shells

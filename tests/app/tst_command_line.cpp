@@ -45,6 +45,7 @@ private Q_SLOTS:
         QTest::newRow("no such time") << QStringList{"plan", f, "--fidelity", "auto", "--time", "10 days"};
         QTest::newRow("no such part") << QStringList{"plan", f, "--physics", "magic=on"};
         QTest::newRow("no such knob") << QStringList{"plan", f, "--set", "fidelity.fibre_shels=3"};
+        QTest::newRow("bundles of half yarns") << QStringList{"simulate", f, "--set", "fidelity.crossings_per_cell=1.5"};
         QTest::newRow("knob out of range") << QStringList{"simulate", f, "--set", "fidelity.fibre_shells=99"};
         QTest::newRow("knob of nothing that runs") << QStringList{"check", f, "--set", "fidelity.fibre_shells=3"};
         QTest::newRow("comparison of one") << QStringList{"compare", f};
@@ -161,8 +162,17 @@ private Q_SLOTS:
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
         QCOMPARE(knobs["steps_between_drinks"].toInt(), 8);
-        QCOMPARE(knobs.size(), 12);
+        QCOMPARE(knobs.size(), 13);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
+    }
+    void planSaysWhereYarnsAreNotBundled()
+    {
+        const auto plan = [](const char* experiment) {
+            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--set", "fidelity.crossings_per_cell=2"}).out;
+        };
+        const QByteArray drop = plan("one drop"), drying = plan("drying");
+        QVERIFY2(drop.contains("although crossings_per_cell is 2: free liquid meets single yarns."), drop);
+        QVERIFY2(drying.contains("bundles; what a frame shows of a yarn is its bundle's."), drying);
     }
     void autoSaysWhatItTookAndWhy()
     {

@@ -108,6 +108,18 @@ private Q_SLOTS:
         const QString note = read["metrics"].toObject()["notes"].toArray()[0].toString();
         QVERIFY2(told.out.contains(note.toUtf8()), qPrintable(note));
     }
+    void bundlesOfYarnsAreRecorded()
+    {
+        const QString recording = folder_.filePath("bundles.hygrorec");
+        const Answer run = run_cli({"simulate", example("laboratory.hygro"), "--experiment", "drying", "--fidelity", "draft", "--backend",
+                                    "cpu", "-o", recording, "--json", "--set", "fidelity.crossings_per_cell=3",
+                                    "experiments[4].sample_mm=[8,8]", "experiments[4].duration_s=60"});
+        QVERIFY2(run.code == 0, run.err);
+        const QJsonObject read = run_cli({"measure", recording, "--json"}).json(), plan = read["provenance"].toObject()["plan"].toObject();
+        QCOMPARE(read["metrics"], run.json()["metrics"]);
+        QCOMPARE(plan["knobs"].toObject()["crossings_per_cell"].toInt(), 3);
+        QCOMPARE(plan["resolution"].toObject()["crossings_per_cell"].toInt(), 3);
+    }
     void aProfileTellsWhereTheTimeWent()
     {
         const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);

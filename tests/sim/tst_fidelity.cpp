@@ -64,7 +64,9 @@ private Q_SLOTS:
             require_in_range(knob, knob.finer);
             const double standard = knobs_of(Fidelity::standard).*knob.value;
             const bool cheapest = knob.cheaper == standard && (standard == knob.most || standard == knob.least);
-            QVERIFY2(cheapest || (knob.cheaper - standard) * (knob.finer - standard) < 0, knob.name); // on either side of it
+            const bool finest =
+                (standard == knob.most || standard == knob.least) && (knob.cheaper - knob.finer) * (knob.finer - standard) > 0;
+            QVERIFY2(cheapest || finest || (knob.cheaper - standard) * (knob.finer - standard) < 0, knob.name); // on either side of it
         }
     }
     void oneKnobChangesAloneAndReadsBack()
@@ -108,6 +110,14 @@ private Q_SLOTS:
         QCOMPARE(scene.settle_share, 0.04);
         QCOMPARE(scene.rest_tolerance, 2e-4);
         QVERIFY(scene.double_precision);
+    }
+    void aPlanOfBeforeBundlesHadACellForEachCrossing()
+    {
+        std::string json = plan_json(plan_with({}));
+        for (std::size_t at = 0; (at = json.find("\"crossings_per_cell\"")) != std::string::npos;) json.replace(at, 20, "\"unknown_then\"");
+        const ModelPlan old = plan_from_json(json);
+        QCOMPARE(old.crossings_per_cell, 1);
+        QCOMPARE(old.knobs.crossings_per_cell, 1.0);
     }
     void theLiquidsStepsAreAsLongAsAsked()
     {
