@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/sim/bundles.h"
 #include "core/sim/plan_json.h"
 #include "core/sim/state.h"
 
@@ -83,11 +84,18 @@ void count_liquid(const ModelPlan& plan, Steps& steps)
     steps.particles = plan.particles_per_droplet * scene.drops * left;
 }
 
+/// Segments that are simulated: bundles', where yarns go in bundles.
+double cells_of(const ModelPlan& plan)
+{
+    const int wanted = plan.crossings_per_cell;
+    return wanted > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count : plan.segments;
+}
+
 /// Of the yarns.
 void count_network(const ModelPlan& plan, Steps& steps)
 {
     if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return;
-    steps.segments = plan.segments * (plan.on("growth") ? plan.counts.wet_share : 1.0);
+    steps.segments = cells_of(plan) * (plan.on("growth") ? plan.counts.wet_share : 1.0);
     const double frames = plan.counts.duration / std::max(1e-9, plan.frame_interval);
     constexpr double standard_error = 5e-4;
     const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
@@ -188,7 +196,9 @@ double rough_bytes(const ModelPlan& plan)
     const double particles = plan.particles_per_droplet * plan.counts.drops;
     const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
     const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
-    return plan.segments * (400.0 + 8.0 * shells) + wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    // What is shown of a segment, and what is simulated of a cell.
+    return 180.0 * plan.segments + cells_of(plan) * (220.0 + 8.0 * shells) +
+           wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
