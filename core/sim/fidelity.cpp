@@ -19,7 +19,7 @@ constexpr KnobInfo table[] = {
     {"fibre_shells", &Knobs::fibre_shells, "", 1, largest_shell_count, true, 5, 12,
      "radial cells in a fibre"},
     {"crossings_per_cell", &Knobs::crossings_per_cell, "", 1, 8, true, 4, 2,
-     "ends, and picks, that are simulated as one bundle; 1 where free liquid or stripes finer than that need single yarns"},
+     "ends, and picks, that are simulated as one bundle; 1 where free liquid, sweat or fine stripes need single yarns"},
     {"network_step_limit_s", &Knobs::network_step_limit, "s", 1e-5, 1, false, 10e-3, 2.5e-3,
      "longest step of the yarns while free liquid is about"},
     {"saturation_change", &Knobs::saturation_change, "", 1e-3, 1, false, 0.2, 0.05,

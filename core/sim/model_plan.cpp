@@ -301,16 +301,17 @@ bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bun
 }
 
 /// How many crossings a cell has, told in a sentence where they are or might have been several.
-std::string decide_cells(ModelPlan& plan, const Textile& textile)
+std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experiment& experiment)
 {
     const int wanted = static_cast<int>(plan.knobs.crossings_per_cell);
     plan.crossings_per_cell = 1;
     if (wanted == 1) return "";
     const Bundles ends = bundles_of(textile.ends(), wanted), picks = bundles_of(textile.picks(), wanted);
-    const char* why_not = plan.on("liquid") ? "free liquid meets single yarns"
-                          : !bundles_are_alike(textile, YarnKind::warp, ends) || !bundles_are_alike(textile, YarnKind::weft, picks)
-                              ? "bundles of so many would mix yarns that differ"
-                              : nullptr;
+    const bool alike = bundles_are_alike(textile, YarnKind::warp, ends) && bundles_are_alike(textile, YarnKind::weft, picks);
+    const char* why_not = plan.on("liquid")                          ? "free liquid meets single yarns"
+                          : experiment.type == ExperimentType::sweat ? "sweat wets yarns where they lie on one face"
+                          : !alike                                   ? "bundles of so many would mix yarns that differ"
+                                                                     : nullptr;
     if (why_not) return fmt::format(" Each crossing stays a cell of its own, although crossings_per_cell is {}: {}.", wanted, why_not);
     plan.crossings_per_cell = wanted;
     return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
@@ -395,7 +396,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.segments = 2 * plan.region.ends * plan.region.picks;
     plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, experiment, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
-    const std::string cells = decide_cells(plan, textile);
+    const std::string cells = decide_cells(plan, textile, experiment);
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
     plan.resolution_reason =
         fmt::format("{} fidelity{}: {} particles a drop, one cell per {} and crossing, {} shells in a fibre, network steps of at "

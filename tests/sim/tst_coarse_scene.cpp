@@ -402,13 +402,20 @@ private Q_SLOTS:
             QVERIFY(*inside < frame.regain[i] && frame.regain[i] < *outside); // moist air comes in from the skin
         }
     }
-    void freeLiquidMeetsSingleYarns()
+    void yarnsStaySingleWhereTheyDifferWithinACell_data()
     {
-        const Design design = drop_design();
+        QTest::addColumn<Design>("design");
+        QTest::addColumn<std::string>("reason");
+        QTest::newRow("drop") << drop_design() << std::string("free liquid meets single yarns.");
+        QTest::newRow("sweat") << small(ExperimentType::sweat, 10) << std::string("sweat wets yarns where they lie on one face.");
+    }
+    void yarnsStaySingleWhereTheyDifferWithinACell()
+    {
+        QFETCH(Design, design);
+        QFETCH(std::string, reason);
         const ModelPlan plan = plan_in_bundles(design, 2);
         QCOMPARE(plan.crossings_per_cell, 1);
-        QVERIFY2(plan.resolution_reason.ends_with(
-                     "Each crossing stays a cell of its own, although crossings_per_cell is 2: free liquid meets single yarns."),
+        QVERIFY2(plan.resolution_reason.ends_with("Each crossing stays a cell of its own, although crossings_per_cell is 2: " + reason),
                  plan.resolution_reason.c_str());
         QVERIFY(plan_in_bundles(design, 1).resolution_reason.find("crossings_per_cell") == std::string::npos);
     }
