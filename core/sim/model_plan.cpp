@@ -300,10 +300,20 @@ bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bun
     return true;
 }
 
+/// Ends, and picks, that the fidelity puts into a bundle; where only the edges differ from the rest, as many as leave some bundles between.
+int wanted_in_bundle(const Knobs& knobs, const Textile& textile, ExperimentType type)
+{
+    const int at_fronts = static_cast<int>(knobs.crossings_per_cell);
+    if (type != ExperimentType::drying && type != ExperimentType::conditioning) return at_fronts;
+    constexpr int least_bundles = 8;
+    return std::max(at_fronts,
+                    std::min(static_cast<int>(knobs.crossings_per_even_cell), std::min(textile.ends(), textile.picks()) / least_bundles));
+}
+
 /// How many crossings a cell has, told in a sentence where they are or might have been several.
 std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experiment& experiment)
 {
-    const int wanted = static_cast<int>(plan.knobs.crossings_per_cell);
+    const int wanted = wanted_in_bundle(plan.knobs, textile, experiment.type);
     plan.crossings_per_cell = 1;
     if (wanted == 1) return "";
     const Bundles ends = bundles_of(textile.ends(), wanted), picks = bundles_of(textile.picks(), wanted);
@@ -312,7 +322,9 @@ std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experime
                           : experiment.type == ExperimentType::sweat ? "sweat wets yarns where they lie on one face"
                           : !alike                                   ? "bundles of so many would mix yarns that differ"
                                                                      : nullptr;
-    if (why_not) return fmt::format(" Each crossing stays a cell of its own, although crossings_per_cell is {}: {}.", wanted, why_not);
+    if (why_not)
+        return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
+                           wanted, why_not);
     plan.crossings_per_cell = wanted;
     return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
                        ends.yarns, picks.yarns, ends.count, picks.count);

@@ -171,7 +171,7 @@ private Q_SLOTS:
             return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--set", "fidelity.crossings_per_cell=2"}).out;
         };
         const QByteArray drop = plan("one drop"), drying = plan("drying");
-        QVERIFY2(drop.contains("although crossings_per_cell is 2: free liquid meets single yarns."), drop);
+        QVERIFY2(drop.contains("although the fidelity would put 2 ends and picks into one: free liquid meets single yarns."), drop);
         QVERIFY2(drying.contains("bundles; what a frame shows of a yarn is its bundle's."), drying);
     }
     void autoSaysWhatItTookAndWhy()

@@ -91,7 +91,8 @@ private Q_SLOTS:
         design.experiments[0] = standard_experiment(ExperimentType::drying);
         design.experiments[0].sample_mm = {80, 80}; // 280 x 280
         const auto plan = [&](double of) {
-            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, {{"crossings_per_cell", of}});
+            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
+                              {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
         };
         const double start = 0.05; // s, however little there is to do
         QVERIFY(std::abs((rough_work(plan(1), "cpu") - start) / (rough_work(plan(4), "cpu") - start) - 16) < 1e-9);
