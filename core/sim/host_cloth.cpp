@@ -39,36 +39,114 @@ double share_of_own_yarn(const CutSection& section, double bead_length, Real sup
     return share;
 }
 
-} // namespace
-
-std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles)
+/// Half the width of a yarn where it is widest.
+float widest_half(const ContactShape& shape)
 {
-    std::vector<YarnShape> shapes;
-    float shift = 0;
-    for (float s : scene.shift) shift = std::max(shift, std::abs(s));
-    for (const ContactShape& shape : scene.shapes) {
-        float width = static_cast<float>(shape.half_width);
-        for (std::size_t k = 3; k < shape.profiles.size(); k += 4) width = std::max(width, shape.profiles[k]); // see ContactShape
-        shapes.push_back({static_cast<Real>(shape.half_height), static_cast<Real>(shape.half_width), static_cast<Real>(width + shift),
-                          static_cast<int>(profiles.size())});
-        profiles.insert(profiles.end(), shape.profiles.begin(), shape.profiles.end());
-    }
-    return shapes;
+    float widest = static_cast<float>(shape.half_width);
+    for (std::size_t k = 3; k < shape.profiles.size(); k += 4) widest = std::max(widest, shape.profiles[k]); // see ContactShape
+    return widest;
 }
 
-HostCloth::HostCloth(const Scene& scene) : shift_(scene.shift), shapes_(yarn_shapes(scene, profiles_))
+TextileShape numbers_of(const Scene& scene)
 {
-    if (shift_.empty()) shift_.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
-    static_cast<Yarns&>(shape_) = {scene.ends,        scene.picks,        scene.warp_types,      scene.weft_types(),
-                                   scene.type.data(), scene.yarns.data(), scene.crossing.data(), {}};
-    shape_.half_thickness = static_cast<Real>(scene.half_thickness);
-    shape_.warp_pitch = static_cast<Real>(scene.warp_pitch);
-    shape_.weft_pitch = static_cast<Real>(scene.weft_pitch);
-    shape_.samples = scene.profile_samples;
-    shape_.shapes = shapes_.data();
-    shape_.profiles = profiles_.data();
+    TextileShape t;
+    static_cast<Yarns&>(t) = {scene.ends, scene.picks, scene.warp_types, scene.weft_types(), nullptr, nullptr, nullptr, {}};
+    t.half_thickness = static_cast<Real>(scene.half_thickness);
+    t.warp_pitch = static_cast<Real>(scene.warp_pitch);
+    t.weft_pitch = static_cast<Real>(scene.weft_pitch);
+    t.per_warp_pitch = Real(1) / t.warp_pitch;
+    t.per_weft_pitch = Real(1) / t.weft_pitch;
+    t.samples = scene.profile_samples;
+    float shift = 0;
+    for (float s : scene.shift) shift = std::max(shift, std::abs(s));
+    for (std::size_t type = 0; type < scene.shapes.size(); ++type) {
+        Real& widest = type < static_cast<std::size_t>(scene.warp_types) ? t.widest_warp : t.widest_weft;
+        widest = std::max(widest, static_cast<Real>(widest_half(scene.shapes[type]) + shift));
+    }
+    return t;
+}
+
+/// Puts the profiles of all types of yarn one after the other, each in the order of ContactShape.
+class ProfileTable {
+public:
+    ProfileTable(const Scene& scene, std::vector<Quad>& profiles) : scene_(scene), samples_(static_cast<std::size_t>(scene.profile_samples))
+    {
+        for (std::size_t type = 0; type < scene.shapes.size(); ++type) {
+            first_.push_back(static_cast<int>(profiles.size() / samples_));
+            const std::vector<float>& values = scene.shapes[type].profiles;
+            for (std::size_t k = 0; k + 3 < values.size(); k += 4)
+                profiles.push_back({Real(values[k]), Real(values[k + 1]), Real(values[k + 2]), Real(values[k + 3])});
+            for (int crossed = 0; crossed < crossed_types(type); ++crossed) level(type, crossed, profiles);
+        }
+    }
+    /// From over a yarn of one type to over or under the next; the other system's types count from 0.
+    int number(std::size_t own, int before, int after, bool changes) const
+    {
+        return first_[own] + 2 * (before * crossed_types(own) + after) + (changes ? 1 : 0);
+    }
+
+private:
+    bool is_warp(std::size_t type) const { return type < static_cast<std::size_t>(scene_.warp_types); }
+    int crossed_types(std::size_t type) const { return is_warp(type) ? scene_.weft_types() : scene_.warp_types; }
+    /// Between yarns of one type, on the same side of both, a yarn keeps the section that it has at crossings.
+    void level(std::size_t own, int crossed, std::vector<Quad>& profiles) const
+    {
+        const ContactShape& shape = scene_.shapes[own];
+        const int warp = is_warp(own) ? static_cast<int>(own) : crossed;
+        const int weft = is_warp(own) ? crossed : static_cast<int>(own) - scene_.warp_types;
+        const CrossingParameters& crossing = scene_.crossing[static_cast<std::size_t>(warp * scene_.weft_types() + weft)];
+        const Quad section{Real(is_warp(own) ? crossing.warp_rise : crossing.weft_rise), 0, Real(shape.half_height),
+                           Real(shape.half_width)};
+        const std::size_t begin = static_cast<std::size_t>(number(own, crossed, crossed, false)) * samples_;
+        std::fill_n(profiles.begin() + static_cast<std::ptrdiff_t>(begin), samples_, section);
+    }
+
+    const Scene& scene_;
+    std::size_t samples_;
+    std::vector<int> first_; ///< of each type
+};
+
+/// The paths of one yarn's segments, to the crossing before and to the one after.
+void add_paths(const Scene& scene, const ProfileTable& profiles, bool is_warp, int line, std::vector<PathCode>& paths)
+{
+    const int crossings = is_warp ? scene.picks : scene.ends;
+    const auto type = [&](int any_line) { return scene.type[static_cast<std::size_t>(any_line)]; };
+    const auto crossed = [&](int k) { return is_warp ? type(scene.ends + k) - scene.warp_types : type(k); };
+    const auto is_up = [&](int k) {
+        const int end = is_warp ? line : k, pick = is_warp ? k : line;
+        return (scene.warp_up[static_cast<std::size_t>(end * scene.picks + pick)] != 0) == is_warp;
+    };
+    const std::size_t own = type(is_warp ? line : scene.ends + line);
+    for (int k = 0; k < crossings; ++k)
+        for (int next : {k - 1, k + 1}) {
+            const bool has_next = next >= 0 && next < crossings, changes = has_next && is_up(next) != is_up(k);
+            const int profile = profiles.number(own, crossed(k), has_next ? crossed(next) : crossed(k), changes);
+            paths.push_back(PathCode::of(profile, !is_up(k), has_next));
+        }
+}
+
+} // namespace
+
+ClothShape::ClothShape(const Scene& scene) : numbers(numbers_of(scene)), shift(scene.shift)
+{
+    for (const ContactShape& shape : scene.shapes) shapes.push_back({Real(shape.half_height), Real(shape.half_width)});
+    const ProfileTable table(scene, profiles);
+    paths.reserve(2 * static_cast<std::size_t>(scene.segments()));
+    for (int end = 0; end < scene.ends; ++end) add_paths(scene, table, true, end, paths);
+    for (int pick = 0; pick < scene.picks; ++pick) add_paths(scene, table, false, pick, paths);
+    if (shift.empty()) shift.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
+}
+
+HostCloth::HostCloth(const Scene& scene) : cloth_(scene), shape_(cloth_.numbers)
+{
+    shape_.type = scene.type.data();
+    shape_.parameters = scene.yarns.data();
+    shape_.crossing = scene.crossing.data();
+    shape_.shapes = cloth_.shapes.data();
+    shape_.profiles = cloth_.profiles.data();
+    shape_.paths = cloth_.paths.data();
     shape_.warp_up = scene.warp_up.data();
-    shape_.shift = shift_.data();
+    shape_.shift = cloth_.shift.data();
 }
 
 HostBeads make_beads(const Scene& scene, double spacing, double support, double reach)
@@ -117,7 +195,7 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
                 const double x = (end - 0.5 * (scene.ends - 1)) * scene.warp_pitch, y = (pick - 0.5 * (scene.picks - 1)) * scene.weft_pitch;
                 for (int k = 0; k < along; ++k) {
                     const double part = (k + 0.5) / along - 0.5;
-                    const YarnPlace at = yarn_place(t, is_warp, end, pick, static_cast<Real>(part));
+                    const YarnPlace at = yarn_place(t, t.segment(is_warp, end, pick), AlongYarn(t, static_cast<Real>(part)));
                     const CutSection section{static_cast<double>(at.half_height), static_cast<double>(at.half_width), rows, columns};
                     const double slope = static_cast<double>(at.slope), cosine = 1.0 / std::sqrt(1.0 + slope * slope);
                     const double volume = section.area() * pitch / (cosine * result.view.per_segment);

@@ -6,10 +6,18 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// Shapes of the scene's types of yarn; their profiles go to one array.
-std::vector<YarnShape> yarn_shapes(const Scene& scene, std::vector<float>& profiles);
+/// The scene's cloth as stages see it, in arrays that a stage's machine may have a copy of.
+struct ClothShape {
+    explicit ClothShape(const Scene& scene);
 
-/// The shape, and what it points to; the scene must outlive it.
+    TextileShape numbers; ///< pointers not set
+    std::vector<YarnShape> shapes;
+    std::vector<Quad> profiles;
+    std::vector<PathCode> paths;
+    std::vector<float> shift; ///< of each segment
+};
+
+/// The same on the host, which stages can use; the scene must outlive it.
 class HostCloth {
 public:
     explicit HostCloth(const Scene& scene);
@@ -18,8 +26,7 @@ public:
     const TextileShape& shape() const { return shape_; }
 
 private:
-    std::vector<float> profiles_, shift_;
-    std::vector<YarnShape> shapes_;
+    ClothShape cloth_;
     TextileShape shape_;
 };
 

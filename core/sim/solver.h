@@ -210,8 +210,11 @@ private:
     Buffer<CrossingParameters> crossing_;
     Buffer<std::int64_t> absorbed_;
     Buffer<int> contact_;
+    TextileShape textile_; ///< its numbers; the pointers come with shape()
     Buffer<YarnShape> shapes_;
-    Buffer<float> profiles_, shift_, warp_up_share_;
+    Buffer<Quad> profiles_;
+    Buffer<PathCode> paths_;
+    Buffer<float> shift_, warp_up_share_;
 
     // Liquid.
     LiquidControl flow_;            ///< as it was when last looked at

@@ -26,9 +26,12 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     room_ = 0;
     if (drops + standing == 0) return;
     for (const Vec3d& place : scene_.liquid.places) highest = std::max(highest, place.z);
-    std::vector<float> profiles;
-    shapes_.upload(yarn_shapes(scene_, profiles));
-    profiles_.upload(profiles);
+    const ClothShape cloth(scene_);
+    textile_ = cloth.numbers;
+    shapes_.upload(cloth.shapes);
+    profiles_.upload(cloth.profiles);
+    paths_.upload(cloth.paths);
+    shift_.upload(cloth.shift);
     // All particles weigh the same; a drop's number of them goes with its volume.
     const double particle_volume = standing > 0 ? scene_.liquid.particle_volume
                                                 : volume / (static_cast<double>(scene_.particles_per_droplet) * static_cast<double>(drops));
@@ -299,15 +302,14 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
 
 template <typename Executor> TextileShape Solver<Executor>::shape()
 {
-    return {yarns(),
-            static_cast<Real>(scene_.half_thickness),
-            static_cast<Real>(scene_.warp_pitch),
-            static_cast<Real>(scene_.weft_pitch),
-            scene_.profile_samples,
-            shapes_.data(),
-            profiles_.data(),
-            warp_up_.data(),
-            shift_.data()};
+    TextileShape t = textile_;
+    static_cast<Yarns&>(t) = yarns();
+    t.shapes = shapes_.data();
+    t.profiles = profiles_.data();
+    t.paths = paths_.data();
+    t.warp_up = warp_up_.data();
+    t.shift = shift_.data();
+    return t;
 }
 
 template <typename Executor> Beads Solver<Executor>::beads()

@@ -48,7 +48,6 @@ template <typename Executor> void Solver<Executor>::load_segments()
     length_.upload(scene_.length);
     warp_up_.upload(scene_.warp_up);
     warp_up_share_.upload(scene_.warp_up_share);
-    shift_.upload(scene_.shift.empty() ? std::vector<float>(n, 0.0f) : scene_.shift);
     type_.upload(scene_.type);
     yarns_.upload(scene_.yarns);
     crossing_.upload(scene_.crossing);

@@ -7,21 +7,32 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// One type of yarn as stages see it.
+/// One type of yarn at a crossing.
 struct YarnShape {
-    Real half_height = 0; ///< at a crossing
+    Real half_height = 0;
     Real half_width = 0;
-    Real widest = 0;  ///< from its place to its farthest side, anywhere
-    int profiles = 0; ///< where its own begin among TextileShape::profiles
+};
+
+/// How a yarn goes on from a crossing to a neighbouring one, in one number since every particle near a skin looks it up.
+struct PathCode {
+    int code = 0;
+    HL_FN static PathCode of(int profile, bool is_under, bool has_next) { return {4 * profile + (has_next ? 2 : 0) + (is_under ? 1 : 0)}; }
+    HL_FN int profile() const { return code >> 2; }
+    HL_FN int steps_to_next() const { return code >> 1 & 1; }    ///< 0 where the yarn ends
+    HL_FN Real side() const { return Real(1 - 2 * (code & 1)); } ///< at its own crossing: 1 over the other yarn, -1 under it
 };
 
 struct TextileShape : Yarns {
     Real half_thickness = 0;
     Real warp_pitch = 0; ///< from end to end
     Real weft_pitch = 0;
+    Real per_warp_pitch = 0, per_weft_pitch = 0; ///< 1/m
+    Real widest_warp = 0;                        ///< from an end's place to its farthest side, anywhere, of all types
+    Real widest_weft = 0;
     int samples = 0;                   ///< of a profile, from crossing to crossing
     const YarnShape* shapes = nullptr; ///< per type, as parameters
-    const float* profiles = nullptr;   ///< height, slope, half height, half width per sample; see ContactShape
+    const Quad* profiles = nullptr;    ///< height, slope, half height, half width per sample
+    const PathCode* paths = nullptr;   ///< per segment, to the crossing before and to the one after
     const std::uint8_t* warp_up = nullptr;
     const float* shift = nullptr; ///< per segment, beside the yarn's place
 
@@ -36,12 +47,6 @@ struct TextileShape : Yarns {
     }
     HL_FN const YarnShape& warp_shape(int end) const { return shapes[type_of_end(end)]; }
     HL_FN const YarnShape& weft_shape(int pick) const { return shapes[type_of_pick(pick)]; }
-    /// Of a yarn from over a yarn of one type to over or under the next; the other system's types count from 0.
-    HL_FN const float* profile(const YarnShape& own, int before, int after, bool is_warp, bool changes) const
-    {
-        const int types = is_warp ? weft_types : warp_types;
-        return profiles + own.profiles + 4 * samples * (2 * (before * types + after) + (changes ? 1 : 0));
-    }
 };
 
 /// The skin nearest to a point.
@@ -51,6 +56,27 @@ struct NearestSkin {
     int segment = -1;  ///< -1: none within reach
 };
 
+HL_FN Real size_of(Real value) { return value < 0 ? -value : value; }
+
+/// How far a place is along the yarns of one system: part of the way from a crossing to the next, 1/2 at most.
+struct AlongYarn {
+    bool forth; ///< the next crossing is the one after, else the one before
+    int low;    ///< sample of a profile before the place
+    Real part;  ///< of the way to the next sample
+    Real eased; ///< how far the yarn has gone over from its own side to the next crossing's
+
+    HL_FN AlongYarn(const TextileShape& t, Real from_crossing)
+    {
+        forth = from_crossing >= 0;
+        const Real part_way = forth ? from_crossing : -from_crossing, position = part_way * Real(t.samples - 1);
+        const int before = static_cast<int>(position), last = t.samples - 2;
+        low = before < last ? before : last;
+        part = position - Real(low);
+        eased = part_way * part_way * (3 - 2 * part_way);
+    }
+    HL_FN int step() const { return forth ? 1 : -1; }
+};
+
 /// A yarn at one place along it.
 struct YarnPlace {
     Real side = 0; ///< of its middle from the crossing's, across it
@@ -58,93 +84,75 @@ struct YarnPlace {
     Real half_height = 0, half_width = 0;
 };
 
-/// The yarn of one system through a crossing, part_way (-1/2 to 1/2) along to the next.
-HL_FN YarnPlace yarn_place(const TextileShape& t, bool is_warp, int end, int pick, Real part_way)
+/// The yarn of one segment, so far along to the next.
+HL_FN YarnPlace yarn_place(const TextileShape& t, int segment, const AlongYarn& along)
 {
-    const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
-    const int segment = t.segment(is_warp, end, pick);
-    const bool up = t.is_warp_up(end, pick);
-    const int step = part_way < 0 ? -1 : 1;
-    part_way *= Real(step);
-    const int next_end = is_warp ? end : end + step, next_pick = is_warp ? pick + step : pick;
-    const bool inside = next_end >= 0 && next_end < t.ends && next_pick >= 0 && next_pick < t.picks;
-    const bool changes = inside && t.is_warp_up(next_end, next_pick) != up;
-    const Real shift = Real(t.shift[segment]), next_shift = inside ? Real(t.shift[t.segment(is_warp, next_end, next_pick)]) : shift;
-    const int crossed = is_warp ? t.type_of_pick(pick) - t.warp_types : t.type_of_end(end);
-    const int next_crossed = !inside ? crossed : is_warp ? t.type_of_pick(next_pick) - t.warp_types : t.type_of_end(next_end);
+    const PathCode path = t.paths[2 * segment + (along.forth ? 1 : 0)];
+    const Quad* sample = t.profiles + path.profile() * t.samples + along.low;
+    const Quad a = sample[0], b = sample[1];
+    const Real shift = Real(t.shift[segment]), next_shift = Real(t.shift[segment + path.steps_to_next() * along.step()]);
+    return {shift + along.eased * (next_shift - shift), path.side() * (a.x + along.part * (b.x - a.x)),
+            path.side() * Real(along.step()) * (a.y + along.part * (b.y - a.y)), a.z + along.part * (b.z - a.z),
+            a.w + along.part * (b.w - a.w)};
+}
 
+/// The skin of one segment's yarn, seen from a point beside its crossing.
+struct YarnSkin {
+    int segment;
     YarnPlace at;
-    at.side = shift + part_way * part_way * (3 - 2 * part_way) * (next_shift - shift);
-    at.half_height = yarn.half_height;
-    at.half_width = yarn.half_width;
-    if (!changes && next_crossed == crossed) { // it runs level
-        at.height = t.height(is_warp, end, pick);
-        return at;
+    Real sideways; ///< to the point from the flat part of the yarn's core
+    Real over;     ///< to the point from the yarn's middle
+    Real cosine2;  ///< of the slope
+    Real from_core;
+
+    HL_FN YarnSkin(const TextileShape& t, int tried, const AlongYarn& along, Real across, Real z) : segment(tried)
+    {
+        at = yarn_place(t, tried, along);
+        const Real beside = across - at.side, past = positive(size_of(beside) - positive(at.half_width - at.half_height));
+        sideways = beside < 0 ? -past : past;
+        over = z - at.height;
+        cosine2 = Real(1) / (Real(1) + at.slope * at.slope);
+        from_core = std::sqrt(past * past + over * over * cosine2);
     }
-    const Real up_or_down = up == is_warp ? Real(1) : Real(-1);
-    const float* profile = t.profile(yarn, crossed, next_crossed, is_warp, changes);
-    const Real position = part_way * Real(t.samples - 1);
-    const int low = position >= Real(t.samples - 2) ? t.samples - 2 : static_cast<int>(position);
-    const Real part = position - Real(low);
-    const float* a = profile + 4 * low;
-    const float* b = a + 4;
-    at.height = up_or_down * (Real(a[0]) + part * (Real(b[0]) - Real(a[0])));
-    at.slope = up_or_down * Real(step) * (Real(a[1]) + part * (Real(b[1]) - Real(a[1])));
-    at.half_height = Real(a[2]) + part * (Real(b[2]) - Real(a[2]));
-    at.half_width = Real(a[3]) + part * (Real(b[3]) - Real(a[3]));
-    return at;
-}
+    HL_FN Real distance() const { return from_core - at.half_height; }
+    HL_FN Vec3 normal(bool is_warp) const
+    {
+        const bool has_direction = from_core > Real(1e-12);
+        const Real inverse = has_direction ? Real(1) / from_core : Real(0), cosine = std::sqrt(cosine2);
+        const Real n_side = sideways * inverse, n_up = has_direction ? over * cosine * inverse : at.height < 0 ? Real(-1) : Real(1);
+        const Real n_z = n_up * cosine, n_along = -n_z * at.slope;
+        return is_warp ? Vec3{n_side, n_along, n_z} : Vec3{n_along, n_side, n_z};
+    }
+};
 
-/// Tests one yarn at one of its crossings; keeps the nearer. along and across are measured from the crossing's middle.
-HL_FN void try_yarn(const TextileShape& t, bool is_warp, int end, int pick, Real along, Real across, Real z, Real reach,
-                    NearestSkin& nearest)
-{
-    const YarnShape& yarn = is_warp ? t.warp_shape(end) : t.weft_shape(pick);
-    const Real pitch = is_warp ? t.weft_pitch : t.warp_pitch; // from crossing to crossing
-    const Real near = reach < nearest.distance ? reach : nearest.distance;
-    if (across > yarn.widest + near || -across > yarn.widest + near) return;
-
-    const YarnPlace at = yarn_place(t, is_warp, end, pick, along / pitch);
-    const Real side = t.is_warp_up(end, pick) == is_warp ? Real(1) : Real(-1);
-    const Real height = at.height, slope = at.slope, half_height = at.half_height, half_width = at.half_width;
-    const int segment = t.segment(is_warp, end, pick);
-    across -= at.side;
-    const Real cosine = Real(1) / std::sqrt(Real(1) + slope * slope);
-    const Real up_from_axis = (z - height) * cosine;
-    const Real flat = half_width > half_height ? half_width - half_height : Real(0);
-    const Real sideways = across > flat ? across - flat : across < -flat ? across + flat : Real(0);
-    const Real from_core = std::sqrt(sideways * sideways + up_from_axis * up_from_axis);
-    const Real distance = from_core - half_height;
-    if (distance >= near) return;
-
-    nearest.distance = distance;
-    nearest.segment = segment;
-    const Real inverse = from_core > Real(1e-12) ? Real(1) / from_core : Real(0);
-    const Real n_side = from_core > Real(1e-12) ? sideways * inverse : Real(0);
-    const Real n_up = from_core > Real(1e-12) ? up_from_axis * inverse : side;
-    const Real n_along = -n_up * slope * cosine;
-    const Real n_z = n_up * cosine;
-    nearest.normal = is_warp ? Vec3{n_side, n_along, n_z} : Vec3{n_along, n_side, n_z};
-}
-
-/// The nearest skin within reach: the fabric's box, then the crossing the point is over, then the yarns through it and beside it.
+/// The nearest skin within reach: the fabric's box, then the yarns through the crossing that the point is over, then those beside it.
 HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
 {
     NearestSkin nearest;
     nearest.distance = reach;
     if (p.z > t.half_thickness + reach || p.z < -t.half_thickness - reach) return nearest;
-    const Real u = p.x / t.warp_pitch + Real(0.5) * Real(t.ends - 1);
-    const Real v = p.y / t.weft_pitch + Real(0.5) * Real(t.picks - 1);
+    const Real u = p.x * t.per_warp_pitch + Real(0.5) * Real(t.ends - 1);
+    const Real v = p.y * t.per_weft_pitch + Real(0.5) * Real(t.picks - 1);
     const int end = static_cast<int>(std::floor(u + Real(0.5)));
     const int pick = static_cast<int>(std::floor(v + Real(0.5)));
     if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
-    for (int beside : {0, -1, 1}) { // the nearest first
-        const int e = end + beside, k = pick + beside;
-        if (e >= 0 && e < t.ends)
-            try_yarn(t, true, e, pick, (v - Real(pick)) * t.weft_pitch, (u - Real(e)) * t.warp_pitch, p.z, reach, nearest);
-        if (k >= 0 && k < t.picks)
-            try_yarn(t, false, end, k, (u - Real(end)) * t.warp_pitch, (v - Real(k)) * t.weft_pitch, p.z, reach, nearest);
-    }
+    const AlongYarn along_warp(t, v - Real(pick)), along_weft(t, u - Real(end));
+    const Real across_warp = (u - Real(end)) * t.warp_pitch, across_weft = (v - Real(pick)) * t.weft_pitch;
+    YarnSkin skin(t, t.segment(true, end, pick), along_warp, across_warp, p.z);
+    const auto keep_nearer = [&](const YarnSkin& other) {
+        if (other.distance() < skin.distance()) skin = other;
+    };
+    keep_nearer({t, t.segment(false, end, pick), along_weft, across_weft, p.z});
+    const auto reaches = [&](Real widest, Real across) { return across <= widest + (skin.distance() < reach ? skin.distance() : reach); };
+    if (reaches(t.widest_warp, t.warp_pitch - size_of(across_warp)))
+        for (int step : {-1, 1})
+            if (end + step >= 0 && end + step < t.ends)
+                keep_nearer({t, t.segment(true, end + step, pick), along_warp, across_warp - Real(step) * t.warp_pitch, p.z});
+    if (reaches(t.widest_weft, t.weft_pitch - size_of(across_weft)))
+        for (int step : {-1, 1})
+            if (pick + step >= 0 && pick + step < t.picks)
+                keep_nearer({t, t.segment(false, end, pick + step), along_weft, across_weft - Real(step) * t.weft_pitch, p.z});
+    if (skin.distance() < reach) nearest = {skin.distance(), skin.normal(t.is_warp(skin.segment)), skin.segment};
     return nearest;
 }
 
@@ -191,8 +199,7 @@ struct MeetYarns {
             p.wall_distance[i] = free;
             return;
         }
-        x = stopped(start, x, p.wall_distance[i]);
-        NearestSkin skin = nearest_skin(textile, x, reach);
+        NearestSkin skin = stop(start, x, p.wall_distance[i]);
         if (skin.segment >= 0) {
             if (skin.distance < touching) skin = leave(x, v, skin);
             if (skin.distance < Real(0.5) * touching) { // in a wedge between yarns
@@ -253,24 +260,27 @@ struct MeetYarns {
         const Real held = -coefficient * approach;
         v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
     }
-    /// Where a move ends: at the first place about half as near to a skin as particles rest (a quarter, at the least), so that they may
-    /// slide. Goes on by what the nearest skin leaves free, less a part since yarns bend.
-    HL_FN Vec3 stopped(const Vec3& start, const Vec3& end, Real free_at_start) const
+    /// Ends a move at the first place about half as near to a skin as particles rest (a quarter, at the least), so that they may slide; the
+    /// skin nearest to its end. Goes on by what the nearest skin leaves free, less a part since yarns bend.
+    HL_FN NearestSkin stop(const Vec3& start, Vec3& x, Real free_at_start) const
     {
-        const Real way = length(end - start);
-        if (way <= free_at_start - Real(0.5) * touching) return end;
-        const Real least = Real(0.25) * touching;
-        Real free = free_at_start - Real(0.5) * touching, gone = 0;
+        const Vec3 move = x - start;
+        const Real way = length(move), least = Real(0.25) * touching;
+        Real free = free_at_start - Real(0.5) * touching;
+        if (way <= free) return nearest_skin(textile, x, reach);
+        Real gone = 0;
         constexpr int most_pieces = 200;
-        for (int k = 0; k < most_pieces; ++k) {
+        for (int k = 0;; ++k) {
             const Real piece = Real(0.7) * free;
             gone += piece > least ? piece : least;
-            if (gone >= way) return end;
-            const Vec3 here = start + (gone / way) * (end - start);
-            free = nearest_skin(textile, here, reach).distance - Real(0.5) * touching;
-            if (free < 0) return here;
+            if (gone >= way) return nearest_skin(textile, x, reach);
+            const Vec3 here = start + (gone / way) * move;
+            const NearestSkin skin = nearest_skin(textile, here, reach);
+            free = skin.distance - Real(0.5) * touching;
+            if (free >= 0 && k < most_pieces) continue;
+            x = here;
+            return skin;
         }
-        return start + (gone / way) * (end - start);
     }
 };
 
