@@ -161,6 +161,8 @@ private:
     void load_liquid();
     void load_particles();
     void set_rules(double spacing);
+    double viscosity() const;
+    Room room_about_sample() const;
     std::size_t particles_of(double volume) const;
     void release_droplets();
     void step_network(double dt, bool frame_due);

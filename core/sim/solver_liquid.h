@@ -9,8 +9,11 @@
 namespace hygroloom::inline HL_PRECISION {
 
 constexpr Real support_in_spacings = Real(2.0);
-constexpr double grain_viscosity = 0.015;   // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
-constexpr double drip_distance = 5e-3;      // m below the fabric at which a particle counts as dripped off
+constexpr double grain_viscosity = 0.015; // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
+/// In squares of the support over the viscosity. Neighbours that all move against a particle take its speed from it at a rate of twice
+/// 10 nu / 3 times the integral of the kernel's slope over the distance, which is 12 over the square; it must not turn round.
+constexpr double viscous_limit = 2.0 / (2.0 * 10.0 / 3.0 * 12.0);
+constexpr double drip_distance = 5e-3;      // m below the fabric, or beside it, at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5; // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_flow_steps = 1000;       // without a look at the clock
 
@@ -97,6 +100,14 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     if (standing > 0) load_particles();
 }
 
+/// The liquid's own and the numerical one, m2/s.
+template <typename Executor> double Solver<Executor>::viscosity() const
+{
+    const ClimateParameters& climate = scene_.climate;
+    return climate.viscosity / climate.density +
+           grain_viscosity * std::sqrt(climate.surface_tension * static_cast<double>(spacing_) / climate.density);
+}
+
 /// What stays the same for the liquid's steps.
 template <typename Executor> void Solver<Executor>::set_rules(double spacing)
 {
@@ -108,7 +119,7 @@ template <typename Executor> void Solver<Executor>::set_rules(double spacing)
     rules_.correction_time =
         0.25 * std::sqrt(climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * climate.surface_tension));
     rules_.capillary_dt = scene_.liquid_step_factor * rules_.correction_time;
-    rules_.viscous_dt = scene_.liquid_step_factor * 0.125 * static_cast<double>(support_ * support_) * climate.density / climate.viscosity;
+    rules_.viscous_dt = scene_.liquid_step_factor * viscous_limit * static_cast<double>(support_ * support_) / viscosity();
     rules_.courant = scene_.liquid_step_factor * 0.4;
     rules_.steps_between_drinks = scene_.steps_between_drinks;
     rules_.stiffness = pressure_relaxation * pressure_stiffness(spacing, support_);
@@ -252,7 +263,7 @@ template <typename Executor> LiquidFlow Solver<Executor>::liquid_flow()
     flow.liquid = liquid();
     flow.segments = segments();
     flow.wall_reach = scene_.vessel ? reach_of_surface_ : 2 * spacing_;
-    flow.lowest = static_cast<Real>(-scene_.half_thickness - drip_distance);
+    flow.room = room_about_sample();
     flow.density_tolerance = scene_.density_tolerance;
     flow.drinks = drinks_;
     flow.reach = reach_.data();
@@ -260,6 +271,20 @@ template <typename Executor> LiquidFlow Solver<Executor>::liquid_flow()
     flow.key = key_.data();
     flow.start = cell_start_.data();
     return flow;
+}
+
+/// As far as drops reach while they fall, and a little farther. Liquid that is there from the start may be anywhere beside the sample.
+template <typename Executor> Room Solver<Executor>::room_about_sample() const
+{
+    double half_x = 0.5 * scene_.ends * scene_.warp_pitch, half_y = 0.5 * scene_.picks * scene_.weft_pitch;
+    for (const SceneDroplet& drop : scene_.droplets) {
+        const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
+        half_x = std::max(half_x, std::abs(drop.centre.x) + radius);
+        half_y = std::max(half_y, std::abs(drop.centre.y) + radius);
+    }
+    const double beside = scene_.liquid.places.empty() ? drip_distance : std::numeric_limits<float>::max();
+    return {static_cast<Real>(half_x + beside), static_cast<Real>(half_y + beside),
+            static_cast<Real>(-scene_.half_thickness - drip_distance)};
 }
 
 template <typename Executor> Particles Solver<Executor>::particle_views()
@@ -332,9 +357,7 @@ template <typename Executor> LiquidParameters Solver<Executor>::liquid()
 {
     LiquidParameters l;
     l.density = static_cast<Real>(scene_.climate.density);
-    l.kinematic_viscosity = static_cast<Real>(
-        scene_.climate.viscosity / scene_.climate.density +
-        grain_viscosity * std::sqrt(scene_.climate.surface_tension * static_cast<double>(spacing_) / scene_.climate.density));
+    l.kinematic_viscosity = static_cast<Real>(viscosity());
     l.surface_tension = static_cast<Real>(scene_.climate.surface_tension);
     l.gravity = static_cast<Real>(scene_.gravity);
     l.surface = surface_energy(l.surface_tension, spacing_);

@@ -186,14 +186,15 @@ struct LoneParticle {
     Vec3 x, v;
     Real distance = 0;
     int segment = no_wall;
+    std::uint8_t alive = 1;
+    std::int64_t content = 5, dripped = 0;
+    Room room{1, 1, -1};
 
     /// A step of it from start to x.
     void meet(const TextileShape& shape, const Vec3& start, Real reach, Real touching)
     {
         Vec3 normal;
-        std::uint8_t alive = 1;
         Quad place{start.x, start.y, start.z, 0};
-        std::int64_t content = 0, dripped = 0;
         ClothField open;
         Particles p;
         p.cloth = &open;
@@ -208,7 +209,7 @@ struct LoneParticle {
         StepNumbers step;
         step.friction = Real(0.2);
         step.drag = 1;
-        MeetYarns{p, shape, {}, reach, touching, Real(2.5e-5), &step, -1, &dripped}(0);
+        MeetYarns{p, shape, {}, reach, touching, Real(2.5e-5), &step, room, &dripped}(0);
     }
 };
 
@@ -361,6 +362,33 @@ private Q_SLOTS:
         }
         QVERIFY(farthest < 1.15 * std::cbrt(3 * 5e-9 / (4 * pi)));
         QVERIFY2(std::sqrt(agitation) < 0.03, qPrintable(QString::number(std::sqrt(agitation))));
+    }
+    /// Neighbours slow each other down, they must not throw each other about.
+    void aStickyDropComesToRestWithoutSpeedingUp()
+    {
+        const auto backend = make_cpu_backend();
+        Scene scene = drop_over_plate(1e-10, 0, 1, 300);
+        scene.climate.viscosity = 0.5;
+        double fastest = 0;
+        for (const Frame& frame : frames_at(*backend, scene, {1e-5, 3e-5, 1e-4, 3e-4, 1e-3})) {
+            fastest = 0;
+            for (const auto& v : frame.velocities) fastest = std::max(fastest, std::hypot(double(v[0]), double(v[1]), double(v[2])));
+            QVERIFY2(fastest < 2 * scene.droplets[0].speed, qPrintable(QString("%1 m/s at %2 s").arg(fastest).arg(frame.time)));
+        }
+        QVERIFY2(fastest < 0.2, qPrintable(QString::number(fastest)));
+    }
+    void whatFliesPastTheSampleHasDrippedOff()
+    {
+        const Scene scene = drop_over_plate(1e-9, 1e-3, 0, 10);
+        const HostCloth host(scene);
+        for (const Vec3& x : {Vec3{Real(0.02), 0, 0}, Vec3{0, Real(-0.02), Real(0.1)}, Vec3{0, 0, Real(-0.006)}, Vec3{0, 0, Real(0.1)}}) {
+            LoneParticle one{x, {}};
+            one.room = {Real(0.017), Real(0.017), Real(-0.005)};
+            one.meet(host.shape(), x, Real(1e-4), Real(1e-5));
+            const bool gone = x.z < Real(0.05) || x.y != 0;
+            QCOMPARE(int(one.alive), gone ? 0 : 1);
+            QCOMPARE(one.dripped, gone ? one.content : 0);
+        }
     }
     void noParticlePassesThroughClosedCloth_data()
     {

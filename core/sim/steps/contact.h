@@ -166,6 +166,14 @@ HL_FN void try_vessel(const Vessel& v, const Vec3& x, NearestSkin& nearest)
         if (distance[k] < nearest.distance) nearest = {distance[k], normal[k], vessel_wall};
 }
 
+/// Where liquid may be about the sample; what leaves that has dripped off, for it cannot come back.
+struct Room {
+    Real half_x = 0, half_y = 0;
+    Real lowest = 0;
+
+    HL_FN bool holds(const Vec3& x) const { return x.z >= lowest && size_of(x.x) <= half_x && size_of(x.y) <= half_y; }
+};
+
 /// Stops a particle on its way at the first skin it meets, whatever the way's length; a place under a skin is left by the shortest way.
 /// It loses what it had towards the yarn and slides with friction. Between yarns it is dragged on as a liquid in a bed of rods (Kozeny and
 /// Carman, constant 5, two over the radius of skin per volume): nu 20 s^2 / (r (1 - s))^2, s the share of the space that is yarn. A vessel
@@ -178,7 +186,7 @@ struct MeetYarns {
     Real touching; ///< distance at which a particle rests on a skin; it never comes nearer than half of that, nor through such a hole
     Real half_spacing;
     const StepNumbers* step;
-    Real lowest;           ///< below it a particle has dripped off
+    Room room;
     std::int64_t* dripped; ///< quanta
 
     HL_FN void operator()(int i) const
@@ -187,7 +195,7 @@ struct MeetYarns {
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
-        if (x.z < lowest) {
+        if (!room.holds(x)) {
             p.alive[i] = 0;
             atomic_add(dripped, p.content[i]);
             return;

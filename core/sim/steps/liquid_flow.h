@@ -22,7 +22,7 @@ struct LiquidFlow {
     LiquidParameters liquid;
     Segments segments;
     Real wall_reach = 0; ///< m, how far walls are felt
-    Real lowest = 0;     ///< m, below it a particle has dripped off
+    Room room;           ///< about the sample
     double density_tolerance = 0;
     bool drinks = false;  ///< whether any yarn takes up liquid from drops
     int* reach = nullptr; ///< see Reach
@@ -56,7 +56,7 @@ private:
                              touching_in_spacings * rules.spacing,
                              Real(0.5) * rules.spacing,
                              &control->step,
-                             lowest,
+                             room,
                              &control->dripped};
         executor.for_each("move", all_particles(),
                           Arrive{{p, &control->step, &control->fastest},
