@@ -27,7 +27,7 @@ public:
         void resize(std::size_t count) { values_.resize(count); }
         void fill(T value) { std::fill(values_.begin(), values_.end(), value); }
         void upload(const std::vector<T>& values) { values_ = values; }
-        std::vector<T> download() const { return values_; }
+        const std::vector<T>& download() const { return values_; } ///< to read before stages change it again
         T read(std::size_t index) const { return values_[index]; }
         void write(std::size_t index, T value) { values_[index] = value; }
         /// Overwrites part of the array, which must be long enough.

@@ -19,15 +19,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom::inline HL_PRECISION {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 
-/// What frames and ledgers know of the segments: kg, and K and J over the climate's temperature.
-struct SegmentStock {
-    std::vector<double> liquid, vapour, warmth, bound, stored;
+/// What frames and ledgers know of the segments: kg, and K and J over the climate's temperature. Copies where stages run on another
+/// machine, else the arrays themselves.
+template <typename Executor> struct SegmentStock {
+    using Values = decltype(std::declval<const typename Executor::template Buffer<double>&>().download());
+    Values liquid, vapour, warmth, bound, stored;
 };
 
 template <typename Executor> class Solver {
@@ -172,8 +175,8 @@ private:
     LiquidFlow liquid_flow();
     /// What sorting brought to the other side is where particles are from then on.
     void change_sides();
-    SegmentStock take_stock();
-    Ledger ledger(const SegmentStock& stock);
+    SegmentStock<Executor> take_stock();
+    Ledger ledger(const SegmentStock<Executor>& stock);
     void show_particles(Frame& frame);
     Yarns yarns();
     Yarns yarns_on_host() const;

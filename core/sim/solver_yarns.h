@@ -410,14 +410,14 @@ template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vect
     return s;
 }
 
-template <typename Executor> SegmentStock Solver<Executor>::take_stock()
+template <typename Executor> SegmentStock<Executor> Solver<Executor>::take_stock()
 {
     exec_.for_each("take stock", scene_.segments(), TakeStock{segments(), work0_.data(), work1_.data()});
     return {liquid_.download(), vapour_.download(), warmth_.download(), work0_.download(), work1_.download()};
 }
 
 /// Summed on the host in segment order: the same on every machine.
-template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock& stock)
+template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock<Executor>& stock)
 {
     const auto sum = [](const std::vector<double>& values) {
         long double total = 0;
@@ -430,8 +430,8 @@ template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock&
     l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
     std::int64_t free = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
     if (flow_.count > 0) {
-        const std::vector<std::int64_t> content = content_.download();
-        const std::vector<std::uint8_t> alive = alive_.download();
+        const auto& content = content_.download();
+        const auto& alive = alive_.download();
         for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
     }
     l.water_free = static_cast<double>(free) * water_quantum;
@@ -449,9 +449,9 @@ template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock&
 
 template <typename Executor> void Solver<Executor>::show_particles(Frame& f)
 {
-    const std::vector<Vec3> x = position_.download(), v = velocity_.download();
-    const std::vector<std::uint8_t> alive = alive_.download();
-    const std::vector<Real> impulse = stress_.download();
+    const auto &x = position_.download(), &v = velocity_.download();
+    const auto& alive = alive_.download();
+    const auto& impulse = stress_.download();
     const double since = time_ - stress_since_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) {
         if (!alive[i]) continue;
@@ -465,29 +465,31 @@ template <typename Executor> Frame Solver<Executor>::frame()
 {
     Frame f;
     f.time = time_;
-    const SegmentStock stock = take_stock();
+    const SegmentStock<Executor> stock = take_stock();
     f.ledger = ledger(stock);
     if (scene_.shows_shells) {
-        const std::vector<double> regain = regain_.download();
+        const auto& regain = regain_.download();
         f.shells.assign(regain.begin(), regain.end());
     }
     Segments s;
     static_cast<Yarns&>(s) = yarns_on_host();
-    const std::vector<double> pores = pores_.download();
-    const auto n = stock.liquid.size();
-    for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool is_warp = i < n / 2;
-        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
-        const double fibres = scene_.length[i] * yarn.fibre_area * yarn.fibre_density;
-        const double liquid = stock.liquid[i], bound = stock.bound[i];
-        f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores[i]));
-        f.liquid[i] = static_cast<float>(liquid);
-        f.regain[i] = static_cast<float>(bound / fibres);
-        f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores[i], liquid, scene_.climate.density));
-        f.temperature[i] = static_cast<float>(scene_.climate.temperature + stock.warmth[i]);
-        const bool on_top = (scene_.warp_up[static_cast<std::size_t>(s.crossing_of(static_cast<int>(i)))] != 0) == is_warp;
-        (on_top ? f.water_top : f.water_bottom) += liquid + bound - yarn.initial_regain * fibres;
+    const auto& pores = pores_.download();
+    for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(stock.liquid.size());
+    for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited
+        const YarnLine l = s.visited_line(line);
+        const double fibre_mass = l.yarn.fibre_area * l.yarn.fibre_density;
+        std::size_t crossing = static_cast<std::size_t>(s.crossing_of(l.first));
+        for (auto i = static_cast<std::size_t>(l.first); i < static_cast<std::size_t>(l.last); ++i) {
+            const double fibres = scene_.length[i] * fibre_mass, liquid = stock.liquid[i], bound = stock.bound[i];
+            f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores[i]));
+            f.liquid[i] = static_cast<float>(liquid);
+            f.regain[i] = static_cast<float>(bound / fibres);
+            f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores[i], liquid, scene_.climate.density));
+            f.temperature[i] = static_cast<float>(scene_.climate.temperature + stock.warmth[i]);
+            const bool on_top = (scene_.warp_up[crossing] != 0) == l.is_warp;
+            (on_top ? f.water_top : f.water_bottom) += liquid + bound - l.yarn.initial_regain * fibres;
+            crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene_.picks);
+        }
     }
     if (flow_.count > 0) show_particles(f);
     if (scene_.shows_pressure) {
