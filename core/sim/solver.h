@@ -106,6 +106,7 @@ public:
     {
         StateReader reader(state);
         pass_state(reader);
+        all_is_new_ = true;
     }
 
 private:
@@ -175,6 +176,7 @@ private:
     LiquidFlow liquid_flow();
     /// What sorting brought to the other side is where particles are from then on.
     void change_sides();
+    /// What frames show. Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
     SegmentStock<Executor> take_stock();
     Ledger ledger(const SegmentStock<Executor>& stock);
     void show_particles(Frame& frame);
@@ -205,6 +207,8 @@ private:
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
+    Buffer<double> fibre_water_; ///< kg, as of the last frame
+    bool all_is_new_ = true;     ///< what is not visited must be looked at, too
     Unvisited unvisited_;
     Buffer<int> from_;  ///< segments that give back liquid
     Buffer<int> reach_; ///< see Reach: where liquid or vapour has come since the last step

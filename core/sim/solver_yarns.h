@@ -55,6 +55,8 @@ template <typename Executor> void Solver<Executor>::load_segments()
         b->resize(n);
         b->fill(0.0);
     }
+    fibre_water_.resize(n);
+    all_is_new_ = true;
     warmth_.resize(n);
     warmth_.fill(scene_.initial_warmth);
     fed_.upload(scene_.fed);
@@ -412,8 +414,10 @@ template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vect
 
 template <typename Executor> SegmentStock<Executor> Solver<Executor>::take_stock()
 {
-    exec_.for_each("take stock", scene_.segments(), TakeStock{segments(), work0_.data(), work1_.data()});
-    return {liquid_.download(), vapour_.download(), warmth_.download(), work0_.download(), work1_.download()};
+    Segments s = segments();
+    if (std::exchange(all_is_new_, false)) s.unvisited = {};
+    exec_.for_each("take stock", s.visited_segments(), TakeStock{s, fibre_water_.data(), work1_.data()});
+    return {liquid_.download(), vapour_.download(), warmth_.download(), fibre_water_.download(), work1_.download()};
 }
 
 /// Summed on the host in segment order: the same on every machine.
@@ -422,6 +426,16 @@ template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock<
     const auto sum = [](const std::vector<double>& values) {
         long double total = 0;
         for (double v : values) total += v;
+        return static_cast<double>(total);
+    };
+    Yarns yarns = yarns_on_host();
+    yarns.unvisited = unvisited_;
+    const auto sum_visited = [&](const std::vector<double>& values) { // where the others are 0
+        long double total = 0;
+        for (int line = 0; line < yarns.visited_lines(); ++line) {
+            const YarnLine l = yarns.visited_line(line);
+            for (int i = l.first; i < l.last; ++i) total += values[static_cast<std::size_t>(i)];
+        }
         return static_cast<double>(total);
     };
     Ledger l;
@@ -435,15 +449,15 @@ template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock<
         for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
     }
     l.water_free = static_cast<double>(free) * water_quantum;
-    l.water_liquid = sum(stock.liquid);
+    l.water_liquid = sum_visited(stock.liquid);
     l.water_bound = sum(stock.bound);
     l.water_vapour = sum(stock.vapour);
-    l.water_evaporated = sum(evaporated_.download());
+    l.water_evaporated = sum_visited(evaporated_.download());
     l.water_dripped = static_cast<double>(flow_.dripped + ran_off_) * water_quantum;
-    l.energy_stored = sum(stock.stored);
+    l.energy_stored = sum_visited(stock.stored);
     l.energy_delivered = initial_energy_;
-    l.energy_released = sum(released_.download());
-    l.energy_lost = sum(lost_.download());
+    l.energy_released = sum_visited(released_.download());
+    l.energy_lost = sum_visited(lost_.download());
     return l;
 }
 

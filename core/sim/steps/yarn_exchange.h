@@ -542,8 +542,9 @@ struct TakeStock {
     Segments s;
     double* bound;  ///< kg
     double* stored; ///< J over the climate's temperature
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int index) const
     {
+        const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
         bound[i] = bound_water(s, yarn, i);
         stored[i] = heat_capacity(yarn, s.length[i], s.liquid[i] + bound[i]) * s.warmth[i];
