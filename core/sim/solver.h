@@ -229,6 +229,7 @@ private:
     LiquidControl flow_;            ///< as it was when last looked at
     Buffer<LiquidControl> control_; ///< where stages change it
     LiquidRules rules_;
+    Room liquid_room_;
     double wall_per_step_ = 0; ///< s
     int room_ = 0;             ///< for so many particles
     Real particle_mass_ = 0, spacing_ = 0, support_ = 0, reach_of_surface_ = 0;

@@ -44,7 +44,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     support_ = support_in_spacings * spacing_;
     reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
     set_rules(spacing);
-    flow_.longest_dt = rules_.capillary_dt;
+    liquid_room_ = room_about_sample();
+    flow_.longest_dt = rules_.longest_step();
 
     std::size_t capacity = standing;
     for (const SceneDroplet& d : scene_.droplets) capacity += particles_of(d.volume);
@@ -153,7 +154,7 @@ template <typename Executor> void Solver<Executor>::load_particles()
     flow_.landing = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
     double fastest = 0;
     for (const Vec3d& v : scene_.liquid.velocities) fastest = std::max(fastest, length(v));
-    flow_.longest_dt = std::min(rules_.capillary_dt, rules_.advective_step(fastest));
+    flow_.longest_dt = std::min(rules_.longest_step(), rules_.advective_step(fastest));
 }
 
 template <typename Executor> std::size_t Solver<Executor>::particles_of(double volume) const
@@ -213,7 +214,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
         flow_.asleep = 0;
         flow_.hurry = 1;
         delivered_ += static_cast<double>(water) * water_quantum;
-        flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.capillary_dt : flow_.longest_dt, rules_.advective_step(drop.speed));
+        flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.longest_step() : flow_.longest_dt, rules_.advective_step(drop.speed));
     }
 }
 
@@ -263,7 +264,7 @@ template <typename Executor> LiquidFlow Solver<Executor>::liquid_flow()
     flow.liquid = liquid();
     flow.segments = segments();
     flow.wall_reach = scene_.vessel ? reach_of_surface_ : 2 * spacing_;
-    flow.room = room_about_sample();
+    flow.room = liquid_room_;
     flow.density_tolerance = scene_.density_tolerance;
     flow.drinks = drinks_;
     flow.reach = reach_.data();

@@ -359,7 +359,7 @@ template <typename Executor> void Solver<Executor>::swell()
     flow_.roused = time_;
     const double settling = rules_.capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
     flow_.settling = wakes ? settling : std::max(flow_.settling, settling);
-    flow_.longest_dt = std::min(flow_.longest_dt, rules_.capillary_dt);
+    flow_.longest_dt = std::min(flow_.longest_dt, rules_.longest_step());
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()

@@ -171,7 +171,7 @@ struct Room {
     Real half_x = 0, half_y = 0;
     Real lowest = 0;
 
-    HL_FN bool holds(const Vec3& x) const { return x.z >= lowest && size_of(x.x) <= half_x && size_of(x.y) <= half_y; }
+    HL_FN bool was_left(const Vec3& x) const { return x.z < lowest || size_of(x.x) > half_x || size_of(x.y) > half_y; }
 };
 
 /// Stops a particle on its way at the first skin it meets, whatever the way's length; a place under a skin is left by the shortest way.
@@ -195,7 +195,7 @@ struct MeetYarns {
         Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
         const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
-        if (!room.holds(x)) {
+        if (room.was_left(x)) {
             p.alive[i] = 0;
             atomic_add(dripped, p.content[i]);
             return;

@@ -42,6 +42,8 @@ struct LiquidRules {
         const double steps = std::ceil(time / dt - 1e-6);
         return steps > 1.0 ? steps : 1.0;
     }
+    /// However slowly particles move, s.
+    HL_FN double longest_step() const { return capillary_dt < viscous_dt ? capillary_dt : viscous_dt; }
     /// In which a volume of liquid finds its shape, s.
     HL_FN double capillary_time(double volume) const { return std::sqrt(density * volume / surface_tension); }
     HL_FN double advective_step(double speed) const { return courant * static_cast<double>(spacing) / (speed > 1e-6 ? speed : 1e-6); }
@@ -278,8 +280,7 @@ struct EndStep {
         LiquidControl& c = *control;
         if (c.count > 0) {
             const double advective = rules.advective_step(static_cast<double>(from_ordered_bits(c.fastest)));
-            const double waves = rules.capillary_dt < rules.viscous_dt ? rules.capillary_dt : rules.viscous_dt;
-            c.longest_dt = advective < waves ? advective : waves;
+            c.longest_dt = advective < rules.longest_step() ? advective : rules.longest_step();
             ++c.steps;
         }
         --c.budget;
