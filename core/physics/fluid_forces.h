@@ -26,7 +26,7 @@ struct SurfaceEnergy {
 constexpr double surface_support_in_spacings = 3.0;
 constexpr double surface_sharpness = 0.0545;
 /// Surface tension over a x spacing. In the continuum, integrated over the layer under a flat surface, 0.1814; particles in shells,
-/// at rest under their own pressure, make it less: a calibration on swings and Laplace pressures of 1 000 to 16 000 particles.
+/// at rest under their own pressure, make it less: a calibration on swings and Laplace pressures of 700 to 16 000 particles.
 constexpr double surface_tension_of_well = 0.1468;
 
 HL_FN SurfaceEnergy surface_energy(Real surface_tension, Real spacing)
