@@ -118,6 +118,17 @@ struct Nearest {
     const MeasuredRun* run = nullptr;
 };
 
+/// Where neither goes in bundles, how large they might have been does not count.
+bool set_alike(const ModelPlan& a, const ModelPlan& b)
+{
+    Knobs of_a = a.knobs;
+    if (a.crossings_per_cell == 1 && b.crossings_per_cell == 1) {
+        of_a.crossings_per_cell = b.knobs.crossings_per_cell;
+        of_a.crossings_per_even_cell = b.knobs.crossings_per_even_cell;
+    }
+    return of_a == b.knobs;
+}
+
 /// The run that was set as this one, or that of its fidelity, in the scene that is least unlike.
 Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
@@ -126,7 +137,7 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
     for (const MeasuredScene& scene : measured)
         for (const MeasuredRun& run : scene.runs) {
             if (run.plan.fidelity != plan.fidelity) continue;
-            const bool as_set = run.plan.knobs == plan.knobs;
+            const bool as_set = set_alike(run.plan, plan);
             if (!as_set && !run.settings.empty()) continue;
             const double far = distance(plan, run.plan) + (as_set ? 0.0 : 1e-3);
             if (far >= least) continue;
@@ -217,7 +228,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const MeasuredScene& scene = *nearest.scene;
     plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
-    const bool as_set = run.plan.knobs == plan.knobs;
+    const bool as_set = set_alike(run.plan, plan);
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
         fmt::format("From {} on {}, measured on {} ({}): {:.3g} s there, times {:.3g} for this scene's counts.{}", scene.experiment,

@@ -20,7 +20,7 @@ constexpr KnobInfo table[] = {
      "radial cells in a fibre"},
     {"crossings_per_cell", &Knobs::crossings_per_cell, "", 1, 8, true, 4, 2,
      "ends, and picks, that are simulated as one bundle; 1 where free liquid, sweat or fine stripes need single yarns"},
-    {"crossings_per_even_cell", &Knobs::crossings_per_even_cell, "", 1, 8, true, 8, 1,
+    {"crossings_per_even_cell", &Knobs::crossings_per_even_cell, "", 1, 8, true, 8, 2,
      "the same, at least, where all of the cloth but its edges is alike: drying, conditioning"},
     {"network_step_limit_s", &Knobs::network_step_limit, "s", 1e-5, 1, false, 10e-3, 2.5e-3,
      "longest step of the yarns while free liquid is about"},
@@ -80,7 +80,7 @@ Knobs knobs_of(Fidelity fidelity)
 {
     switch (fidelity) {
     case Fidelity::draft: return {2000, 5, 1, 8, 20e-3, 0.2, 2e-3, 1, 8, 0.02, 0.03, 1e-3, 0, 0.01};
-    case Fidelity::standard: return {8000, 8, 1, 4, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0, 0.001};
+    case Fidelity::standard: return {8000, 8, 1, 8, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0, 0.001};
     case Fidelity::reference: return {8000, 16, 1, 1, 1e-3, 0.03, 1e-4, 1, 1, 0.01, 0.0, 1e-6, 0, 0.0};
     }
     return {};

@@ -316,16 +316,21 @@ std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experime
     const int wanted = wanted_in_bundle(plan.knobs, textile, experiment.type);
     plan.crossings_per_cell = 1;
     if (wanted == 1) return "";
-    const Bundles ends = bundles_of(textile.ends(), wanted), picks = bundles_of(textile.picks(), wanted);
-    const bool alike = bundles_are_alike(textile, YarnKind::warp, ends) && bundles_are_alike(textile, YarnKind::weft, picks);
+    const auto alike = [&](int of) {
+        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), of)) &&
+               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), of));
+    };
+    int most = wanted;
+    while (most > 1 && !alike(most)) --most;
     const char* why_not = plan.on("liquid")                          ? "free liquid meets single yarns"
                           : experiment.type == ExperimentType::sweat ? "sweat wets yarns where they lie on one face"
-                          : !alike                                   ? "bundles of so many would mix yarns that differ"
+                          : most == 1                                ? "bundles of so many would mix yarns that differ"
                                                                      : nullptr;
     if (why_not)
         return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
                            wanted, why_not);
-    plan.crossings_per_cell = wanted;
+    const Bundles ends = bundles_of(textile.ends(), most), picks = bundles_of(textile.picks(), most);
+    plan.crossings_per_cell = most;
     return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
                        ends.yarns, picks.yarns, ends.count, picks.count);
 }

@@ -30,6 +30,7 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
     if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
     if (!values.contains("crossings_per_cell")) knobs.crossings_per_cell = 1; // each was a cell
+    if (!values.contains("crossings_per_even_cell")) knobs.crossings_per_even_cell = 1;
     return knobs;
 }
 

@@ -162,17 +162,19 @@ private Q_SLOTS:
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
         QCOMPARE(knobs["steps_between_drinks"].toInt(), 8);
-        QCOMPARE(knobs.size(), 13);
+        QCOMPARE(knobs.size(), 14);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }
     void planSaysWhereYarnsAreNotBundled()
     {
         const auto plan = [](const char* experiment) {
-            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--set", "fidelity.crossings_per_cell=2"}).out;
+            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--set", "fidelity.crossings_per_cell=2",
+                            "fidelity.crossings_per_even_cell=1"})
+                .out;
         };
         const QByteArray drop = plan("one drop"), drying = plan("drying");
         QVERIFY2(drop.contains("although the fidelity would put 2 ends and picks into one: free liquid meets single yarns."), drop);
-        QVERIFY2(drying.contains("bundles; what a frame shows of a yarn is its bundle's."), drying);
+        QVERIFY2(drying.contains("are simulated as 53 and 53 bundles; what a frame shows of a yarn is its bundle's."), drying);
     }
     void autoSaysWhatItTookAndWhy()
     {

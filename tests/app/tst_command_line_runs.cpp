@@ -111,9 +111,10 @@ private Q_SLOTS:
     void bundlesOfYarnsAreRecorded()
     {
         const QString recording = folder_.filePath("bundles.hygrorec");
-        const Answer run = run_cli({"simulate", example("laboratory.hygro"), "--experiment", "drying", "--fidelity", "draft", "--backend",
-                                    "cpu", "-o", recording, "--json", "--set", "fidelity.crossings_per_cell=3",
-                                    "experiments[4].sample_mm=[8,8]", "experiments[4].duration_s=60"});
+        const Answer run =
+            run_cli({"simulate", example("laboratory.hygro"), "--experiment", "drying", "--fidelity", "draft", "--backend", "cpu", "-o",
+                     recording, "--json", "--set", "fidelity.crossings_per_cell=3", "fidelity.crossings_per_even_cell=1",
+                     "experiments[4].sample_mm=[8,8]", "experiments[4].duration_s=60"});
         QVERIFY2(run.code == 0, run.err);
         const QJsonObject read = run_cli({"measure", recording, "--json"}).json(), plan = read["provenance"].toObject()["plan"].toObject();
         QCOMPARE(read["metrics"], run.json()["metrics"]);

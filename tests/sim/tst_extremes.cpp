@@ -8,6 +8,7 @@
 #include "core/design/yarn_sections.h"
 #include "core/physics/heat_moisture.h"
 #include "core/project/project_file.h"
+#include "core/sim/coarse_scene.h"
 #include "core/sim/cpu_executor.h"
 #include "core/sim/solver.h"
 
@@ -243,6 +244,7 @@ private:
         try {
             const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);
             scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+            if (plan.crossings_per_cell > 1) scene = coarsened(scene, plan.crossings_per_cell);
             solver.load(scene);
         } catch (const std::exception& error) {
             return tell(error.what());

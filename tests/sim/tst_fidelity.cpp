@@ -114,10 +114,12 @@ private Q_SLOTS:
     void aPlanOfBeforeBundlesHadACellForEachCrossing()
     {
         std::string json = plan_json(plan_with({}));
-        for (std::size_t at = 0; (at = json.find("\"crossings_per_cell\"")) != std::string::npos;) json.replace(at, 20, "\"unknown_then\"");
+        for (const std::string name : {"\"crossings_per_cell\"", "\"crossings_per_even_cell\""})
+            for (std::size_t at = 0; (at = json.find(name)) != std::string::npos;) json.replace(at, name.size(), "\"unknown_then\"");
         const ModelPlan old = plan_from_json(json);
         QCOMPARE(old.crossings_per_cell, 1);
         QCOMPARE(old.knobs.crossings_per_cell, 1.0);
+        QCOMPARE(old.knobs.crossings_per_even_cell, 1.0);
     }
     void theLiquidsStepsAreAsLongAsAsked()
     {
