@@ -91,15 +91,16 @@ double cells_of(const ModelPlan& plan)
     return wanted > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count : plan.segments;
 }
 
+double frames_of(const ModelPlan& plan) { return plan.counts.duration / std::max(1e-9, plan.frame_interval); }
+
 /// Of the yarns.
 void count_network(const ModelPlan& plan, Steps& steps)
 {
     if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return;
     steps.segments = cells_of(plan) * (plan.on("growth") ? plan.counts.wet_share : 1.0);
-    const double frames = plan.counts.duration / std::max(1e-9, plan.frame_interval);
     constexpr double standard_error = 5e-4;
     const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
-    steps.network = frames * std::max(1.0, finer);
+    steps.network = frames_of(plan) * std::max(1.0, finer);
     if (plan.on("liquid")) steps.network += plan.counts.duration / plan.knobs.network_step_limit;
 }
 
@@ -190,16 +191,18 @@ double rough_work(const ModelPlan& plan, const std::string& backend)
     Steps steps;
     count_liquid(plan, steps);
     count_network(plan, steps);
+    constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
+    const double frames = shown * plan.segments * frames_of(plan);
     if (backend == "cuda") {
         // Seconds on an H200: a step takes a while however little there is to do.
-        constexpr double start = 0.2, liquid_step = 1.2e-4, particle = 3e-9, network_step = 2e-4, segment = 1e-9;
-        return start + steps.liquid * (liquid_step + particle * steps.particles) +
+        constexpr double start = 0.12, liquid_step = 1.2e-4, particle = 3e-9, network_step = 2e-4, segment = 1e-9;
+        return start + frames + steps.liquid * (liquid_step + particle * steps.particles) +
                steps.network * (network_step + segment * steps.segments);
     }
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and step of the yarns, and to set up.
-    constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.05;
+    constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.01;
     const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
-    return start + steps.liquid * steps.particles * particle * wider + steps.network * steps.segments * segment;
+    return start + frames + steps.liquid * steps.particles * particle * wider + steps.network * steps.segments * segment;
 }
 
 double rough_bytes(const ModelPlan& plan)

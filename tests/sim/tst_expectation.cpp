@@ -94,8 +94,9 @@ private Q_SLOTS:
             return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
                               {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
         };
-        const double start = 0.05; // s, however little there is to do
-        QVERIFY(std::abs((rough_work(plan(1), "cpu") - start) / (rough_work(plan(4), "cpu") - start) - 16) < 1e-9);
+        // As 16, 4 and 1, over what does not change.
+        const double single = rough_work(plan(1), "cpu"), twos = rough_work(plan(2), "cpu"), fours = rough_work(plan(4), "cpu");
+        QVERIFY(fours > 0 && std::abs((single - twos) / (twos - fours) - 4) < 1e-9);
         // Management of hemp C at draft, 64 000 segments: 39.2, 26.6 and 23.4 MB with bundles of 1, 2 and 4, measured once.
         const double segments = plan(1).segments, most = rough_bytes(plan(1));
         for (const auto& [of, less] : {std::pair(2.0, 12.6e6), std::pair(4.0, 15.8e6)})
@@ -192,7 +193,6 @@ private Q_SLOTS:
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
         QEXPECT_FAIL("small-droplet-on-twill.json", "known miss: how fast a cloth drinks a drop is taken from the one measured", Continue);
-        QEXPECT_FAIL("small-drying-of-wool-cuda.json", "known miss: 0.2 s, most of it the start, are foretold as 0.4 s", Continue);
         QVERIFY(worst < 1.5);
     }
 };
