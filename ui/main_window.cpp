@@ -279,6 +279,7 @@ void MainWindow::connectParts()
         addRecentFile(path);
         if (!document_.modified()) {
             document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
+            chooseWhatRan();
         }
         setWorkspace(Workspace::simulate);
     });
@@ -322,6 +323,23 @@ void MainWindow::refreshPicture()
         viewport_->showSample(document_.design(), document_.fabricIndex(), *document_.experiment());
     } else {
         viewport_->showFabric(document_.design(), document_.fabricIndex());
+    }
+}
+
+/// The fabric and the experiment of the run that is shown.
+void MainWindow::chooseWhatRan()
+{
+    const auto& run = playback_.run();
+    const Design& design = *document_.design();
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i) {
+        if (design.fabrics[i].name == run->fabric) {
+            document_.setFabricIndex(static_cast<int>(i));
+        }
+    }
+    for (std::size_t i = 0; i < design.experiments.size(); ++i) {
+        if (design.experiments[i].name == run->experiment) {
+            document_.setExperimentIndex(static_cast<int>(i));
+        }
     }
 }
 

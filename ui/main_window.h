@@ -77,6 +77,7 @@ private:
     void arrange(Workspace workspace);
     void refreshTitle();
     void refreshPicture();
+    void chooseWhatRan();
     void refreshStale();
     void refreshIssueCount();
     void showIssue(const QString& where);

@@ -197,6 +197,7 @@ void MainWindow::buildExperimentMenu()
     connect(take_design_, &QAction::triggered, this, [this] {
         if (playback_.run() && mayDiscard()) {
             document_.take(playback_.run()->design, tr("Design of the recording"));
+            chooseWhatRan();
         }
     });
     menu->addSeparator();

@@ -173,7 +173,8 @@ void MetricsCollector::add(const Frame& frame)
     if (!edge_time_ && wet_at_the_end(textile_, frame, experiment_)) edge_time_ = frame.time;
 
     // Absorbency: the first moment with no free liquid after which none ever comes, so a later drop starts it anew.
-    const bool free_water = frame.ledger.water_free > 0;
+    constexpr double some = 1e-9; // of the water; a pool keeps the quanta that do not come out even
+    const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered;
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     if (free_water)
         metrics_.absorbency_time.reset();

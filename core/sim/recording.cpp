@@ -219,7 +219,9 @@ struct Recording::File {
 Recording::Recording(const std::filesystem::path& path)
 try : file_(std::make_unique<File>()) {
     const h5::Quiet quiet;
-    file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "this is not a recording that can be read.");
+    if (!std::filesystem::exists(path)) throw FileError("there is no such file.");
+    file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                             "this is not a recording, or it is damaged or incomplete.");
     const hid_t file = file_->file.get();
     if (!h5::exists(file, "format") || h5::read_text(file, "format") != "hygroloom-recording")
         throw FileError("this is not a Hygroloom recording.");

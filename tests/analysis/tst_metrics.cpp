@@ -3,11 +3,14 @@
 #include "core/analysis/cell_map.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/sim/scene.h"
 #include "tests/support/drop_design.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <numeric>
 
 using namespace hygroloom;
 
@@ -208,6 +211,30 @@ private Q_SLOTS:
         const CellMap map = cell_map(run.textile, wet, start_of_maps(run, wet), MapSide::total, 1);
         const double area = run.textile.warp.pitch * run.textile.weft.pitch; // of a crossing, with 1e-9 kg in its end and in its pick
         for (double water : map.water) QVERIFY(std::abs(water * area - 2e-9) < 1e-15);
+    }
+    void aDryingMapBeginsWithAllOfTheTestsWater() // whatever of it the fibres have drunk
+    {
+        RunRecord run;
+        run.design = drop_design();
+        Experiment& experiment = run.design.experiments[0];
+        experiment = standard_experiment(ExperimentType::drying);
+        experiment.sample_mm = {5, 5};
+        experiment.initial_water_g_m2 = 60;
+        run.experiment = experiment.name;
+        run.plan = plan_model(run.design, run.design.fabrics[0], experiment, Fidelity::draft);
+        run.textile = build_textile(run.design, run.design.fabrics[0], run.plan.region);
+        const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, 1);
+        QVERIFY(scene.initial_bound > 0);
+        Frame first = dry_frame(run.textile);
+        first.liquid.assign(scene.initial_liquid.begin(), scene.initial_liquid.end());
+        first.regain.assign(first.liquid.size(), static_cast<float>(scene.yarns[0].initial_regain)); // warp and weft are alike
+        const CellMap map = cell_map(run.textile, first, start_of_maps(run, first), MapSide::total, 1);
+        const double mean = std::accumulate(map.water.begin(), map.water.end(), 0.0) / static_cast<double>(map.water.size());
+        QVERIFY2(std::abs(mean - 0.06) < 1e-6, qPrintable(QString::number(mean)));
+        Frame last = first;
+        last.liquid.assign(first.liquid.size(), 0.0f);
+        last.regain.assign(first.liquid.size(), static_cast<float>(scene.yarns[0].resting_regain));
+        for (double water : cell_map(run.textile, last, start_of_maps(run, first), MapSide::total, 1).water) QCOMPARE(water, 0.0);
     }
     void mapIsWrittenWithItsProvenance()
     {
