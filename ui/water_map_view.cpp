@@ -104,16 +104,23 @@ void WaterMapView::refresh()
         // Only a drop or a feed in the middle makes a stain.
         const Experiment* experiment = find_experiment(run->design, run->experiment);
         const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
+        // What is wet from the start sets the scale, whichever moment is looked at first.
+        double atStart = 0;
+        if (type == ExperimentType::drying) {
+            for (MapSide side : {MapSide::top, MapSide::bottom}) {
+                atStart = std::max(atStart, cell_map(run->textile, *first, start, side, cells).maximum());
+            }
+        }
         std::optional<Circle> topCircle, bottomCircle;
         if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
             topCircle = wetted_circle(run->textile, *frame, Face::top);
             bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
         }
-        turn.deliver([this, run, cells, top, bottom, topCircle, bottomCircle] {
+        turn.deliver([this, run, cells, atStart, top, bottom, topCircle, bottomCircle] {
             if (run != playback_.run() || cells != cells_->value()) {
                 return;
             }
-            maximum_ = std::max({maximum_, top.maximum(), bottom.maximum()});
+            maximum_ = std::max({maximum_, atStart, top.maximum(), bottom.maximum()});
             const double range = roundedUp(maximum_);
             top_->setRange(range, colors_);
             bottom_->setRange(range, colors_);
