@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/sim/droplet.h"
 
+#include "core/base/units.h"
 #include "core/physics/sph_kernels.h"
 
 #include <algorithm>
@@ -35,6 +36,21 @@ double height_clear_of(std::span<const Vec3> particles, const Vec3d& centre, dou
         if (std::hypot(static_cast<double>(p.x) - centre.x, static_cast<double>(p.y) - centre.y) <= radius + spacing)
             height = std::max(height, static_cast<double>(p.z) + spacing + radius);
     return height;
+}
+
+double viscosity_of_particles(double own, double capillarity, double spacing)
+{
+    constexpr double grain = 0.015; // numerical
+    return own + grain * std::sqrt(capillarity * spacing);
+}
+
+LiquidSteps longest_steps(double capillarity, double viscosity, double spacing)
+{
+    const double support = support_in_spacings * spacing;
+    // Neighbours that all move against a particle take its speed from it at a rate of twice 10 nu / 3 times the integral of the kernel's
+    // slope over the distance, which is 12 over the square of the support; it must not turn round.
+    constexpr double viscous = 2.0 / (2.0 * 10.0 / 3.0 * 12.0);
+    return {0.25 * std::sqrt(support * support * support / (2.0 * pi * capillarity)), viscous * support * support / viscosity};
 }
 
 double pressure_stiffness(double spacing, double support)

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/sim/bundles.h"
+#include "core/sim/droplet.h"
 #include "core/sim/plan_json.h"
 #include "core/sim/state.h"
 
@@ -55,33 +56,33 @@ struct Steps {
 };
 
 /// Of the liquid, and with how many particles. A drop moves until it rests, a few capillary times long. Then, as long as yarns drink it,
-/// which goes with its volume and with their suction, it wakes each time a share has gone, for some capillary times of that share.
+/// it is awake for a share of the time, and where they drink slowly for some capillary times of each share of it that has gone.
 void count_liquid(const ModelPlan& plan, Steps& steps)
 {
     if (!plan.on("liquid")) return;
-    constexpr double density = 998.0, tension = 0.0728; // kg/m3, N/m, of water
-    const auto capillary_time = [](double volume) { return std::sqrt(density * volume / tension); };
-    // After the measured drop on textile F.
-    constexpr double moving_times = 10, waking_times = 2.9;               // capillary times
-    constexpr double drinking = 4.2, drunk_volume = 15e-9, suction = 0.8; // s, m3 and the cosine with which it took so long
-    constexpr double usual_step = 0.85;                                   // of the capillary limit
     const SceneCounts& scene = plan.counts;
     const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
-    const double support = 2.0 * std::cbrt(volume / std::max(1, plan.particles_per_droplet));
-    const double step =
-        plan.knobs.liquid_step_factor * usual_step * 0.25 * std::sqrt(density * support * support * support / (2.0 * pi * tension));
+    const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
+    // After the measured drops on textiles F and G.
+    constexpr double moving_times = 6, waking_times = 6; // capillary times
+    constexpr double awake_share = 0.1;                  // of the time in which it is drunk
+    constexpr double drinking = 0.68;                    // times its volume over the cloth's uptake
+    constexpr double left = 0.45;                        // of the particles, on average, while it is drunk
+    constexpr double usual_step = 0.85;                  // of the longest
+    const double spacing = std::cbrt(volume / std::max(1, plan.particles_per_droplet));
+    const LiquidSteps longest =
+        longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
+    const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
     const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
-    const bool drunk = plan.on("wicking");
-    const double until_empty = drinking * volume / drunk_volume * suction / std::max(0.01, scene.suction);
-    const double drinks = drunk ? std::min(rest, until_empty) : rest;
-    double flows = drinks;
+    const bool drunk = plan.on("wicking") && scene.uptake > 0;
+    const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
+    double flows = drunk ? drinks : rest;
     if (settle_share > 0) {
-        const double wakings = drunk ? drinks / until_empty / settle_share : 0.0;
-        flows = std::min(drinks, wakings * waking_times * capillary_time(settle_share * volume));
+        const double wakings = drunk ? drinks / until_empty / settle_share : 0;
+        flows = std::min(awake_share * drinks, wakings * waking_times * capillary_time(settle_share * volume));
     }
-    const double left = drunk ? 0.4 : 1.0; // of the particles, on average
     steps.liquid = (moves + flows) / step;
-    steps.particles = plan.particles_per_droplet * scene.drops * left;
+    steps.particles = plan.particles_per_droplet * scene.drops * (moves + (drunk ? left : 1.0) * flows) / (moves + flows);
 }
 
 /// Segments that are simulated: bundles', where yarns go in bundles.

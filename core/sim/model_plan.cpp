@@ -5,8 +5,10 @@
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
+#include "core/physics/wicking.h"
 #include "core/sim/bundles.h"
 #include "core/sim/expectation.h"
+#include "core/sim/scene.h"
 
 #include <fmt/format.h>
 
@@ -34,6 +36,8 @@ struct Bounds {
     std::size_t drops = 0;          // that fall
     double smallest_angle = 180;    // degrees, of contact
     double suction = 0;             // its cosine; 0: no yarn wicks
+    double uptake = 0;              // m3/s: see SceneCounts
+    LiquidAt liquid{};
     bool wicks = false;
 };
 
@@ -87,7 +91,8 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const Climate air = hardest_climate(experiment);
     const double temperature = kelvin_from_celsius(air.temperature_c);
     const double humidity = air.relative_humidity;
-    const double density = find_liquid(design, experiment.liquid)->density_kg_m3;
+    b.liquid = liquid_at(*find_liquid(design, experiment.liquid), kelvin_from_celsius(experiment.climate.temperature_c));
+    const double density = b.liquid.density;
     const bool conditioning = experiment.type == ExperimentType::conditioning;
 
     double sorbable = 0, everything = 0; // kg/m2 of fabric: that fibres take, that all pores hold
@@ -116,6 +121,8 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
         b.smallest_angle = std::min(b.smallest_angle, type.contact_angle * 180.0 / pi);
         b.wicks = b.wicks || wicks;
         if (wicks) b.suction = std::max(b.suction, std::cos(type.contact_angle));
+        b.uptake += along * pores / density / type.tortuosity *
+                    saturated_liquid_diffusivity(b.liquid.surface_tension, type.contact_angle, type.pore_radius, b.liquid.viscosity);
         return wicks ? along * pores : 0.0;
     };
     // Liquid may run along the yarns of one type alone, whichever holds least: bounds are those of the worst type, not of the mean.
@@ -149,13 +156,12 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
 
 /// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Where no yarn drinks a
 /// quarter, unless the liquid may never sleep: how finely the drop meets the pores then changes no water.
-int particles_for(const Knobs& knobs, const Experiment& experiment, const Bounds& b)
+int particles_for(const Knobs& knobs, const Bounds& b)
 {
     constexpr double most_in_all = 4e6; // half of particle_numbers: swollen yarns may give back more
     constexpr double share_without_drinking = 0.25;
     const double finest = 0.1 * b.finest, drops = static_cast<double>(std::max<std::size_t>(1, b.drops));
-    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const double volume = b.delivered / water_density(temperature) / drops;
+    const double volume = b.delivered / b.liquid.density / drops;
     const double share = b.wicks || knobs.settle_share <= 0 ? 1.0 : share_without_drinking;
     const double most = std::max(1.0, std::min(most_in_all / drops, share * knobs.particles_per_droplet));
     return static_cast<int>(std::clamp(volume / (finest * finest * finest), 1.0, most));
@@ -338,14 +344,16 @@ std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experime
 SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 {
     const auto [width, height] = sample_extent_mm(experiment);
-    const double temperature = kelvin_from_celsius(experiment.climate.temperature_c);
     SceneCounts counts;
     counts.type = name_of(experiment.type);
     counts.drops = static_cast<double>(b.drops);
-    if (b.drops > 0) counts.drop_volume = b.delivered / water_density(temperature) / counts.drops;
+    if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
     counts.duration = experiment.duration_s;
     counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
     counts.suction = b.suction;
+    counts.uptake = b.uptake;
+    counts.capillarity = b.liquid.surface_tension / b.liquid.density;
+    counts.viscosity = b.liquid.viscosity / b.liquid.density;
     return counts;
 }
 
@@ -411,7 +419,7 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     decide_growth(plan, bounds, experiment, plan.knobs, forced);
     plan.region = decide_region(plan, fabric, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, experiment, bounds) : 0;
+    plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     const std::string cells = decide_cells(plan, textile, experiment);
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);

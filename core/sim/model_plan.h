@@ -33,6 +33,9 @@ struct SceneCounts {
     double duration = 0;    ///< s
     double wet_share = 0;   ///< of the sample that can get wet, at most
     double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
+    double uptake = 0;      ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity
+    double capillarity = 0; ///< m3/s2, surface tension of the liquid over its density
+    double viscosity = 0;   ///< m2/s
 };
 
 struct ModelPlan {

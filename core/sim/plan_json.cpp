@@ -36,7 +36,9 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 
 SceneCounts counts_from_json(const Json& json)
 {
-    return {json.at("type"), json.at("drops"), json.at("drop_volume_m3"), json.at("duration_s"), json.at("wet_share"), json.at("suction")};
+    return {json.at("type"),      json.at("drops"),   json.at("drop_volume_m3"), json.at("duration_s"),
+            json.at("wet_share"), json.at("suction"), json.value("uptake_m3_s", 0.0), json.value("capillarity_m3_s2", 0.0),
+            json.value("viscosity_m2_s", 0.0)};
 }
 
 PlannedPart part_from_json(const Json& json)
@@ -89,7 +91,10 @@ std::string plan_json(const ModelPlan& plan)
           {"drop_volume_m3", plan.counts.drop_volume},
           {"duration_s", plan.counts.duration},
           {"wet_share", plan.counts.wet_share},
-          {"suction", plan.counts.suction}}},
+          {"suction", plan.counts.suction},
+          {"uptake_m3_s", plan.counts.uptake},
+          {"capillarity_m3_s2", plan.counts.capillarity},
+          {"viscosity_m2_s", plan.counts.viscosity}}},
         {"expected",
          {{"time_s", plan.expected_seconds},
           {"memory_bytes", plan.expected_bytes},

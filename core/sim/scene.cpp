@@ -10,18 +10,6 @@
 namespace hygroloom {
 namespace {
 
-/// A liquid at a temperature: its own values at 20 C, changing with temperature as water's do.
-struct LiquidAt {
-    double surface_tension, viscosity, density;
-};
-LiquidAt liquid_at(const Liquid& liquid, double temperature)
-{
-    constexpr double known = 293.15;
-    return {1e-3 * liquid.surface_tension_mn_m * water_surface_tension(temperature) / water_surface_tension(known),
-            1e-3 * liquid.viscosity_mpa_s * water_viscosity(temperature) / water_viscosity(known),
-            liquid.density_kg_m3 * water_density(temperature) / water_density(known)};
-}
-
 /// How warm the air is over a temperature, and what it exchanges with the faces: its own layer and, in series, the still air among the
 /// hairs that stand over the yarns.
 SceneClimate scene_climate(const Climate& climate, double time, double reference, double sample, double hair)
@@ -307,6 +295,14 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 }
 
 } // namespace
+
+LiquidAt liquid_at(const Liquid& liquid, double temperature)
+{
+    constexpr double known = 293.15;
+    return {1e-3 * liquid.surface_tension_mn_m * water_surface_tension(temperature) / water_surface_tension(known),
+            1e-3 * liquid.viscosity_mpa_s * water_viscosity(temperature) / water_viscosity(known),
+            liquid.density_kg_m3 * water_density(temperature) / water_density(known)};
+}
 
 SceneClimate air_at(const Scene& scene, double time)
 {

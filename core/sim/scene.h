@@ -46,6 +46,12 @@ struct CrossingParameters {
     double weft_rise = 0;
 };
 
+/// A liquid at a temperature: its own values at 20 C, changing with temperature as water's do.
+struct LiquidAt {
+    double surface_tension, viscosity, density; ///< N/m, Pa s, kg/m3
+};
+LiquidAt liquid_at(const Liquid& liquid, double temperature);
+
 /// Air and liquid.
 struct ClimateParameters {
     double temperature = 0;     ///< K, of the air at the start: what warmth counts from; the liquid's numbers are for it

@@ -8,11 +8,6 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-constexpr Real support_in_spacings = Real(2.0);
-constexpr double grain_viscosity = 0.015; // numerical: calms motion from particle to particle, times sqrt(gamma spacing / rho)
-/// In squares of the support over the viscosity. Neighbours that all move against a particle take its speed from it at a rate of twice
-/// 10 nu / 3 times the integral of the kernel's slope over the distance, which is 12 over the square; it must not turn round.
-constexpr double viscous_limit = 2.0 / (2.0 * 10.0 / 3.0 * 12.0);
 constexpr double drip_distance = 5e-3;      // m below the fabric, or beside it, at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5; // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_flow_steps = 1000;       // without a look at the clock
@@ -41,7 +36,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     particle_mass_ = static_cast<Real>(particle_volume * scene_.climate.density);
     const double spacing = std::cbrt(particle_volume);
     spacing_ = static_cast<Real>(spacing);
-    support_ = support_in_spacings * spacing_;
+    support_ = Real(support_in_spacings) * spacing_;
     reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
     set_rules(spacing);
     liquid_room_ = room_about_sample();
@@ -105,8 +100,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
 template <typename Executor> double Solver<Executor>::viscosity() const
 {
     const ClimateParameters& climate = scene_.climate;
-    return climate.viscosity / climate.density +
-           grain_viscosity * std::sqrt(climate.surface_tension * static_cast<double>(spacing_) / climate.density);
+    return viscosity_of_particles(climate.viscosity / climate.density, climate.surface_tension / climate.density,
+                                  static_cast<double>(spacing_));
 }
 
 /// What stays the same for the liquid's steps.
@@ -117,10 +112,10 @@ template <typename Executor> void Solver<Executor>::set_rules(double spacing)
     rules_.particle_mass = static_cast<double>(particle_mass_);
     rules_.density = climate.density;
     rules_.surface_tension = climate.surface_tension;
-    rules_.correction_time =
-        0.25 * std::sqrt(climate.density * std::pow(static_cast<double>(support_), 3) / (2.0 * pi * climate.surface_tension));
-    rules_.capillary_dt = scene_.liquid_step_factor * rules_.correction_time;
-    rules_.viscous_dt = scene_.liquid_step_factor * viscous_limit * static_cast<double>(support_ * support_) / viscosity();
+    const LiquidSteps longest = longest_steps(climate.surface_tension / climate.density, viscosity(), static_cast<double>(spacing_));
+    rules_.correction_time = longest.capillary;
+    rules_.capillary_dt = scene_.liquid_step_factor * longest.capillary;
+    rules_.viscous_dt = scene_.liquid_step_factor * longest.viscous;
     rules_.courant = scene_.liquid_step_factor * 0.4;
     rules_.steps_between_drinks = scene_.steps_between_drinks;
     rules_.stiffness = pressure_relaxation * pressure_stiffness(spacing, support_);
