@@ -55,8 +55,9 @@ struct Steps {
     double segments = 0;  ///< that are visited
 };
 
-/// Of the liquid, and with how many particles. A drop moves until it rests, a few capillary times long. Then, as long as yarns drink it,
-/// it is awake for a share of the time, and where they drink slowly for some capillary times of each share of it that has gone.
+/// Of the liquid, and with how many particles. A drop moves until it rests, a few capillary times long and, where it is sticky, as long as
+/// it sinks between the yarns. Then, as long as they drink it, it is awake for a share of the time, and where they drink slowly for some
+/// capillary times of each share of it that has gone.
 void count_liquid(const ModelPlan& plan, Steps& steps)
 {
     if (!plan.on("liquid")) return;
@@ -65,24 +66,25 @@ void count_liquid(const ModelPlan& plan, Steps& steps)
     const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
     // After the measured drops on textiles F and G.
     constexpr double moving_times = 6, waking_times = 6; // capillary times
-    constexpr double awake_share = 0.1;                  // of the time in which it is drunk
-    constexpr double drinking = 0.68;                    // times its volume over the cloth's uptake
-    constexpr double left = 0.45;                        // of the particles, on average, while it is drunk
-    constexpr double usual_step = 0.85;                  // of the longest
+    constexpr double sinking = 0.05;     // m: 20 (s h / (1 - s) r)^2 of the drag times a pore's radius, times viscosity over capillarity
+    constexpr double awake_share = 0.1;  // of the time in which it is drunk
+    constexpr double drinking = 0.68;    // times its volume over the cloth's uptake
+    constexpr double drunk_share = 0.55; // of the particles, on average, while it is drunk whole
+    constexpr double usual_step = 0.85;  // of the longest
     const double spacing = std::cbrt(volume / std::max(1, plan.particles_per_droplet));
     const LiquidSteps longest =
         longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
     const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
-    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
+    const double settling = moving_times * capillary_time(volume) + sinking * scene.viscosity / scene.capillarity;
+    const double moves = std::min(settling, scene.duration), rest = scene.duration - moves;
     const bool drunk = plan.on("wicking") && scene.uptake > 0;
     const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
+    const double gone = drunk ? drinks / until_empty : 0; // share of the drop, in the end
     double flows = drunk ? drinks : rest;
-    if (settle_share > 0) {
-        const double wakings = drunk ? drinks / until_empty / settle_share : 0;
-        flows = std::min(awake_share * drinks, wakings * waking_times * capillary_time(settle_share * volume));
-    }
+    if (settle_share > 0)
+        flows = std::min(awake_share * drinks, gone / settle_share * waking_times * capillary_time(settle_share * volume));
     steps.liquid = (moves + flows) / step;
-    steps.particles = plan.particles_per_droplet * scene.drops * (moves + (drunk ? left : 1.0) * flows) / (moves + flows);
+    steps.particles = plan.particles_per_droplet * scene.drops * (1.0 - drunk_share * gone * flows / (moves + flows));
 }
 
 /// Segments that are simulated: bundles', where yarns go in bundles.

@@ -36,8 +36,14 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 
 SceneCounts counts_from_json(const Json& json)
 {
-    return {json.at("type"),      json.at("drops"),   json.at("drop_volume_m3"), json.at("duration_s"),
-            json.at("wet_share"), json.at("suction"), json.value("uptake_m3_s", 0.0), json.value("capillarity_m3_s2", 0.0),
+    return {json.at("type"),
+            json.at("drops"),
+            json.at("drop_volume_m3"),
+            json.at("duration_s"),
+            json.at("wet_share"),
+            json.at("suction"),
+            json.value("uptake_m3_s", 0.0),
+            json.value("capillarity_m3_s2", 0.0),
             json.value("viscosity_m2_s", 0.0)};
 }
 
