@@ -55,6 +55,15 @@ inline Real root(Real value) { return std::sqrt(value); }
 #endif
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
 
+// What is written once for a single number and, on a CPU, for a pack of them.
+HL_FN Real size_of(Real value) { return value < 0 ? -value : value; }
+HL_FN int whole(Real value) { return static_cast<int>(value); }
+HL_FN Real real(int value) { return static_cast<Real>(value); }
+HL_FN bool any(bool condition) { return condition; }
+HL_FN Real choose(bool condition, Real a, Real b) { return condition ? a : b; }
+HL_FN int choose(bool condition, int a, int b) { return condition ? a : b; }
+HL_FN Quad quad_at(const Quad* first, int index) { return first[index]; }
+
 #if HL_LANE_IS_THREAD
 
 using Pack = Real; // of which each thread has its lane
@@ -167,6 +176,18 @@ inline Pack first_lanes(int count)
     return ones;
 }
 
+inline Pack size_of(const Pack& values) { return values < 0 ? -values : values; }
+inline Slots whole(const Pack& values) { return __builtin_convertvector(values, Slots); }
+inline Pack real(const Slots& values) { return __builtin_convertvector(values, Pack); }
+inline Pack choose(const Mask& mask, const Pack& a, const Pack& b) { return mask ? a : b; }
+inline Slots choose(const Mask& mask, const Slots& a, const Slots& b) { return __builtin_convertvector(mask, Slots) ? a : b; }
+inline Quads quad_at(const Quad* first, const Slots& index)
+{
+    const Quad* const rows[lanes] = {first + index[0], first + index[1], first + index[2], first + index[3],
+                                     first + index[4], first + index[5], first + index[6], first + index[7]};
+    return transposed(rows);
+}
+
 /// One bit per lane.
 inline unsigned bits_of(const Mask& mask)
 {
@@ -179,6 +200,8 @@ inline unsigned bits_of(const Mask& mask)
     return bits;
 #endif
 }
+
+inline bool any(const Mask& mask) { return bits_of(mask) != 0; }
 
 /// For all sets of lanes: their slots, side by side, and how many they are.
 struct LaneTable {

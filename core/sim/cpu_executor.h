@@ -140,12 +140,15 @@ private:
     template <typename Stage> static inline std::int64_t run_all(const Stage stage, int begin, int end)
     {
         std::int64_t sum = 0;
-        for (int i = begin; i < end; ++i) {
-            if constexpr (std::is_void_v<decltype(stage(i))>)
-                stage(i);
-            else
-                sum += stage(i);
-        }
+        if constexpr (requires { stage(begin, end); })
+            sum += stage(begin, end);
+        else
+            for (int i = begin; i < end; ++i) {
+                if constexpr (std::is_void_v<decltype(stage(i))>)
+                    stage(i);
+                else
+                    sum += stage(i);
+            }
         return sum;
     }
 #ifdef __x86_64__

@@ -107,7 +107,8 @@ private:
 };
 
 /// The paths of one yarn's segments, to the crossing before and to the one after.
-void add_paths(const Scene& scene, const ProfileTable& profiles, bool is_warp, int line, std::vector<PathCode>& paths)
+void add_paths(const Scene& scene, const std::vector<float>& shift, const ProfileTable& profiles, bool is_warp, int line,
+               std::vector<Quad>& paths)
 {
     const int crossings = is_warp ? scene.picks : scene.ends;
     const auto type = [&](int any_line) { return scene.type[static_cast<std::size_t>(any_line)]; };
@@ -116,12 +117,16 @@ void add_paths(const Scene& scene, const ProfileTable& profiles, bool is_warp, i
         const int end = is_warp ? line : k, pick = is_warp ? k : line;
         return (scene.warp_up[static_cast<std::size_t>(end * scene.picks + pick)] != 0) == is_warp;
     };
+    const auto shift_at = [&](int k) {
+        return Real(shift[static_cast<std::size_t>(is_warp ? line * scene.picks + k : scene.ends * scene.picks + line * scene.ends + k)]);
+    };
     const std::size_t own = type(is_warp ? line : scene.ends + line);
     for (int k = 0; k < crossings; ++k)
         for (int next : {k - 1, k + 1}) {
             const bool has_next = next >= 0 && next < crossings, changes = has_next && is_up(next) != is_up(k);
             const int profile = profiles.number(own, crossed(k), has_next ? crossed(next) : crossed(k), changes);
-            paths.push_back(PathCode::of(profile, !is_up(k), has_next));
+            paths.push_back({Real(profile * scene.profile_samples), Real(is_up(k) ? 1 : -1), shift_at(k),
+                             has_next ? shift_at(next) - shift_at(k) : Real(0)});
         }
 }
 
@@ -132,9 +137,9 @@ ClothShape::ClothShape(const Scene& scene) : numbers(numbers_of(scene)), shift(s
     for (const ContactShape& shape : scene.shapes) shapes.push_back({Real(shape.half_height), Real(shape.half_width)});
     const ProfileTable table(scene, profiles);
     paths.reserve(2 * static_cast<std::size_t>(scene.segments()));
-    for (int end = 0; end < scene.ends; ++end) add_paths(scene, table, true, end, paths);
-    for (int pick = 0; pick < scene.picks; ++pick) add_paths(scene, table, false, pick, paths);
     if (shift.empty()) shift.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
+    for (int end = 0; end < scene.ends; ++end) add_paths(scene, shift, table, true, end, paths);
+    for (int pick = 0; pick < scene.picks; ++pick) add_paths(scene, shift, table, false, pick, paths);
 }
 
 HostCloth::HostCloth(const Scene& scene) : cloth_(scene), shape_(cloth_.numbers)
@@ -195,7 +200,7 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
                 const double x = (end - 0.5 * (scene.ends - 1)) * scene.warp_pitch, y = (pick - 0.5 * (scene.picks - 1)) * scene.weft_pitch;
                 for (int k = 0; k < along; ++k) {
                     const double part = (k + 0.5) / along - 0.5;
-                    const YarnPlace at = yarn_place(t, t.segment(is_warp, end, pick), AlongYarn(t, static_cast<Real>(part)));
+                    const YarnPlace<Real> at = yarn_place(t, t.segment(is_warp, end, pick), AlongYarn<Real>(t, static_cast<Real>(part)));
                     const CutSection section{static_cast<double>(at.half_height), static_cast<double>(at.half_width), rows, columns};
                     const double slope = static_cast<double>(at.slope), cosine = 1.0 / std::sqrt(1.0 + slope * slope);
                     const double volume = section.area() * pitch / (cosine * result.view.per_segment);

@@ -13,7 +13,7 @@ struct ClothShape {
     TextileShape numbers; ///< pointers not set
     std::vector<YarnShape> shapes;
     std::vector<Quad> profiles;
-    std::vector<PathCode> paths;
+    std::vector<Quad> paths;
     std::vector<float> shift; ///< of each segment
 };
 

@@ -221,8 +221,7 @@ private:
     Buffer<int> contact_;
     TextileShape textile_; ///< its numbers; the pointers come with shape()
     Buffer<YarnShape> shapes_;
-    Buffer<Quad> profiles_;
-    Buffer<PathCode> paths_;
+    Buffer<Quad> profiles_, paths_;
     Buffer<float> shift_, warp_up_share_;
 
     // Liquid.

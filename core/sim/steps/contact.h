@@ -13,15 +13,6 @@ struct YarnShape {
     Real half_width = 0;
 };
 
-/// How a yarn goes on from a crossing to a neighbouring one, in one number since every particle near a skin looks it up.
-struct PathCode {
-    int code = 0;
-    HL_FN static PathCode of(int profile, bool is_under, bool has_next) { return {4 * profile + (has_next ? 2 : 0) + (is_under ? 1 : 0)}; }
-    HL_FN int profile() const { return code >> 2; }
-    HL_FN int steps_to_next() const { return code >> 1 & 1; }    ///< 0 where the yarn ends
-    HL_FN Real side() const { return Real(1 - 2 * (code & 1)); } ///< at its own crossing: 1 over the other yarn, -1 under it
-};
-
 struct TextileShape : Yarns {
     Real half_thickness = 0;
     Real warp_pitch = 0; ///< from end to end
@@ -32,11 +23,17 @@ struct TextileShape : Yarns {
     int samples = 0;                   ///< of a profile, from crossing to crossing
     const YarnShape* shapes = nullptr; ///< per type, as parameters
     const Quad* profiles = nullptr;    ///< height, slope, half height, half width per sample
-    const PathCode* paths = nullptr;   ///< per segment, to the crossing before and to the one after
+    /// Per segment, to the crossing before and to the one after: first sample of the profile that it follows, side of the other yarn
+    /// that it is on at its own crossing (1 over it, -1 under it), its shift there and how much greater that is at the next crossing. All
+    /// in one place since every particle near a skin looks it up.
+    const Quad* paths = nullptr;
     const std::uint8_t* warp_up = nullptr;
     const float* shift = nullptr; ///< per segment, beside the yarn's place
 
-    HL_FN int segment(bool is_warp, int end, int pick) const { return is_warp ? end * picks + pick : ends * picks + pick * ends + end; }
+    template <typename Whole> HL_FN Whole segment(bool is_warp, const Whole& end, const Whole& pick) const
+    {
+        return is_warp ? end * picks + pick : ends * picks + pick * ends + end;
+    }
     HL_FN bool is_warp_up(int end, int pick) const { return warp_up[end * picks + pick] != 0; }
     /// Of a yarn's centreline at a crossing.
     HL_FN Real height(bool is_warp, int end, int pick) const
@@ -49,112 +46,146 @@ struct TextileShape : Yarns {
     HL_FN const YarnShape& weft_shape(int pick) const { return shapes[type_of_pick(pick)]; }
 };
 
-/// The skin nearest to a point.
-struct NearestSkin {
-    Real distance = 0; ///< less than 0 inside
-    Vec3 normal;       ///< out of the yarn
-    int segment = -1;  ///< -1: none within reach
+/// The skin nearest to a point, or to each of a pack of points.
+template <typename Number> struct Nearest {
+    using Whole = decltype(whole(Number{}));
+    Number distance{};           ///< less than 0 inside
+    Vec3T<Number> normal;        ///< out of the yarn
+    Whole segment = Whole{} - 1; ///< -1: none within reach
 };
+using NearestSkin = Nearest<Real>;
+#if !HL_LANE_IS_THREAD
+inline NearestSkin skin_of(const Nearest<Pack>& skins, int lane)
+{
+    return {skins.distance[lane], {skins.normal.x[lane], skins.normal.y[lane], skins.normal.z[lane]}, skins.segment[lane]};
+}
+#endif
 
-HL_FN Real size_of(Real value) { return value < 0 ? -value : value; }
+/// How far a place is along the yarns of one system: part of the way from a crossing to the next, about 1/2 at most.
+template <typename Number> struct AlongYarn {
+    using Whole = decltype(whole(Number{}));
+    Whole forth;  ///< 1: the next crossing is the one after; 0: the one before
+    Number step;  ///< 1 or -1, to the next crossing
+    Whole low;    ///< sample of a profile before the place
+    Number part;  ///< of the way to the next sample
+    Number eased; ///< how far the yarn has gone over from its own side to the next crossing's
 
-/// How far a place is along the yarns of one system: part of the way from a crossing to the next, 1/2 at most.
-struct AlongYarn {
-    bool forth; ///< the next crossing is the one after, else the one before
-    int low;    ///< sample of a profile before the place
-    Real part;  ///< of the way to the next sample
-    Real eased; ///< how far the yarn has gone over from its own side to the next crossing's
-
-    HL_FN AlongYarn(const TextileShape& t, Real from_crossing)
+    HL_FN AlongYarn(const TextileShape& t, const Number& from_crossing)
     {
-        forth = from_crossing >= 0;
-        const Real part_way = forth ? from_crossing : -from_crossing, position = part_way * Real(t.samples - 1);
-        const int before = static_cast<int>(position), last = t.samples - 2;
-        low = before < last ? before : last;
-        part = position - Real(low);
-        eased = part_way * part_way * (3 - 2 * part_way);
+        const auto onwards = from_crossing >= 0;
+        forth = choose(onwards, Whole{} + 1, Whole{});
+        step = choose(onwards, Number{} + 1, Number{} - 1);
+        const Number part_way = size_of(from_crossing), position = part_way * Real(t.samples - 1);
+        low = whole(position);
+        part = position - real(low);
+        eased = part_way * part_way * (Real(3) - Real(2) * part_way);
     }
-    HL_FN int step() const { return forth ? 1 : -1; }
 };
 
 /// A yarn at one place along it.
-struct YarnPlace {
-    Real side = 0; ///< of its middle from the crossing's, across it
-    Real height = 0, slope = 0;
-    Real half_height = 0, half_width = 0;
+template <typename Number> struct YarnPlace {
+    Number side; ///< of its middle from the crossing's, across it
+    Number height, slope;
+    Number half_height, half_width;
 };
 
 /// The yarn of one segment, so far along to the next.
-HL_FN YarnPlace yarn_place(const TextileShape& t, int segment, const AlongYarn& along)
+template <typename Number, typename Whole>
+HL_FN YarnPlace<Number> yarn_place(const TextileShape& t, const Whole& segment, const AlongYarn<Number>& along)
 {
-    const PathCode path = t.paths[2 * segment + (along.forth ? 1 : 0)];
-    const Quad* sample = t.profiles + path.profile() * t.samples + along.low;
-    const Quad a = sample[0], b = sample[1];
-    const Real shift = Real(t.shift[segment]), next_shift = Real(t.shift[segment + path.steps_to_next() * along.step()]);
-    return {shift + along.eased * (next_shift - shift), path.side() * (a.x + along.part * (b.x - a.x)),
-            path.side() * Real(along.step()) * (a.y + along.part * (b.y - a.y)), a.z + along.part * (b.z - a.z),
-            a.w + along.part * (b.w - a.w)};
+    const auto path = quad_at(t.paths, 2 * segment + along.forth);
+    const Whole sample = whole(path.x) + along.low;
+    const auto a = quad_at(t.profiles, sample), b = quad_at(t.profiles + 1, sample);
+    return {path.z + along.eased * path.w, path.y * (a.x + along.part * (b.x - a.x)),
+            path.y * along.step * (a.y + along.part * (b.y - a.y)), a.z + along.part * (b.z - a.z), a.w + along.part * (b.w - a.w)};
 }
 
-/// The skin of one segment's yarn, seen from a point beside its crossing.
-struct YarnSkin {
-    int segment;
-    YarnPlace at;
-    Real sideways; ///< to the point from the flat part of the yarn's core
-    Real over;     ///< to the point from the yarn's middle
-    Real cosine2;  ///< of the slope
-    Real from_core;
+/// The skin of one segment's yarn, seen from a point beside its crossing; or a pack of such.
+template <typename Number> struct YarnSkin {
+    using Whole = decltype(whole(Number{}));
+    Whole segment;
+    Number of_warp;       ///< 1, or 0 of the weft
+    Number height, slope; ///< of the yarn's middle
+    Number sideways;      ///< to the point from the flat part of the yarn's core
+    Number over;          ///< to the point from the yarn's middle
+    Number cosine2;       ///< of the slope
+    Number from_core;
+    Number distance;
 
-    HL_FN YarnSkin(const TextileShape& t, int tried, const AlongYarn& along, Real across, Real z) : segment(tried)
+    HL_FN YarnSkin(const TextileShape& t, bool is_warp, const Whole& tried, const AlongYarn<Number>& along, const Number& across,
+                   const Number& z)
+        : segment(tried), of_warp(Number{} + Real(is_warp ? 1 : 0))
     {
-        at = yarn_place(t, tried, along);
-        const Real beside = across - at.side, past = positive(size_of(beside) - positive(at.half_width - at.half_height));
-        sideways = beside < 0 ? -past : past;
+        const YarnPlace<Number> at = yarn_place(t, tried, along);
+        height = at.height;
+        slope = at.slope;
+        const Number beside = across - at.side, past = positive(size_of(beside) - positive(at.half_width - at.half_height));
+        sideways = choose(beside < 0, -past, past);
         over = z - at.height;
-        cosine2 = Real(1) / (Real(1) + at.slope * at.slope);
-        from_core = std::sqrt(past * past + over * over * cosine2);
+        cosine2 = inverse(Number{} + 1 + at.slope * at.slope);
+        from_core = root(past * past + over * over * cosine2);
+        distance = from_core - at.half_height;
     }
-    HL_FN Real distance() const { return from_core - at.half_height; }
-    HL_FN Vec3 normal(bool is_warp) const
+    template <typename Mask> HL_FN void replace_where(const Mask& nearer, const YarnSkin& other)
     {
-        const bool has_direction = from_core > Real(1e-12);
-        const Real inverse = has_direction ? Real(1) / from_core : Real(0), cosine = std::sqrt(cosine2);
-        const Real n_side = sideways * inverse, n_up = has_direction ? over * cosine * inverse : at.height < 0 ? Real(-1) : Real(1);
-        const Real n_z = n_up * cosine, n_along = -n_z * at.slope;
-        return is_warp ? Vec3{n_side, n_along, n_z} : Vec3{n_along, n_side, n_z};
+        segment = choose(nearer, other.segment, segment);
+        of_warp = choose(nearer, other.of_warp, of_warp);
+        height = choose(nearer, other.height, height);
+        slope = choose(nearer, other.slope, slope);
+        sideways = choose(nearer, other.sideways, sideways);
+        over = choose(nearer, other.over, over);
+        cosine2 = choose(nearer, other.cosine2, cosine2);
+        from_core = choose(nearer, other.from_core, from_core);
+        distance = choose(nearer, other.distance, distance);
+    }
+    HL_FN Vec3T<Number> normal() const
+    {
+        const auto has_direction = from_core > Real(1e-12), is_warp = of_warp > 0;
+        const Number away = choose(height < 0, Number{} - 1, Number{} + 1), cosine = root(cosine2);
+        const Number one_over = choose(has_direction, inverse(from_core), Number{}), n_side = sideways * one_over;
+        const Number n_z = choose(has_direction, over * cosine * one_over, away) * cosine, n_along = -n_z * slope;
+        return {choose(is_warp, n_side, n_along), choose(is_warp, n_along, n_side), n_z};
     }
 };
 
-/// The nearest skin within reach: the fabric's box, then the yarns through the crossing that the point is over, then those beside it.
-HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach)
+/// The nearest skin within reach of a place, or of each of a pack of places: the fabric's box, then the yarns through the crossing that
+/// the place is over, then those beside it.
+template <typename Number> HL_FN Nearest<Number> nearest_skins(const TextileShape& t, const Vec3T<Number>& p, Real reach)
 {
-    NearestSkin nearest;
-    nearest.distance = reach;
-    if (p.z > t.half_thickness + reach || p.z < -t.half_thickness - reach) return nearest;
-    const Real u = p.x * t.per_warp_pitch + Real(0.5) * Real(t.ends - 1);
-    const Real v = p.y * t.per_weft_pitch + Real(0.5) * Real(t.picks - 1);
-    const int end = static_cast<int>(std::floor(u + Real(0.5)));
-    const int pick = static_cast<int>(std::floor(v + Real(0.5)));
-    if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks) return nearest;
-    const AlongYarn along_warp(t, v - Real(pick)), along_weft(t, u - Real(end));
-    const Real across_warp = (u - Real(end)) * t.warp_pitch, across_weft = (v - Real(pick)) * t.weft_pitch;
-    YarnSkin skin(t, t.segment(true, end, pick), along_warp, across_warp, p.z);
-    const auto keep_nearer = [&](const YarnSkin& other) {
-        if (other.distance() < skin.distance()) skin = other;
+    using Whole = decltype(whole(Number{}));
+    const Number nothing{}, far = nothing + reach;
+    const Whole none = Whole{} - 1;
+    const Number u = p.x * t.per_warp_pitch + Real(0.5) * Real(t.ends - 1), u_past = u + Real(0.5);
+    const Number v = p.y * t.per_weft_pitch + Real(0.5) * Real(t.picks - 1), v_past = v + Real(0.5);
+    const auto is_near =
+        (size_of(p.z) <= t.half_thickness + reach) & (u_past >= 0) & (u_past < Real(t.ends)) & (v_past >= 0) & (v_past < Real(t.picks));
+    if (!any(is_near)) return {far, {}, none};
+    const Whole end = whole(choose(is_near, u_past, nothing)), pick = whole(choose(is_near, v_past, nothing));
+    const Number from_end = choose(is_near, u - real(end), nothing), from_pick = choose(is_near, v - real(pick), nothing);
+    const AlongYarn<Number> along_warp(t, from_pick), along_weft(t, from_end);
+    const Number across_warp = from_end * t.warp_pitch, across_weft = from_pick * t.weft_pitch;
+    YarnSkin<Number> skin(t, true, t.segment(true, end, pick), along_warp, across_warp, p.z);
+    const YarnSkin<Number> weft(t, false, t.segment(false, end, pick), along_weft, across_weft, p.z);
+    skin.replace_where(weft.distance < skin.distance, weft);
+    const auto try_beside = [&](bool is_warp, const Number& step, const AlongYarn<Number>& along, const Number& across) {
+        const Real pitch = is_warp ? t.warp_pitch : t.weft_pitch, widest = is_warp ? t.widest_warp : t.widest_weft;
+        const Number yarn = real(is_warp ? end : pick) + step, gap = pitch - step * across - widest;
+        const auto may_reach = is_near & (gap <= skin.distance) & (gap <= reach) & (yarn >= 0) & (yarn < Real(is_warp ? t.ends : t.picks));
+        if (!any(may_reach)) return;
+        const Whole next = whole(choose(may_reach, yarn, nothing));
+        const Whole segment = is_warp ? t.segment(true, next, pick) : t.segment(false, end, next);
+        const YarnSkin<Number> other(t, is_warp, segment, along, across - step * pitch, p.z);
+        skin.replace_where(may_reach & (other.distance < skin.distance), other);
     };
-    keep_nearer({t, t.segment(false, end, pick), along_weft, across_weft, p.z});
-    const auto reaches = [&](Real widest, Real across) { return across <= widest + (skin.distance() < reach ? skin.distance() : reach); };
-    if (reaches(t.widest_warp, t.warp_pitch - size_of(across_warp)))
-        for (int step : {-1, 1})
-            if (end + step >= 0 && end + step < t.ends)
-                keep_nearer({t, t.segment(true, end + step, pick), along_warp, across_warp - Real(step) * t.warp_pitch, p.z});
-    if (reaches(t.widest_weft, t.weft_pitch - size_of(across_weft)))
-        for (int step : {-1, 1})
-            if (pick + step >= 0 && pick + step < t.picks)
-                keep_nearer({t, t.segment(false, end, pick + step), along_weft, across_weft - Real(step) * t.weft_pitch, p.z});
-    if (skin.distance() < reach) nearest = {skin.distance(), skin.normal(t.is_warp(skin.segment)), skin.segment};
-    return nearest;
+    for (Real side : {Real(1), Real(-1)}) { // the nearer one first
+        try_beside(true, choose(across_warp < 0, nothing - side, nothing + side), along_warp, across_warp);
+        try_beside(false, choose(across_weft < 0, nothing - side, nothing + side), along_weft, across_weft);
+    }
+    const auto within = is_near & (skin.distance < reach);
+    return {choose(within, skin.distance, far), skin.normal(), choose(within, skin.segment, none)};
 }
+
+HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach) { return nearest_skins(t, p, reach); }
 
 /// The nearest of a vessel's walls, if it is nearer than what was found.
 HL_FN void try_vessel(const Vessel& v, const Vec3& x, NearestSkin& nearest)
@@ -191,31 +222,148 @@ struct MeetYarns {
 
     HL_FN void operator()(int i) const
     {
-        if (!p.alive[i]) return;
-        Vec3& x = p.position[i];
+        Search s;
+        if (!begin(s, i)) return;
+        while (go_on(s, nearest_skin(textile, s.place, reach))) {}
+    }
+#if !HL_LANE_IS_THREAD
+    /// The same for particles side by side, of which as many as a pack has lanes look for skins at once.
+    void operator()(int first, int last) const
+    {
+        Search searches[lanes];
+        bool looks[lanes] = {};
+        Real x[lanes] = {}, y[lanes] = {}, z[lanes] = {};
+        int next = first;
+        for (;;) {
+            bool any_looks = false;
+            for (int lane = 0; lane < lanes; ++lane) {
+                Search& s = searches[lane];
+                while (!looks[lane] && next < last) looks[lane] = begin(s, next++);
+                x[lane] = s.place.x, y[lane] = s.place.y, z[lane] = s.place.z;
+                any_looks |= looks[lane];
+            }
+            if (!any_looks) return;
+            const Nearest<Pack> found = nearest_skins(textile, Packs{load(x), load(y), load(z)}, reach);
+            for (int lane = 0; lane < lanes; ++lane) looks[lane] = looks[lane] && go_on(searches[lane], skin_of(found, lane));
+        }
+    }
+#endif
+
+private:
+    /// A particle that looks for the skins on its way, one place after the other.
+    struct Search {
+        Vec3 place; ///< to look at next
+        int particle;
+        enum { on_its_way, at_its_end, out_of_yarns, back_at_start } where;
+        int places;     ///< on the way, or out of yarns, so far
+        Real way, gone; ///< m, to the end and so far
+        Vec3 normal;    ///< of the skin that it has just left
+    };
+    /// Whether it needs to look for skins.
+    HL_FN bool begin(Search& s, int i) const
+    {
+        if (!p.alive[i]) return false;
+        const Vec3& x = p.position[i];
         Vec3& v = p.velocity[i];
-        const Vec3 start{p.place[i].x, p.place[i].y, p.place[i].z};
         if (room.was_left(x)) {
             p.alive[i] = 0;
             atomic_add(dripped, p.content[i]);
-            return;
+            return false;
         }
         const Real yarn = p.cloth[i].share < Real(0.9) ? positive(p.cloth[i].share) : Real(0.9), open = Real(1) - yarn;
         v = (open * open / (open * open + step->drag * yarn * yarn)) * v;
+        s.way = length(x - start_of(i));
+        const Real at_start = p.wall_distance[i];
         // No skin has come nearer than by the way.
-        if (const Real free = p.wall_distance[i] - length(x - start); free > touching && !vessel.present) {
+        if (const Real free = at_start - s.way; free > touching && !vessel.present) {
             p.wall_distance[i] = free;
-            return;
+            return false;
         }
-        NearestSkin skin = stop(start, x, p.wall_distance[i]);
-        if (skin.segment >= 0) {
-            if (skin.distance < touching) skin = leave(x, v, skin);
+        s.particle = i;
+        s.places = 0;
+        s.gone = 0;
+        const Real free = at_start - Real(0.5) * touching;
+        if (s.way <= free)
+            look_at_end(s);
+        else
+            look_further(s, free);
+        return true;
+    }
+    /// With the skin nearest to the place it looked at; whether it must look at another.
+    HL_FN bool go_on(Search& s, const NearestSkin& skin) const
+    {
+        Vec3 &x = p.position[s.particle], &v = p.velocity[s.particle];
+        if (s.where == Search::on_its_way) {
+            constexpr int most_pieces = 200;
+            const Real free = skin.distance - Real(0.5) * touching;
+            if (free >= 0 && s.places++ < most_pieces) {
+                look_further(s, free);
+                return true;
+            }
+            x = s.place;
+        }
+        if (s.where == Search::on_its_way || s.where == Search::at_its_end) {
+            if (skin.segment >= 0 && skin.distance < touching) {
+                lose_approach(v, skin.normal, step->friction);
+                s.places = 0;
+                push(s, x, skin.normal, skin);
+                return true;
+            }
+        } else if (s.where == Search::out_of_yarns) {
+            constexpr int most_ways = 4;
+            if (skin.distance < Real(0.9) * touching) {
+                lose_approaches(v, s.normal, skin.normal);
+                if (s.places < most_ways) {
+                    const Real cosine = dot(s.normal, skin.normal), sine2 = Real(1) - cosine * cosine;
+                    push(s, x, sine2 > least_sine2 ? (Real(1) / sine2) * (skin.normal - cosine * s.normal) : skin.normal, skin);
+                    return true;
+                }
+            }
             if (skin.distance < Real(0.5) * touching) { // in a wedge between yarns
-                x = start;
+                x = s.place = start_of(s.particle);
                 v = {};
-                skin = nearest_skin(textile, x, reach);
+                s.where = Search::back_at_start;
+                return true;
             }
         }
+        rest(s.particle, skin);
+        return false;
+    }
+    HL_FN Vec3 start_of(int i) const { return {p.place[i].x, p.place[i].y, p.place[i].z}; }
+    HL_FN void look_at_end(Search& s) const
+    {
+        s.place = p.position[s.particle];
+        s.where = Search::at_its_end;
+    }
+    /// A move ends at the first place about half as near to a skin as particles rest (a quarter, at the least), so that they may slide.
+    /// Goes on by what the nearest skin leaves free, less a part since yarns bend.
+    HL_FN void look_further(Search& s, Real free) const
+    {
+        const Real piece = Real(0.7) * free, least = Real(0.25) * touching;
+        s.gone += piece > least ? piece : least;
+        if (s.gone >= s.way) {
+            look_at_end(s);
+            return;
+        }
+        const Vec3 start = start_of(s.particle);
+        s.place = start + (s.gone / s.way) * (p.position[s.particle] - start);
+        s.where = Search::on_its_way;
+    }
+    /// Takes a place out of the yarns it is in: by the shortest way out of one, then along its skin out of the next. In a narrow wedge that
+    /// way would be long: it ends after twice the distance at which particles rest, and the place may be left too near.
+    HL_FN void push(Search& s, Vec3& x, const Vec3& way, const NearestSkin& skin) const
+    {
+        const Real longest = Real(2) * touching / length(way), wanted = touching - skin.distance;
+        x += (wanted < longest || s.places == 0 ? wanted : longest) * way;
+        s.place = x;
+        s.normal = skin.normal;
+        s.where = Search::out_of_yarns;
+        ++s.places;
+    }
+    /// Where a particle has come to, the nearest skin is known; or a vessel's wall is nearer.
+    HL_FN void rest(int i, NearestSkin skin) const
+    {
+        Vec3 &x = p.position[i], &v = p.velocity[i];
         try_vessel(vessel, x, skin);
         if (skin.segment == vessel_wall && skin.distance < half_spacing) {
             const Real approach = dot(v, skin.normal);
@@ -226,25 +374,6 @@ struct MeetYarns {
         p.wall_distance[i] = skin.distance;
         p.wall_normal[i] = skin.normal;
         p.wall_segment[i] = skin.segment;
-    }
-    /// Takes a place out of the yarns it is in: by the shortest way out of one, then along its skin out of the next. In a narrow wedge that
-    /// way would be long: it ends after twice the distance at which particles rest, and the place may be left too near.
-    HL_FN NearestSkin leave(Vec3& x, Vec3& v, NearestSkin skin) const
-    {
-        lose_approach(v, skin.normal, step->friction);
-        Vec3 way = skin.normal;
-        constexpr int most_ways = 4;
-        for (int k = 1;; ++k) {
-            const Vec3 before = skin.normal;
-            const Real longest = Real(2) * touching / length(way), wanted = touching - skin.distance;
-            x += (wanted < longest || k == 1 ? wanted : longest) * way;
-            skin = nearest_skin(textile, x, reach);
-            if (skin.distance >= Real(0.9) * touching) return skin;
-            lose_approaches(v, before, skin.normal);
-            if (k == most_ways) return skin;
-            const Real cosine = dot(before, skin.normal), sine2 = Real(1) - cosine * cosine;
-            way = sine2 > least_sine2 ? (Real(1) / sine2) * (skin.normal - cosine * before) : skin.normal;
-        }
     }
     static constexpr Real least_sine2 = Real(0.05); // of the angle between two skins, below which they count as parallel
     /// Between two skins: what is left of the velocity leads into neither.
@@ -267,28 +396,6 @@ struct MeetYarns {
         const Real slide = length(v);
         const Real held = -coefficient * approach;
         v = slide > held ? (Real(1) - held / slide) * v : Vec3{};
-    }
-    /// Ends a move at the first place about half as near to a skin as particles rest (a quarter, at the least), so that they may slide; the
-    /// skin nearest to its end. Goes on by what the nearest skin leaves free, less a part since yarns bend.
-    HL_FN NearestSkin stop(const Vec3& start, Vec3& x, Real free_at_start) const
-    {
-        const Vec3 move = x - start;
-        const Real way = length(move), least = Real(0.25) * touching;
-        Real free = free_at_start - Real(0.5) * touching;
-        if (way <= free) return nearest_skin(textile, x, reach);
-        Real gone = 0;
-        constexpr int most_pieces = 200;
-        for (int k = 0;; ++k) {
-            const Real piece = Real(0.7) * free;
-            gone += piece > least ? piece : least;
-            if (gone >= way) return nearest_skin(textile, x, reach);
-            const Vec3 here = start + (gone / way) * move;
-            const NearestSkin skin = nearest_skin(textile, here, reach);
-            free = skin.distance - Real(0.5) * touching;
-            if (free >= 0 && k < most_pieces) continue;
-            x = here;
-            return skin;
-        }
     }
 };
 
@@ -320,6 +427,23 @@ struct Arrive {
     {
         move(i);
         meet(i);
+        return get_ready(i);
+    }
+#if !HL_LANE_IS_THREAD
+    /// The same for particles side by side.
+    std::int64_t operator()(int first, int last) const
+    {
+        for (int i = first; i < last; ++i) move(i);
+        meet(first, last);
+        std::int64_t sum = 0;
+        for (int i = first; i < last; ++i) sum += get_ready(i);
+        return sum;
+    }
+#endif
+
+private:
+    HL_FN std::int64_t get_ready(int i) const
+    {
         if (begin(i) > 0) atomic_add(begin.total, 1);
         return speeds(i);
     }
