@@ -213,6 +213,46 @@ struct LoneParticle {
     }
 };
 
+/// Cloths with skins of all kinds: types of yarn, floats, yarns that lie beside their places, yarns that are wider than their pitch.
+void add_cloths()
+{
+    QTest::addColumn<double>("most_shift");
+    QTest::addColumn<double>("squeezed");
+    QTest::newRow("thick and thin yarns") << 0.0 << 1.0;
+    QTest::newRow("yarns beside their places") << 4e-5 << 1.0;
+    QTest::newRow("yarns that reach over their neighbours' places") << 4e-5 << 0.7;
+}
+Scene cloth_scene(double most_shift, double squeezed)
+{
+    const Design design = thick_and_thin();
+    const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
+    Scene scene = build_scene(design, textile, design.experiments[0],
+                              plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+    for (std::size_t k = 0; k < scene.shift.size(); ++k)
+        scene.shift[k] += static_cast<float>(most_shift * (2 * random_uniform(11, 0, k) - 1));
+    scene.warp_pitch *= squeezed;
+    scene.weft_pitch *= squeezed;
+    return scene;
+}
+
+/// The skins of all yarns over a place and beside it, whether they may be the nearest or not; none off the cloth's box.
+std::vector<NearestSkin> all_skins(const TextileShape& t, const Vec3& x, Real reach)
+{
+    const Real u = x.x * t.per_warp_pitch + Real(0.5) * Real(t.ends - 1), v = x.y * t.per_weft_pitch + Real(0.5) * Real(t.picks - 1);
+    const int end = static_cast<int>(std::floor(u + Real(0.5))), pick = static_cast<int>(std::floor(v + Real(0.5)));
+    std::vector<NearestSkin> skins;
+    if (end < 0 || end >= t.ends || pick < 0 || pick >= t.picks || std::abs(x.z) > t.half_thickness + reach) return skins;
+    const AlongYarn<Real> along_warp(t, v - Real(pick)), along_weft(t, u - Real(end));
+    const auto add = [&](const YarnSkin<Real>& skin) { skins.push_back({skin.distance, skin.normal(), skin.segment}); };
+    for (int beside : {0, -1, 1}) {
+        if (end + beside >= 0 && end + beside < t.ends)
+            add({t, true, t.segment(true, end + beside, pick), along_warp, (u - Real(end + beside)) * t.warp_pitch, x.z});
+        if (pick + beside >= 0 && pick + beside < t.picks)
+            add({t, false, t.segment(false, end, pick + beside), along_weft, (v - Real(pick + beside)) * t.weft_pitch, x.z});
+    }
+    return skins;
+}
+
 } // namespace
 
 class TestLiquid : public QObject {
@@ -408,6 +448,105 @@ private Q_SLOTS:
         for (const auto& x : frame.positions) // those far from its edge, past which they may be thrown and cling to the other face
             if (std::abs(x[0]) < 7e-3f && std::abs(x[1]) < 7e-3f) QVERIFY2(x[2] > 0, qPrintable(QString::number(double(x[2]))));
         QCOMPARE(frame.ledger.water_delivered, frame.ledger.water_free + frame.ledger.water_dripped);
+    }
+    void theNearestSkinIsThatOfABruteSearch_data() { add_cloths(); }
+    void theNearestSkinIsThatOfABruteSearch()
+    {
+        QFETCH(double, most_shift);
+        QFETCH(double, squeezed);
+        const Scene scene = cloth_scene(most_shift, squeezed);
+        const HostCloth cloth(scene);
+        const TextileShape& t = cloth.shape();
+        int beside = 0, none = 0;
+        for (std::uint64_t k = 0; k < 4000; ++k) {
+            // Places in the cloth, at its edges and off it; some packs have only few near it.
+            Real x[lanes], y[lanes], z[lanes];
+            const Real reach = Real(random_uniform(9, 3, k) * 3e-4);
+            for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+                const auto within = [&](std::uint64_t axis, double half) {
+                    return Real((2 * random_uniform(9, axis, lanes * k + lane) - 1) * half);
+                };
+                x[lane] = within(0, 0.55 * scene.ends * scene.warp_pitch);
+                y[lane] = within(1, 0.55 * scene.picks * scene.weft_pitch);
+                z[lane] = within(2, (k % 4 == 0 ? 8 : 1.2) * scene.half_thickness);
+            }
+            const Nearest<Pack> pack = nearest_skins(t, Packs{load(x), load(y), load(z)}, reach);
+            for (int lane = 0; lane < lanes; ++lane) {
+                const Vec3 place{x[lane], y[lane], z[lane]};
+                const std::vector<NearestSkin> skins = all_skins(t, place, reach);
+                Real least = reach;
+                for (const NearestSkin& skin : skins) least = std::min(least, skin.distance);
+                for (const NearestSkin& found : {nearest_skin(t, place, reach), skin_of(pack, lane)}) {
+                    QVERIFY(std::abs(found.distance - least) <= Real(1e-10));
+                    if (least == reach) QCOMPARE(found.segment, -1);
+                    const auto same = std::find_if(skins.begin(), skins.end(), [&](const auto& s) { return s.segment == found.segment; });
+                    QCOMPARE(same == skins.end(), found.segment < 0);
+                    if (same == skins.end()) continue;
+                    QVERIFY(std::abs(same->distance - least) <= Real(1e-10)); // others may be as near
+                    QVERIFY(length(found.normal - same->normal) < Real(1e-3));
+                }
+                none += least == reach;
+                beside += least < reach && skins[0].distance > least && skins[1].distance > least;
+            }
+        }
+        QVERIFY2(beside > 200 && none > 2000, qPrintable(QString("%1 yarns beside, %2 without a skin").arg(beside).arg(none)));
+    }
+    void particlesSideBySideMeetTheYarnsAsEachAlone_data() { add_cloths(); }
+    void particlesSideBySideMeetTheYarnsAsEachAlone()
+    {
+        QFETCH(double, most_shift);
+        QFETCH(double, squeezed);
+        const Scene scene = cloth_scene(most_shift, squeezed);
+        const HostCloth cloth(scene);
+        const Real reach = Real(3e-4), touching = Real(1e-5);
+        constexpr std::size_t n = 3001;
+        struct Many {
+            std::vector<Vec3> x = std::vector<Vec3>(n), v = x, normal = x;
+            std::vector<Quad> place = std::vector<Quad>(n);
+            std::vector<Real> distance = std::vector<Real>(n);
+            std::vector<int> segment = std::vector<int>(n, no_wall);
+            std::vector<std::uint8_t> alive = std::vector<std::uint8_t>(n, 1);
+            std::vector<std::int64_t> content = std::vector<std::int64_t>(n, 7);
+            std::vector<ClothField> cloth = std::vector<ClothField>(n);
+            std::int64_t dripped = 0;
+            Particles views()
+            {
+                Particles p;
+                p.position = x.data(), p.velocity = v.data(), p.wall_normal = normal.data();
+                p.place = place.data(), p.wall_distance = distance.data(), p.wall_segment = segment.data();
+                p.alive = alive.data(), p.content = content.data(), p.cloth = cloth.data();
+                return p;
+            }
+        } side_by_side;
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(10, axis, i) - 1) * half); };
+            const Vec3 start{within(0, 0.5 * scene.ends * scene.warp_pitch), within(1, 0.5 * scene.picks * scene.weft_pitch),
+                             within(2, 1.2 * scene.half_thickness)};
+            const double far = i % 5 == 0 ? 6e-4 : 2e-5;
+            side_by_side.place[i] = {start.x, start.y, start.z, 0};
+            side_by_side.x[i] = i % 101 == 0 ? Vec3{0, 0, -2} : start + Vec3{within(3, far), within(4, far), within(5, far)};
+            side_by_side.v[i] = {within(3, 1), within(4, 1), within(5, 1)};
+            side_by_side.distance[i] = i % 3 == 0 ? Real(0) : nearest_skin(cloth.shape(), start, reach).distance;
+            side_by_side.alive[i] = i % 67 != 0;
+        }
+        Many alone = side_by_side;
+        StepNumbers step;
+        step.friction = Real(0.2);
+        const Room room{1, 1, -1};
+        const auto meet = [&](Many& many) {
+            return MeetYarns{many.views(), cloth.shape(), {}, reach, touching, Real(2.5e-5), &step, room, &many.dripped};
+        };
+        meet(side_by_side)(0, 1);
+        meet(side_by_side)(1, static_cast<int>(n));
+        for (std::size_t i = 0; i < n; ++i) meet(alone)(static_cast<int>(i));
+        QVERIFY(alone.dripped > 0);
+        QCOMPARE(side_by_side.dripped, alone.dripped);
+        QCOMPARE(side_by_side.alive, alone.alive);
+        int others = 0; // rounding decides where there is little between two ways
+        for (std::size_t i = 0; i < n; ++i)
+            others += length(side_by_side.x[i] - alone.x[i]) > Real(1e-9) || length(side_by_side.v[i] - alone.v[i]) > Real(1e-3) ||
+                      std::abs(side_by_side.distance[i] - alone.distance[i]) > Real(1e-9) || side_by_side.segment[i] != alone.segment[i];
+        QVERIFY2(others <= 3, qPrintable(QString("%1 of %2").arg(others).arg(n)));
     }
     void aMoveStopsAtTheFirstSkinOnItsWay()
     {
