@@ -53,8 +53,8 @@ public:
     void time_stages() { stage_clock_ = std::make_unique<StageClock>(); }
     std::vector<StageTime> stage_times() const { return stage_clock_ ? stage_clock_->times() : std::vector<StageTime>(); }
 
-    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0). The name is for
-    /// stage_times().
+    /// Calls stage(i) for 0 <= i < count and adds what it returns, if anything, to its total, if it has one; then next(0). A stage that can
+    /// do more at once is called as stage(first, last). The name is for stage_times().
     template <typename Stage, typename Next = Nothing> void for_each(const char* name, int count, const Stage& stage, const Next& next = {})
     {
         const StageLap lap(stage_clock_.get(), name);
