@@ -35,6 +35,11 @@ public:
     }
     double advance(double until) override { return solver_->advance(until, 0.05); }
     Frame frame() override { return solver_->frame(); }
+    /// Whoever gets it fetches it from the GPU and adds up its ledger.
+    std::future<Frame> take_frame() override
+    {
+        return std::async(std::launch::deferred, [this, stock = solver_->take_stock()] { return solver_->frame_of(stock); });
+    }
     std::vector<std::byte> state() override { return solver_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
     long liquid_steps() const override { return solver_->liquid_steps(); }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -163,6 +164,7 @@ public:
             copy_to_gpu(data_ + index, &value, sizeof(T));
         }
         T* data() { return data_; }
+        const T* data() const { return data_; }
         std::size_t size() const { return size_; }
         void swap(Buffer& other)
         {
@@ -175,6 +177,96 @@ public:
         T* data_ = nullptr;
         std::size_t size_ = 0;
         std::size_t room_ = 0; ///< for so many
+    };
+
+    /// Arrays as they are at one moment, for the host to read while stages go on: copied on the GPU, which takes next to no time, and
+    /// fetched from there by who reads them. Where the GPU has no room for that they are fetched at once.
+    class Snapshot {
+    public:
+        Snapshot() = default;
+        ~Snapshot()
+        {
+            if (pinned_ != nullptr) cudaFreeHost(pinned_);
+            if (copied_ != nullptr) cudaEventDestroy(copied_);
+            if (stream_ != nullptr) cudaStreamDestroy(stream_);
+        }
+        Snapshot(const Snapshot&) = delete;
+        Snapshot& operator=(const Snapshot&) = delete;
+
+        /// Calls list(look_at), where look_at(array, count) says where the array's first values can be read after fetch(), until the next
+        /// call. The list is gone through twice.
+        template <typename List> void take(const List& list)
+        {
+            std::size_t bytes = 0;
+            list([&bytes]<typename T>(const Buffer<T>& array, std::size_t count) {
+                if (count > 0) bytes += whole_words(array.size() * sizeof(T)); // more of it may be asked for next time
+                return std::span<const T>();
+            });
+            if (bytes > room_) make_room(bytes);
+            bytes_ = 0;
+            list([this]<typename T>(const Buffer<T>& array, std::size_t count) {
+                std::byte* host = on_host() + bytes_;
+                if (count > 0) {
+                    void* to = waits_on_gpu_ ? static_cast<void*>(on_gpu_.data() + bytes_) : host;
+                    const auto way = waits_on_gpu_ ? cudaMemcpyDeviceToDevice : cudaMemcpyDeviceToHost;
+                    check_cuda(cudaMemcpyAsync(to, array.data(), count * sizeof(T), way, own_stream), "copying for a frame");
+                }
+                bytes_ += whole_words(count * sizeof(T));
+                return std::span<const T>(reinterpret_cast<const T*>(host), count);
+            });
+            check_cuda(waits_on_gpu_ ? cudaEventRecord(copied_, own_stream) : cudaStreamSynchronize(own_stream), "copying for a frame");
+        }
+        /// From any thread. Waits first and copies then: a copy that waits would stand in the way of other scenes' work.
+        void fetch()
+        {
+            if (!waits_on_gpu_) return;
+            check_cuda(cudaSetDevice(device_), "choosing it");
+            check_cuda(cudaEventSynchronize(copied_), "copying for a frame");
+            check_cuda(cudaMemcpyAsync(on_host(), on_gpu_.data(), bytes_, cudaMemcpyDeviceToHost, stream_), "copying a frame");
+            check_cuda(cudaStreamSynchronize(stream_), "copying a frame");
+        }
+
+    private:
+        static std::size_t whole_words(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
+        std::byte* on_host() { return pinned_ != nullptr ? pinned_ : plain_.data(); }
+        void make_room(std::size_t bytes)
+        {
+            if (stream_ == nullptr) {
+                check_cuda(cudaGetDevice(&device_), "asking for its number");
+                check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "taking a stream");
+                check_cuda(cudaEventCreateWithFlags(&copied_, cudaEventBlockingSync | cudaEventDisableTiming), "taking an event");
+            }
+            room_ = 0;
+            plain_ = {};
+            if (pinned_ != nullptr) check_cuda(cudaFreeHost(std::exchange(pinned_, nullptr)), "freeing memory");
+            if (cudaMallocHost(&pinned_, bytes) != cudaSuccess) {
+                cudaGetLastError();
+                pinned_ = nullptr;
+                plain_.resize(bytes);
+            }
+            constexpr std::size_t times = 4; // as much stays free, for what steps may yet need
+            std::size_t left = 0, all = 0;
+            check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");
+            waits_on_gpu_ = false;
+            try {
+                if (left / times > bytes) {
+                    on_gpu_.resize(bytes);
+                    waits_on_gpu_ = true;
+                }
+            } catch (const DeviceError&) { // somebody else took the memory
+            }
+            room_ = bytes;
+        }
+
+        int device_ = 0;
+        cudaStream_t stream_ = nullptr; ///< of those who fetch
+        cudaEvent_t copied_ = nullptr;  ///< on the GPU
+        Buffer<unsigned char> on_gpu_;
+        std::byte* pinned_ = nullptr;
+        std::vector<std::byte> plain_;  ///< where no memory could be pinned
+        std::size_t room_ = 0;          ///< bytes
+        std::size_t bytes_ = 0;         ///< of what was taken
+        bool waits_on_gpu_ = false;     ///< until it is fetched
     };
 
     CudaExecutor()

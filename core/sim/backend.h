@@ -6,6 +6,7 @@
 #include "core/sim/stage_clock.h"
 
 #include <cstddef>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ public:
     /// Advances towards the given time, by at least one step and by about 0.05 s of wall time at most; returns the time reached.
     virtual double advance(double until) = 0;
     virtual Frame frame() = 0;
+    /// The same as frame() gives now, to be had later: from any thread, while advance() goes on, but before the next frame is taken or
+    /// another scene is loaded. Where there is nothing to wait for it is there at once.
+    virtual std::future<Frame> take_frame()
+    {
+        std::promise<Frame> now;
+        now.set_value(frame());
+        return now.get_future();
+    }
     /// All that its scene has come to at a frame, on whatever machine it is to go on.
     virtual std::vector<std::byte> state() = 0;
     /// After load() of the same scene: goes on from what a backend had come to. Parts that were off may be on now (see set_parts()); fibres

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -36,11 +37,22 @@ public:
             std::copy(values.begin(), values.end(), values_.begin() + static_cast<std::ptrdiff_t>(first));
         }
         T* data() { return values_.data(); }
+        const T* data() const { return values_.data(); }
         std::size_t size() const { return values_.size(); }
         void swap(Buffer& other) { values_.swap(other.values_); }
 
     private:
         std::vector<T> values_;
+    };
+
+    /// What a frame is made from. Here arrays are read where they are.
+    class Snapshot {
+    public:
+        template <typename List> void take(const List& list)
+        {
+            list([]<typename T>(const Buffer<T>& array, std::size_t count) { return std::span<const T>(array.data(), count); });
+        }
+        void fetch() {}
     };
 
     void set_threads(int threads)

@@ -66,10 +66,15 @@ PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
         thirst_.push_back(std::max(0.0, equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain));
 }
 
+bool PartWatch::is_watching() const
+{
+    return std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) { return !watched.told; });
+}
+
 std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
 {
     std::vector<SwitchedPart> over;
-    if (std::all_of(watched_.begin(), watched_.end(), [](const Watched& watched) { return watched.told; })) return over;
+    if (!is_watching()) return over;
     const WetCloth wet = wet_cloth(frame);
     const double rate = wet.area * drying_rate(scene_, frame.time);
     evaporated_ += 0.5 * (rate_ + rate) * (frame.time - time_);

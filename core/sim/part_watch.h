@@ -35,6 +35,8 @@ public:
     /// Which parts have come over the limit at this frame; each is told once. Frames come in order of time, the first at 0 s, at which
     /// nothing has happened yet.
     std::vector<SwitchedPart> see(const Frame& frame);
+    /// Whether a frame may yet tell of a part.
+    bool is_watching() const;
 
 private:
     struct Watched {

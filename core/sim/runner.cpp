@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <thread>
 
@@ -30,6 +31,11 @@ void obey(const RunControl& control)
     if (control.cancel) throw Cancelled();
 }
 
+template <typename T> bool is_ready(const std::future<T>& result)
+{
+    return result.valid() && result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
 /// A backend with its scene, and the CPU that takes over when it fails, if that is wanted.
 class SafeMachine {
 public:
@@ -42,10 +48,10 @@ public:
     void load() { backend_->load(scene_); }
     /// The frame that a failed device's run goes on from; 0: the start.
     long kept_frame() const { return frame_; }
-    /// Keeps what has been come to at that frame, now and then, where the CPU may have to take over.
+    /// Whether what has been come to at that frame is to be kept: now and then, where the CPU may have to take over.
+    bool is_to_keep(long frame) const { return may_fail_over() && frame > 0 && seconds_since(kept_) >= pause_; }
     void keep(long frame)
     {
-        if (!may_fail_over() || frame == 0 || seconds_since(kept_) < pause_) return;
         const auto start = Clock::now();
         try {
             state_ = backend_->state();
@@ -145,6 +151,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         }
         due.clear();
     };
+    std::mutex telling; // held by who calls back: a frame may be published while the run goes on
     const auto publish = [&](Frame frame, double time) {
         frame.time = time;
         // Water may not appear or vanish; if it does, the result is worth nothing.
@@ -155,12 +162,15 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         if (single) frame = refined(std::move(frame), machine.scene(), *single);
         if (recording) recording->append(frame);
         if (time >= experiment->duration_s) tell_due("the run was over");
-        if (callbacks.frame) callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
+        if (!callbacks.frame) return;
+        const std::scoped_lock alone(telling);
+        callbacks.frame(std::make_shared<const Frame>(std::move(frame)));
     };
     Clock::time_point told;
     const auto tell = [&](double reached, bool ends, const Backend& on) {
         if (!callbacks.progress || (seconds_since(told) <= 0.1 && !ends)) return;
         told = Clock::now();
+        const std::scoped_lock alone(telling);
         callbacks.progress({reached, experiment->duration_s, seconds_since(start), on.liquid_steps(), on.particles()});
     };
 
@@ -174,11 +184,21 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         run.device += fmt::format("; from {:.3g} s on {}", from, machine.backend().device());
         if (recording) recording->note_device(run.device);
     };
+    long published = -1;          // the last frame; not to be asked while another is on its way
+    std::future<void> publishing; // the frame before, while the run goes on; what ends the run waits for it
+    const auto wait_for_frame = [&] {
+        if (publishing.valid()) publishing.get();
+    };
     const auto try_to = [&](const auto& act) {
         try {
             act();
             return true;
         } catch (const DeviceError& error) {
+            try {
+                wait_for_frame();
+            } catch (const DeviceError&) {
+                // The same device; that frame comes again.
+            }
             go_on(error);
             return false;
         }
@@ -205,20 +225,36 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     try_to([&] { machine.load(); });
     if (!options.recording.empty()) recording.emplace(options.recording, run);
     if (callbacks.started) callbacks.started(run);
-    long published = -1;
     for (long k = 0; k <= frames;) {
         const double until = time_of(k);
         bool done = try_to([&] {
             Backend& on = machine.backend();
             for (double reached = 0; reached < until;) {
                 obey(control);
+                if (is_ready(publishing)) wait_for_frame();
                 reached = on.advance(until);
                 tell(reached, k == frames && reached >= until, on);
             }
-            Frame frame = on.frame();
-            if (k > published) publish(std::move(frame), until);
-            published = std::max(published, k);
-            machine.keep(k);
+            if (publishing.valid()) {
+                wait_for_frame();
+                obey(control); // who saw that frame may not want another
+            }
+            std::future<Frame> taken = on.take_frame();
+            if (k > published) {
+                const auto show = [&, k, until](std::future<Frame> frame) {
+                    publish(frame.get(), until);
+                    published = k;
+                };
+                // What is watched may change what comes next; after the last frame nothing does.
+                if (is_ready(taken) || watch.is_watching() || k == frames)
+                    show(std::move(taken));
+                else
+                    publishing = std::async(std::launch::async, show, std::move(taken));
+            }
+            if (machine.is_to_keep(k)) {
+                wait_for_frame(); // or the run could go on from a frame that nobody has seen
+                machine.keep(k);
+            }
         });
         if (done && !due.empty() && k == published) done = switch_on(k);
         k = done ? k + 1 : machine.kept_frame() + (machine.kept_frame() > 0 ? 1 : 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// One run from project to recording. Runs in the calling thread; the window calls it from a thread of its own.
+// One run from project to recording. Runs in the calling thread; the window calls it from a thread of its own. Frames that a GPU gives late
+// are published from another thread while the next steps run.
 #pragma once
 
 #include "core/sim/frame.h"
@@ -56,6 +57,7 @@ struct RunRecord {
     double wall = 0;                       ///< s, of the run; 0 while it runs
 };
 
+/// Frames may come from a thread of the run's own, but never two calls at a time.
 struct RunCallbacks {
     std::function<void(const RunRecord&)> started;
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace hygroloom::inline HL_PRECISION {
@@ -26,11 +27,20 @@ namespace hygroloom::inline HL_PRECISION {
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 
-/// What frames and ledgers know of the segments: kg, and K and J over the climate's temperature. Copies where stages run on another
-/// machine, else the arrays themselves.
-template <typename Executor> struct SegmentStock {
-    using Values = decltype(std::declval<const typename Executor::template Buffer<double>&>().download());
-    Values liquid, vapour, warmth, bound, stored;
+/// What a frame and its ledger are made from: numbers of one moment, and the arrays as they were then (see Executor::Snapshot).
+struct Stock {
+    double time = 0;                        ///< s
+    double delivered = 0;                   ///< kg, but for what is supplied
+    std::int64_t standing = 0, dripped = 0; ///< quanta, in pools and fallen or run off
+    double stressed = 0;                    ///< s for which stresses were summed
+    Unvisited unvisited;
+    // Segments: kg, m3, regain of each shell, and K and J over the climate's temperature.
+    std::span<const double> liquid, vapour, warmth, bound, stored, pores, supplied, evaporated, released, lost, regain;
+    // Particles, also those that yarns have taken up.
+    std::span<const Vec3> position, velocity;
+    std::span<const std::int64_t> content;
+    std::span<const std::uint8_t> alive;
+    std::vector<Real> stress;
 };
 
 template <typename Executor> class Solver {
@@ -60,7 +70,9 @@ public:
         pumped_ = ran_off_ = 0;
         load_segments();
         load_liquid();
-        const Ledger start = ledger(take_stock());
+        const Stock stock = take_stock();
+        snapshot_.fetch();
+        const Ledger start = ledger(stock);
         initial_ = start.water_bound + start.water_vapour - scene.initial_bound;
         delivered_ = start.water_liquid + start.water_free + scene.initial_bound;
         initial_energy_ = start.energy_stored;
@@ -89,7 +101,11 @@ public:
         return time_;
     }
 
-    Frame frame();
+    Frame frame() { return frame_of(take_stock()); }
+    /// What frame_of() needs to show how things are now. Stresses are summed anew from here on.
+    Stock take_stock();
+    /// May be called from another thread while advance() goes on, until stock is taken again.
+    Frame frame_of(const Stock& stock);
 
     /// All that the scene has come to, between calls of advance() that reached what they were asked for.
     std::vector<std::byte> state()
@@ -176,10 +192,8 @@ private:
     LiquidFlow liquid_flow();
     /// What sorting brought to the other side is where particles are from then on.
     void change_sides();
-    /// What frames show. Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
-    SegmentStock<Executor> take_stock();
-    Ledger ledger(const SegmentStock<Executor>& stock);
-    void show_particles(Frame& frame);
+    Ledger ledger(const Stock& stock) const;
+    void show_particles(const Stock& stock, Frame& frame) const;
     Yarns yarns();
     Yarns yarns_on_host() const;
     Segments segments();
@@ -209,6 +223,7 @@ private:
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
     Buffer<double> fibre_water_; ///< kg, as of the last frame
     bool all_is_new_ = true;     ///< what is not visited must be looked at, too
+    typename Executor::Snapshot snapshot_;
     Unvisited unvisited_;
     Buffer<int> from_;  ///< segments that give back liquid
     Buffer<int> reach_; ///< see Reach: where liquid or vapour has come since the last step

@@ -412,104 +412,127 @@ template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vect
     return s;
 }
 
-template <typename Executor> SegmentStock<Executor> Solver<Executor>::take_stock()
+/// Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
+template <typename Executor> Stock Solver<Executor>::take_stock()
 {
     Segments s = segments();
     if (std::exchange(all_is_new_, false)) s.unvisited = {};
     exec_.for_each("take stock", s.visited_segments(), TakeStock{s, fibre_water_.data(), work1_.data()});
-    return {liquid_.download(), vapour_.download(), warmth_.download(), fibre_water_.download(), work1_.download()};
+    Stock stock;
+    stock.time = time_;
+    stock.delivered = delivered_ + static_cast<double>(pumped_) * water_quantum;
+    stock.standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
+    stock.dripped = flow_.dripped + ran_off_;
+    stock.unvisited = unvisited_;
+    snapshot_.take([&](const auto& look_at) {
+        const auto particles = static_cast<std::size_t>(flow_.count);
+        stock.liquid = look_at(liquid_, liquid_.size());
+        stock.vapour = look_at(vapour_, vapour_.size());
+        stock.warmth = look_at(warmth_, warmth_.size());
+        stock.bound = look_at(fibre_water_, fibre_water_.size());
+        stock.stored = look_at(work1_, work1_.size());
+        stock.pores = look_at(pores_, pores_.size());
+        stock.supplied = look_at(supplied_, supplied_.size());
+        stock.evaporated = look_at(evaporated_, evaporated_.size());
+        stock.released = look_at(released_, released_.size());
+        stock.lost = look_at(lost_, lost_.size());
+        stock.regain = look_at(regain_, scene_.shows_shells ? regain_.size() : 0);
+        stock.position = look_at(position_, particles);
+        stock.velocity = look_at(velocity_, particles);
+        stock.content = look_at(content_, particles);
+        stock.alive = look_at(alive_, particles);
+    });
+    if (scene_.shows_pressure) {
+        stock.stress = stress_.download();
+        stock.stressed = time_ - stress_since_;
+        stress_.fill(0);
+        stress_since_ = time_;
+    }
+    return stock;
+}
+
+inline double sum_of(std::span<const double> values)
+{
+    long double total = 0;
+    for (double v : values) total += v;
+    return static_cast<double>(total);
+}
+
+inline double sum_of_visited(const Yarns& yarns, std::span<const double> values)
+{
+    long double total = 0;
+    for (int line = 0; line < yarns.visited_lines(); ++line) {
+        const YarnLine l = yarns.visited_line(line);
+        for (int i = l.first; i < l.last; ++i) total += values[static_cast<std::size_t>(i)];
+    }
+    return static_cast<double>(total);
 }
 
 /// Summed on the host in segment order: the same on every machine.
-template <typename Executor> Ledger Solver<Executor>::ledger(const SegmentStock<Executor>& stock)
+template <typename Executor> Ledger Solver<Executor>::ledger(const Stock& stock) const
 {
-    const auto sum = [](const std::vector<double>& values) {
-        long double total = 0;
-        for (double v : values) total += v;
-        return static_cast<double>(total);
-    };
     Yarns yarns = yarns_on_host();
-    yarns.unvisited = unvisited_;
-    const auto sum_visited = [&](const std::vector<double>& values) { // where the others are 0
-        long double total = 0;
-        for (int line = 0; line < yarns.visited_lines(); ++line) {
-            const YarnLine l = yarns.visited_line(line);
-            for (int i = l.first; i < l.last; ++i) total += values[static_cast<std::size_t>(i)];
-        }
-        return static_cast<double>(total);
-    };
+    yarns.unvisited = stock.unvisited;
+    // Where the others are 0.
+    const auto sum_visited = [&yarns](std::span<const double> values) { return sum_of_visited(yarns, values); };
     Ledger l;
-    l.time = time_;
+    l.time = stock.time;
     l.water_initial = initial_;
-    l.water_delivered = delivered_ + static_cast<double>(pumped_) * water_quantum + sum(supplied_.download());
-    std::int64_t free = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
-    if (flow_.count > 0) {
-        const auto& content = content_.download();
-        const auto& alive = alive_.download();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) free += alive[i] ? content[i] : 0;
-    }
+    l.water_delivered = stock.delivered + sum_of(stock.supplied);
+    std::int64_t free = stock.standing;
+    for (std::size_t i = 0; i < stock.alive.size(); ++i) free += stock.alive[i] ? stock.content[i] : 0;
     l.water_free = static_cast<double>(free) * water_quantum;
     l.water_liquid = sum_visited(stock.liquid);
-    l.water_bound = sum(stock.bound);
-    l.water_vapour = sum(stock.vapour);
-    l.water_evaporated = sum_visited(evaporated_.download());
-    l.water_dripped = static_cast<double>(flow_.dripped + ran_off_) * water_quantum;
+    l.water_bound = sum_of(stock.bound);
+    l.water_vapour = sum_of(stock.vapour);
+    l.water_evaporated = sum_visited(stock.evaporated);
+    l.water_dripped = static_cast<double>(stock.dripped) * water_quantum;
     l.energy_stored = sum_visited(stock.stored);
     l.energy_delivered = initial_energy_;
-    l.energy_released = sum_visited(released_.download());
-    l.energy_lost = sum_visited(lost_.download());
+    l.energy_released = sum_visited(stock.released);
+    l.energy_lost = sum_visited(stock.lost);
     return l;
 }
 
-template <typename Executor> void Solver<Executor>::show_particles(Frame& f)
+template <typename Executor> void Solver<Executor>::show_particles(const Stock& stock, Frame& f) const
 {
-    const auto &x = position_.download(), &v = velocity_.download();
-    const auto& alive = alive_.download();
-    const auto& impulse = stress_.download();
-    const double since = time_ - stress_since_;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i) {
-        if (!alive[i]) continue;
+    const auto &x = stock.position, &v = stock.velocity;
+    for (std::size_t i = 0; i < stock.alive.size(); ++i) {
+        if (!stock.alive[i]) continue;
         f.positions.push_back({static_cast<float>(x[i].x), static_cast<float>(x[i].y), static_cast<float>(x[i].z)});
         f.velocities.push_back({static_cast<float>(v[i].x), static_cast<float>(v[i].y), static_cast<float>(v[i].z)});
-        if (scene_.shows_pressure) f.pressures.push_back(since > 0 ? static_cast<float>(static_cast<double>(impulse[i]) / since) : 0.0F);
+        if (scene_.shows_pressure)
+            f.pressures.push_back(stock.stressed > 0 ? static_cast<float>(static_cast<double>(stock.stress[i]) / stock.stressed) : 0.0F);
     }
 }
 
-template <typename Executor> Frame Solver<Executor>::frame()
+template <typename Executor> Frame Solver<Executor>::frame_of(const Stock& stock)
 {
+    snapshot_.fetch();
     Frame f;
-    f.time = time_;
-    const SegmentStock<Executor> stock = take_stock();
+    f.time = stock.time;
     f.ledger = ledger(stock);
-    if (scene_.shows_shells) {
-        const auto& regain = regain_.download();
-        f.shells.assign(regain.begin(), regain.end());
-    }
+    f.shells.assign(stock.regain.begin(), stock.regain.end());
     Segments s;
     static_cast<Yarns&>(s) = yarns_on_host();
-    const auto& pores = pores_.download();
     for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(stock.liquid.size());
     for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited
         const YarnLine l = s.visited_line(line);
         const double fibre_mass = l.yarn.fibre_area * l.yarn.fibre_density;
         std::size_t crossing = static_cast<std::size_t>(s.crossing_of(l.first));
         for (auto i = static_cast<std::size_t>(l.first); i < static_cast<std::size_t>(l.last); ++i) {
-            const double fibres = scene_.length[i] * fibre_mass, liquid = stock.liquid[i], bound = stock.bound[i];
-            f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores[i]));
+            const double fibres = scene_.length[i] * fibre_mass, liquid = stock.liquid[i], bound = stock.bound[i], pores = stock.pores[i];
+            f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores));
             f.liquid[i] = static_cast<float>(liquid);
             f.regain[i] = static_cast<float>(bound / fibres);
-            f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores[i], liquid, scene_.climate.density));
+            f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores, liquid, scene_.climate.density));
             f.temperature[i] = static_cast<float>(scene_.climate.temperature + stock.warmth[i]);
             const bool on_top = (scene_.warp_up[crossing] != 0) == l.is_warp;
             (on_top ? f.water_top : f.water_bottom) += liquid + bound - l.yarn.initial_regain * fibres;
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene_.picks);
         }
     }
-    if (flow_.count > 0) show_particles(f);
-    if (scene_.shows_pressure) {
-        stress_.fill(0);
-        stress_since_ = time_;
-    }
+    show_particles(stock, f);
     return f;
 }
 
