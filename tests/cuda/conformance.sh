@@ -28,14 +28,19 @@ done
 examples=$(dirname "$0")/../../resources/examples
 without_times() { grep -v '"wall_s"' "$1"; }
 if [ -d "$examples" ]; then
-    # The same steps as one kernel and stage by stage: the same bytes.
-    drop="$examples/one-drop-on-cotton.hygro --backend cuda --fidelity draft --json --set experiments[0].duration_s=0.2"
+    # The same steps as one kernel and stage by stage, and frames fetched while other steps run: the same bytes.
     results=$(mktemp -d)
-    try "a drop in one kernel" sh -c "'$cli' simulate $drop > $results/one"
-    try "a drop stage by stage" sh -c "'$cli' simulate $drop --profile > $results/staged"
-    without_times "$results/one" > "$results/a"
-    without_times "$results/staged" > "$results/b"
-    try "they agree to the byte" cmp "$results/a" "$results/b"
+    agree() { # what, arguments of simulate...
+        run=$1
+        shift
+        try "$run" sh -c "'$cli' simulate $* --backend cuda --fidelity draft --json > $results/one"
+        try "$run, stage by stage" sh -c "'$cli' simulate $* --backend cuda --fidelity draft --json --profile > $results/staged"
+        without_times "$results/one" > "$results/a"
+        without_times "$results/staged" > "$results/b"
+        try "they agree to the byte" cmp "$results/a" "$results/b"
+    }
+    agree "a drop" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2"
+    agree "a drying" "$examples/laboratory.hygro" --experiment drying --set "experiments[4].duration_s=600"
     # A GPU goes on from its own state, with a part more.
     try "a part comes on" sh -c "'$cli' simulate '$examples/laboratory.hygro' --experiment 'horizontal wicking' --backend cuda --fidelity draft \
         --set fabrics[0].warp.material=polyester fabrics[0].weft.material=polyester fabrics[0].contact_angle_deg=20 \

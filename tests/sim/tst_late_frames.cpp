@@ -148,6 +148,7 @@ Run run_on_cpu(const Design& design, const RunOptions& options)
 class TestLateFrames : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void initTestCase() { expected_ = run_on_cpu(brief(), all_on()).frames; }
     void theyChangeNothing_data()
     {
         QTest::addColumn<int>("way");
@@ -161,8 +162,6 @@ private Q_SLOTS:
     {
         QFETCH(int, way);
         QFETCH(int, delayMs);
-        const Design design = brief();
-        const Run expected = run_on_cpu(design, all_on());
         LateBackend late;
         late.way = static_cast<std::launch>(way);
         late.delay = std::chrono::milliseconds(delayMs);
@@ -170,16 +169,16 @@ private Q_SLOTS:
         RunOptions options = all_on();
         options.recording = folder_.filePath("late.hygrorec").toStdString();
         Run run;
-        run.go(design, options, late);
-        verify_same(run.frames, expected.frames);
-        QCOMPARE(late.taken, int(expected.frames.size()));
+        run.go(brief(), options, late);
+        verify_same(run.frames, expected_);
+        QCOMPARE(late.taken, int(expected_.size()));
         QCOMPARE(late.disorder, 0);
         QCOMPARE(run.overlaps, 0);
         if (delayMs > 0) QVERIFY(late.advances_meanwhile > late.taken / 2);
         const Recording recording(options.recording);
         QVERIFY(recording.finished());
-        QCOMPARE(recording.frames(), int(expected.frames.size()));
-        for (int k = 0; k < recording.frames(); ++k) QCOMPARE(recording.frame(k).saturation, expected.frames[std::size_t(k)].saturation);
+        QCOMPARE(recording.frames(), int(expected_.size()));
+        for (int k = 0; k < recording.frames(); ++k) QCOMPARE(recording.frame(k).saturation, expected_[std::size_t(k)].saturation);
     }
     void runGoesOnOnTheCpu_data()
     {
@@ -198,7 +197,6 @@ private Q_SLOTS:
         QFETCH(int, frame);
         QFETCH(int, advance);
         QFETCH(int, stepMs);
-        const Design design = brief();
         const auto set = [&](LateBackend& late) {
             late.fails_at_frame = frame;
             late.fails_at_advance = advance;
@@ -208,7 +206,7 @@ private Q_SLOTS:
             LateBackend late;
             set(late);
             Run run;
-            QVERIFY_EXCEPTION_THROWN(run.go(design, all_on(), late), DeviceError);
+            QVERIFY_EXCEPTION_THROWN(run.go(brief(), all_on(), late), DeviceError);
             QCOMPARE(late.disorder, 0);
             QVERIFY(run.failure.isEmpty());
         }
@@ -217,22 +215,21 @@ private Q_SLOTS:
         RunOptions options = all_on(true);
         options.recording = folder_.filePath("failed.hygrorec").toStdString();
         Run run;
-        run.go(design, options, late);
+        run.go(brief(), options, late);
         QCOMPARE(late.disorder, 0);
         if (stepMs > 0) QVERIFY(late.states > 0);
         QCOMPARE(run.failure.count("goes on on the CPU"), 1);
         QVERIFY2(run.failure.contains("The device failed."), qPrintable(run.failure));
-        const Run expected = run_on_cpu(design, all_on());
-        QCOMPARE(run.frames.size(), expected.frames.size());
+        QCOMPARE(run.frames.size(), expected_.size());
         for (std::size_t k = 0; k < run.frames.size(); ++k) {
-            QCOMPARE(run.frames[k].time, expected.frames[k].time);
-            QVERIFY(std::abs(run.frames[k].ledger.water_liquid - expected.frames[k].ledger.water_liquid) <
-                    0.02 * expected.frames.back().ledger.water_delivered);
+            QCOMPARE(run.frames[k].time, expected_[k].time);
+            QVERIFY(std::abs(run.frames[k].ledger.water_liquid - expected_[k].ledger.water_liquid) <
+                    0.02 * expected_.back().ledger.water_delivered);
         }
-        if (late.states == 0) verify_same(run.frames, expected.frames); // all over again
+        if (late.states == 0) verify_same(run.frames, expected_); // all over again
         const Recording recording(options.recording);
         QVERIFY(recording.finished());
-        QCOMPARE(recording.frames(), int(expected.frames.size()));
+        QCOMPARE(recording.frames(), int(expected_.size()));
     }
     void whatGoesWrongWithOneEndsTheRun_data()
     {
@@ -349,6 +346,7 @@ private Q_SLOTS:
 
 private:
     QTemporaryDir folder_;
+    std::vector<Frame> expected_; // of brief()
 };
 
 QTEST_APPLESS_MAIN(TestLateFrames)
