@@ -51,17 +51,23 @@ template <typename T> HL_FN Vec3T<T> surface_force(T pull, const Vec3T<T>& tilt,
 /// A wall is wetted at an angle whose cosine is the energy that a covered area gains over the surface tension. It counts as liquid,
 /// which gains nothing (90 degrees). Where the liquid wets it more it attracts by a potential besides; where it wets less it counts as
 /// liquid only in part, s: what phi lacks then grows with 1 - s, and the energy with its square. In layers of particles both differ from
-/// the continuum, so the potential's strength and the share are a calibration: on sessile drops of 5 ul and 1 000 particles without
-/// gravity, which with a strength of cos and a share of 1 + cos came to 39, 56, 68, 80, 93, 104, 121 and 142 degrees where 30, 45, 60, 75,
-/// 90, 105, 120 and 135 were asked for (4 000 particles: within 1.5 degrees of that).
+/// the continuum, so the potential's strength and the share are a calibration: on sessile drops of 5 ul and 1 000 to 16 000 particles
+/// without gravity, which with 1 000, a strength of cos and a share of 1 + cos came to 39, 56, 68, 80, 93, 104, 121 and 142 degrees where
+/// 30, 45, 60, 75, 90, 105, 120 and 135 were asked for.
 
 /// Energy per area of the wall's potential over the surface tension.
-HL_FN Real wall_attraction(Real cosine) { return Real(0.052) + (cosine > 0 ? cosine * (Real(1.346) - Real(0.342) * cosine) : Real(0)); }
+HL_FN Real wall_attraction(Real cosine)
+{
+    constexpr Real at_all = Real(0.052);
+    if (cosine <= 0) return at_all;
+    const Real partly = at_all + cosine * (Real(1.346) - Real(0.342) * cosine), nearly = Real(1) - Real(0.56) * (Real(1) - cosine);
+    return partly < nearly ? partly : nearly; // at 1 a drop spreads to one layer
+}
 
 /// How much the wall counts as liquid.
 HL_FN Real wall_share(Real cosine)
 {
-    return cosine < 0 ? (Real(1.86) - std::sqrt(Real(0.36) - Real(2.52) * cosine)) / Real(1.26) : Real(1);
+    return cosine < 0 ? Real(1) - (std::sqrt(Real(0.5184) - Real(1.82) * cosine) - Real(0.72)) / Real(0.91) : Real(1);
 }
 
 /// Force density on a particle by a flat wall that counts as liquid, N/m3; the normal points from the wall to the particle.
