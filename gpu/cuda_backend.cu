@@ -44,7 +44,7 @@ public:
     void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
     long liquid_steps() const override { return solver_->liquid_steps(); }
     int particles() const override { return solver_->particles(); }
-    void time_stages() override { solver().executor().time_stages(); }
+    void time_stages() override { solver().time_stages(); }
     std::vector<StageTime> stage_times() override { return solver_ ? solver_->executor().stage_times() : std::vector<StageTime>(); }
 
 private:

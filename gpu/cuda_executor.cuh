@@ -216,6 +216,8 @@ public:
             });
             check_cuda(waits_on_gpu_ ? cudaEventRecord(copied_, own_stream) : cudaStreamSynchronize(own_stream), "copying for a frame");
         }
+        /// From now on take() waits for all that it copies.
+        void fetch_at_once() { at_once_ = true; }
         /// From any thread. Waits first and copies then: a copy that waits would stand in the way of other scenes' work.
         void fetch()
         {
@@ -244,12 +246,12 @@ public:
                 pinned_ = nullptr;
                 plain_.resize(bytes);
             }
-            constexpr std::size_t times = 4; // as much stays free, for what steps may yet need
+            constexpr std::size_t times = 4; // as much has to be free, for what steps may yet need
             std::size_t left = 0, all = 0;
             check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");
             waits_on_gpu_ = false;
             try {
-                if (left / times > bytes) {
+                if (!at_once_ && left / times > bytes) {
                     on_gpu_.resize(bytes);
                     waits_on_gpu_ = true;
                 }
@@ -267,6 +269,7 @@ public:
         std::size_t room_ = 0;          ///< bytes
         std::size_t bytes_ = 0;         ///< of what was taken
         bool waits_on_gpu_ = false;     ///< until it is fetched
+        bool at_once_ = false;
     };
 
     CudaExecutor()

@@ -152,15 +152,20 @@ private:
     template <typename Stage> static inline std::int64_t run_all(const Stage stage, int begin, int end)
     {
         std::int64_t sum = 0;
-        if constexpr (requires { stage(begin, end); })
-            sum += stage(begin, end);
-        else
+        constexpr bool adds = !std::is_void_v<decltype(stage(0))>;
+        if constexpr (requires { stage(begin, end); }) {
+            if constexpr (adds)
+                sum = stage(begin, end);
+            else
+                stage(begin, end);
+        } else {
             for (int i = begin; i < end; ++i) {
-                if constexpr (std::is_void_v<decltype(stage(i))>)
-                    stage(i);
-                else
+                if constexpr (adds)
                     sum += stage(i);
+                else
+                    stage(i);
             }
+        }
         return sum;
     }
 #ifdef __x86_64__

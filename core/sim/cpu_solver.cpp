@@ -19,7 +19,7 @@ public:
     void go_on_from(const std::vector<std::byte>& state) override { solver_.go_on_from(state); }
     long liquid_steps() const override { return solver_.liquid_steps(); }
     int particles() const override { return solver_.particles(); }
-    void time_stages() override { solver_.executor().time_stages(); }
+    void time_stages() override { solver_.time_stages(); }
     std::vector<StageTime> stage_times() override { return solver_.executor().stage_times(); }
 
 private:

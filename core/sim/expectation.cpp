@@ -41,6 +41,8 @@ MeasuredScene scene_from(const Json& json)
         for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
         run.seconds = p.at("wall_s");
         run.bytes = p.at("peak_bytes");
+        if (run.plan.on("liquid") && !(run.plan.counts.capillarity > 0))
+            throw Error("It is older than the program: the liquid's capillarity is missing.");
         if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
         scene.runs.push_back(std::move(run));
     }
@@ -213,8 +215,9 @@ double rough_bytes(const ModelPlan& plan)
     const double particles = plan.particles_per_droplet * plan.counts.drops;
     const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
     const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
+    const double shape = plan.on("liquid") ? 24.0 : 0.0; // of a cell, as particles meet it
     // What is shown of a segment, and what is simulated of a cell.
-    return 180.0 * plan.segments + cells_of(plan) * (220.0 + 8.0 * shells) +
+    return 180.0 * plan.segments + cells_of(plan) * (220.0 + shape + 8.0 * shells) +
            wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 

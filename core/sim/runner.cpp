@@ -14,7 +14,9 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace hygroloom {
@@ -169,8 +171,10 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     Clock::time_point told;
     const auto tell = [&](double reached, bool ends, const Backend& on) {
         if (!callbacks.progress || (seconds_since(told) <= 0.1 && !ends)) return;
+        std::unique_lock alone(telling, std::try_to_lock);
+        if (!alone && !ends) return; // a frame is being looked at; the steps need not wait
+        if (!alone) alone.lock();
         told = Clock::now();
-        const std::scoped_lock alone(telling);
         callbacks.progress({reached, experiment->duration_s, seconds_since(start), on.liquid_steps(), on.particles()});
     };
 
@@ -185,9 +189,17 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         if (recording) recording->note_device(run.device);
     };
     long published = -1;          // the last frame; not to be asked while another is on its way
+    std::future<Frame> taken;     // from the backend, until it is published
     std::future<void> publishing; // the frame before, while the run goes on; what ends the run waits for it
     const auto wait_for_frame = [&] {
         if (publishing.valid()) publishing.get();
+    };
+    const auto go_on_beside = [&](const auto& show) {
+        try {
+            publishing = std::async(std::launch::async, show);
+        } catch (const std::system_error&) { // the system has no thread left
+            show();
+        }
     };
     const auto try_to = [&](const auto& act) {
         try {
@@ -230,8 +242,8 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
         bool done = try_to([&] {
             Backend& on = machine.backend();
             for (double reached = 0; reached < until;) {
-                obey(control);
                 if (is_ready(publishing)) wait_for_frame();
+                obey(control);
                 reached = on.advance(until);
                 tell(reached, k == frames && reached >= until, on);
             }
@@ -239,17 +251,17 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
                 wait_for_frame();
                 obey(control); // who saw that frame may not want another
             }
-            std::future<Frame> taken = on.take_frame();
+            taken = on.take_frame();
             if (k > published) {
-                const auto show = [&, k, until](std::future<Frame> frame) {
-                    publish(frame.get(), until);
+                const auto show = [&, k, until] {
+                    publish(taken.get(), until);
                     published = k;
                 };
                 // What is watched may change what comes next; after the last frame nothing does.
                 if (is_ready(taken) || watch.is_watching() || k == frames)
-                    show(std::move(taken));
+                    show();
                 else
-                    publishing = std::async(std::launch::async, show, std::move(taken));
+                    go_on_beside(show);
             }
             if (machine.is_to_keep(k)) {
                 wait_for_frame(); // or the run could go on from a frame that nobody has seen

@@ -48,6 +48,12 @@ public:
     template <typename T> using Buffer = typename Executor::template Buffer<T>;
 
     Executor& executor() { return exec_; }
+    /// From now on what each stage takes is added up, which waits for each, and for frames too.
+    void time_stages()
+    {
+        exec_.time_stages();
+        if constexpr (requires { snapshot_.fetch_at_once(); }) snapshot_.fetch_at_once();
+    }
     long liquid_steps() const { return static_cast<long>(flow_.steps); }
     long pressure_rounds() const { return static_cast<long>(flow_.rounds); }
     /// How often neighbours have been listed.

@@ -28,7 +28,7 @@ done
 examples=$(dirname "$0")/../../resources/examples
 without_times() { grep -v '"wall_s"' "$1"; }
 if [ -d "$examples" ]; then
-    # The same steps as one kernel and stage by stage, and frames fetched while other steps run: the same bytes.
+    # The same steps as one kernel, with frames fetched while other steps run, and stage by stage, with frames fetched at once: the same bytes.
     results=$(mktemp -d)
     agree() { # what, arguments of simulate...
         run=$1

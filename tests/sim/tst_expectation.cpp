@@ -158,6 +158,15 @@ private Q_SLOTS:
         for (const char* wrong : {"", "0%", "101%", "-1%", "5 %x", "nan", "five"}) QVERIFY2(refuses(parse_error_target, wrong), wrong);
         for (const char* wrong : {"", "0s", "-1", "10 days", "inf", "s"}) QVERIFY2(refuses(parse_time_target, wrong), wrong);
     }
+    void dropsWithoutTheLiquidsNumbersAreRefused()
+    {
+        QFile shipped(HYGROLOOM_SOURCE_DIR "/resources/tradeoff/droplet-on-cotton.json");
+        QVERIFY(shipped.open(QIODevice::ReadOnly));
+        std::string json = shipped.readAll().toStdString();
+        measured_scene(json, "x.json");
+        for (std::size_t at = 0; (at = json.find("capillarity_m3_s2", at)) != std::string::npos;) json[at] = 'k';
+        QVERIFY(refuses([](const std::string& text) { measured_scene(text, "x.json"); }, json.c_str()));
+    }
     void wrongFilesAreNamed()
     {
         for (const char* wrong : {"", "{}", "[]", "{\"scene\": 3}"}) {
@@ -169,6 +178,7 @@ private Q_SLOTS:
             }
         }
     }
+    // No constant was fitted to them; what is counted of a sticky drop was added after the syrup was seen to be off.
     void scenesThatWereNotFittedToAreForetoldWithinHalf_data()
     {
         QTest::addColumn<QString>("file");

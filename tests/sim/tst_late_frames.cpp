@@ -305,8 +305,11 @@ private Q_SLOTS:
         late.delay = std::chrono::milliseconds(100);
         late.step = std::chrono::milliseconds(20);
         Run run;
-        std::thread cancel([&run] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(250));
+        std::atomic<bool> seen_one = false;
+        run.see = [&seen_one](const Frame&) { seen_one = true; };
+        std::jthread cancel([&run, &seen_one] {
+            while (!seen_one) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
             run.control->cancel = true;
         });
         bool cancelled = false;
@@ -318,6 +321,7 @@ private Q_SLOTS:
         cancel.join();
         QVERIFY(cancelled);
         const std::size_t seen = run.frames.size();
+        QVERIFY(seen > 0);
         QTest::qSleep(200);
         QCOMPARE(run.frames.size(), seen);
         QCOMPARE(int(seen), late.taken);
@@ -330,7 +334,7 @@ private Q_SLOTS:
             if (run.frames.size() == 5) run.control->pause = true;
         };
         int advances = 0, later = 0;
-        std::thread go_on([&] {
+        std::jthread go_on([&] {
             while (!run.control->pause) std::this_thread::sleep_for(std::chrono::milliseconds(5));
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
             advances = late.advances;

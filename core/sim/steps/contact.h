@@ -182,7 +182,10 @@ template <typename Number> HL_FN Nearest<Number> nearest_skins(const TextileShap
         try_beside(false, choose(across_weft < 0, nothing - side, nothing + side), along_weft, across_weft);
     }
     const auto within = is_near & (skin.distance < reach);
-    return {choose(within, skin.distance, far), skin.normal(), choose(within, skin.segment, none)};
+    const Vec3T<Number> normal = skin.normal();
+    return {choose(within, skin.distance, far),
+            {choose(within, normal.x, nothing), choose(within, normal.y, nothing), choose(within, normal.z, nothing)},
+            choose(within, skin.segment, none)};
 }
 
 HL_FN NearestSkin nearest_skin(const TextileShape& t, const Vec3& p, Real reach) { return nearest_skins(t, p, reach); }
