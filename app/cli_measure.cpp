@@ -3,6 +3,7 @@
 #include "app/cli.h"
 #include "app/cli_metrics.h"
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/sim/recording.h"
 
@@ -185,7 +186,8 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "C");
     const std::optional<double>& error = run.plan.expected_error;
-    if (error && *error > 0) row("error to be expected", 100 * *error, "%");
+    if (error && *error > 0) fmt::print("  {:<34} {:>10} %\n", "error to be expected", rounded_text(100 * *error, 2));
+    for (const std::string& note : notes_of(run.plan)) fmt::print("  {}\n", note);
     for (const std::string& note : m.notes) fmt::print("  {}\n", note);
 }
 

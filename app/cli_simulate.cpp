@@ -127,11 +127,15 @@ void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
     fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
 }
 
-void print_run(const FinishedRun& finished, bool json)
+/// What the plan did otherwise than expected stands in the summary, and on stderr where stdout is for JSON alone.
+void print_run(const FinishedRun& finished, const CommonOptions& options)
 {
-    print_metrics(finished.run, finished.metrics, json);
+    print_metrics(finished.run, finished.metrics, options.json);
     const ModelPlan& plan = finished.run.plan;
-    if (!plan.fidelity_reason.empty() && !json) fmt::print("  {} fidelity was taken. {}\n", name_of(plan.fidelity), plan.fidelity_reason);
+    if (!options.json && !plan.fidelity_reason.empty())
+        fmt::print("  {} fidelity was taken. {}\n", name_of(plan.fidelity), plan.fidelity_reason);
+    if (options.json && !options.quiet)
+        for (const std::string& note : notes_of(plan)) fmt::print(stderr, "{}: {}\n", finished.run.fabric, note);
 }
 
 int simulate_one(const SimulateOptions& options, const Design& design, RunOptions how)
@@ -154,7 +158,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
     }
-    print_run(finished, options.json);
+    print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
     return exit_ok;
@@ -205,7 +209,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, RunOp
     for (const auto& run : runs) {
         if (!run) continue;
         if (options.json) fmt::print("{}", std::exchange(between, ",\n"));
-        print_run(*run, options.json);
+        print_run(*run, options);
         ++ended;
     }
     if (options.json) fmt::print("]\n");

@@ -2,6 +2,8 @@
 // UTF-8 texts, and how counts of bytes are told.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -14,6 +16,20 @@ inline std::string cut_text(std::string_view text, std::size_t most)
     if (text.size() <= most) return std::string(text);
     while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
     return std::string(text.substr(0, most));
+}
+
+/// The decimals with which a number shows as many digits as count, none of a large one: of 2 digits 4.8, 0.55, 17, 310.
+inline int decimals_for(double number, int digits)
+{
+    return number == 0 ? 0 : std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))), 0, 9);
+}
+
+/// A number with as many digits as count: with 2 "4.8", "0.55", "17", "310".
+inline std::string rounded_text(double number, int digits)
+{
+    char text[400]; // of any double
+    std::snprintf(text, sizeof text, "%.*f", decimals_for(number, digits), number);
+    return text;
 }
 
 /// A count of bytes in the unit in which people read it.

@@ -42,6 +42,7 @@ struct Bounds {
 };
 
 constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
+constexpr const char* mixing = "bundles of so many would mix yarns that differ";
 
 /// Share of the sample's ends or picks that each type of yarn has.
 std::vector<double> shares_of_types(const Textile& textile, YarnKind kind)
@@ -306,14 +307,29 @@ bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bun
     return true;
 }
 
-/// Ends, and picks, that the fidelity puts into a bundle; where only the edges differ from the rest, as many as leave some bundles between.
+/// Whether all of the cloth but its edges is alike.
+bool is_even(ExperimentType type) { return type == ExperimentType::drying || type == ExperimentType::conditioning; }
+
+/// Ends, and picks, of a bundle where only the edges differ from the rest: as many as leave some bundles between.
+int wanted_where_even(const Knobs& knobs, const Textile& textile)
+{
+    constexpr int least_bundles = 8;
+    return std::min(static_cast<int>(knobs.crossings_per_even_cell), std::min(textile.ends(), textile.picks()) / least_bundles);
+}
+
+/// Ends, and picks, that the fidelity puts into a bundle.
 int wanted_in_bundle(const Knobs& knobs, const Textile& textile, ExperimentType type)
 {
     const int at_fronts = static_cast<int>(knobs.crossings_per_cell);
-    if (type != ExperimentType::drying && type != ExperimentType::conditioning) return at_fronts;
-    constexpr int least_bundles = 8;
-    return std::max(at_fronts,
-                    std::min(static_cast<int>(knobs.crossings_per_even_cell), std::min(textile.ends(), textile.picks()) / least_bundles));
+    return is_even(type) ? std::max(at_fronts, wanted_where_even(knobs, textile)) : at_fronts;
+}
+
+/// Why each yarn is simulated alone whatever the fidelity asks for; nullptr: it need not be.
+const char* why_single(const ModelPlan& plan, ExperimentType type)
+{
+    return plan.on("liquid")               ? "free liquid meets single yarns"
+           : type == ExperimentType::sweat ? "sweat wets yarns where they lie on one face"
+                                           : nullptr;
 }
 
 /// How many crossings a cell has, told in a sentence where they are or might have been several.
@@ -321,17 +337,15 @@ std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experime
 {
     const int wanted = wanted_in_bundle(plan.knobs, textile, experiment.type);
     plan.crossings_per_cell = 1;
-    if (wanted == 1) return "";
+    if (wanted <= 1) return "";
     const auto alike = [&](int of) {
         return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), of)) &&
                bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), of));
     };
     int most = wanted;
     while (most > 1 && !alike(most)) --most;
-    const char* why_not = plan.on("liquid")                          ? "free liquid meets single yarns"
-                          : experiment.type == ExperimentType::sweat ? "sweat wets yarns where they lie on one face"
-                          : most == 1                                ? "bundles of so many would mix yarns that differ"
-                                                                     : nullptr;
+    const char* why_not = why_single(plan, experiment.type);
+    if (!why_not && most == 1) why_not = mixing;
     if (why_not)
         return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
                            wanted, why_not);
@@ -347,6 +361,49 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     SceneCounts counts;
     counts.type = name_of(experiment.type);
     counts.drops = static_cast<double>(b.drops);
+/// Tells of the knobs by which bundles are made which have no effect. After decide_cells().
+void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentType type)
+{
+    auto &at_fronts = plan.idle_knobs["crossings_per_cell"], &where_even = plan.idle_knobs["crossings_per_even_cell"];
+    const double fronts = plan.knobs.crossings_per_cell, even = wanted_where_even(plan.knobs, textile);
+    if (const char* why = why_single(plan, type))
+        at_fronts = where_even = why;
+    else if (!is_even(type))
+        where_even = "only in drying and conditioning is all of the cloth alike";
+    else if (wanted_in_bundle(plan.knobs, textile, type) > 1 && plan.crossings_per_cell == 1)
+        at_fronts = where_even = mixing;
+    else if (fronts < even)
+        at_fronts = "crossings_per_even_cell asks for larger bundles";
+    else if (plan.knobs.crossings_per_even_cell > 1 && even <= 1)
+        where_even = "the sample has too few yarns for bundles";
+    else if (even < fronts)
+        where_even = "crossings_per_cell asks for larger bundles";
+}
+
+/// Fills in which knobs change nothing in the scene, and why. When all else is decided.
+void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& experiment, const Bounds& b)
+{
+    const auto idle = [&](bool is, const char* knob, const char* why) {
+        if (is) plan.idle_knobs[knob] = why;
+    };
+    const bool liquid = plan.on("liquid");
+    for (const char* knob : {"particles_per_droplet", "network_step_limit_s", "liquid_step_factor", "steps_between_drinks",
+                             "density_tolerance", "settle_share", "double_precision"})
+        idle(!liquid, knob, b.drops > 0 ? "the free liquid is left out" : "no drop falls");
+    idle(liquid && !b.wicks, "steps_between_drinks", "no yarn draws liquid");
+    const bool pool = experiment.type == ExperimentType::moisture_management || experiment.type == ExperimentType::horizontal_wicking;
+    idle(!liquid && !pool, "saturation_change", "there is neither a drop nor a pool");
+    const auto may_be_on = [&](const char* part) { return plan.on(part) || plan.watches(part); };
+    idle(!may_be_on("sorption"), "fibre_shells", "sorption is left out");
+    idle(!plan.on("wicking") && !may_be_on("sorption") && !may_be_on("vapour"), "step_error", "the yarns stay dry");
+    idle(!plan.on("growth"), "rest_tolerance", "all of the sample is visited");
+    const bool estimated = std::any_of(plan.parts.begin(), plan.parts.end(),
+                                       [](const PlannedPart& part) { return part.share && !part.forced && (part.on || part.watched); });
+    idle(!estimated, "neglected_share", "no part is left to an estimate");
+    find_idle_bundle_knobs(plan, textile, experiment.type);
+    std::erase_if(plan.idle_knobs, [](const auto& knob) { return knob.second.empty(); });
+}
+
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
     counts.duration = experiment.duration_s;
     counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
@@ -392,6 +449,19 @@ ForcedParts parse_forced_parts(const std::string& text)
                         "and growth; \"" +
                         item + "\" was given.");
         forced[name] = value == "on";
+std::vector<std::string> notes_of(const ModelPlan& plan)
+{
+    std::vector<std::string> notes;
+    if (plan.crossings_per_cell > 1)
+        notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
+                                    plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
+                                    bundles_of(plan.region.picks, plan.crossings_per_cell).count));
+    for (const KnobInfo* knob : changed_knobs(knobs_of(plan.fidelity), plan.knobs))
+        if (const auto idle = plan.idle_knobs.find(knob->name); idle != plan.idle_knobs.end())
+            notes.push_back(fmt::format("{} was set and had no effect: {}.", knob->name, idle->second));
+    return notes;
+}
+
     }
     return forced;
 }
@@ -439,3 +509,4 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
 }
 
 } // namespace hygroloom
+    find_idle_knobs(plan, textile, experiment, bounds);

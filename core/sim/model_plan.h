@@ -42,6 +42,7 @@ struct ModelPlan {
     Fidelity fidelity = Fidelity::standard;
     std::string fidelity_reason; ///< why auto took it; empty: the user named it
     Knobs knobs;                 ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
+    std::map<std::string, std::string> idle_knobs; ///< that change nothing in this scene: name -> why, in a clause: "no drop falls"
     std::vector<PlannedPart> parts;
     double water_at_stake = 0; ///< kg, what shares of the water are of: all that comes, or that fibres exchange
     TextileRegion region;
@@ -62,6 +63,9 @@ struct ModelPlan {
     bool on(const std::string& part) const;
     bool watches(const std::string& part) const;
 };
+
+/// What a run did otherwise than the user may expect, in sentences: that yarns went in bundles, that a knob he set had no effect.
+std::vector<std::string> notes_of(const ModelPlan& plan);
 
 /// The same plan with a part switched on while it runs.
 ModelPlan with_part(ModelPlan plan, const std::string& part);

@@ -70,6 +70,7 @@ std::string plan_json(const ModelPlan& plan)
         {"fidelity", name_of(plan.fidelity)},
         {"fidelity_reason", plan.fidelity_reason},
         {"knobs", knobs_json(plan.knobs)},
+        {"idle_knobs", plan.idle_knobs},
         {"parts", parts},
         {"water_at_stake_kg", plan.water_at_stake},
         {"region",
@@ -118,6 +119,7 @@ try {
     plan.fidelity_reason = json.value("fidelity_reason", "");
     for (const Json& p : json.at("parts")) plan.parts.push_back(part_from_json(p));
     plan.water_at_stake = json.value("water_at_stake_kg", 0.0);
+    if (json.contains("idle_knobs")) plan.idle_knobs = json.at("idle_knobs").get<std::map<std::string, std::string>>();
     const Json& region = json.at("region");
     plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
     plan.region_reason = region.at("reason");

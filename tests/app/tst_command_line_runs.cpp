@@ -120,6 +120,31 @@ private Q_SLOTS:
         QCOMPARE(read["metrics"], run.json()["metrics"]);
         QCOMPARE(plan["knobs"].toObject()["crossings_per_cell"].toInt(), 3);
         QCOMPARE(plan["resolution"].toObject()["crossings_per_cell"].toInt(), 3);
+        // 8 mm at 35 per cm: 28 ends and picks.
+        for (const QByteArray& told : {run.err, run_cli({"measure", recording}).out})
+            QVERIFY2(told.contains("Yarns side by side went in bundles: 28 ends and 28 picks as 9 and 9."), told);
+    }
+    void aKnobWithoutEffectIsTold()
+    {
+        const QString recording = folder_.filePath("idle.hygrorec");
+        const QStringList call{"simulate",
+                               example("laboratory.hygro"),
+                               "--experiment",
+                               "drying",
+                               "--fidelity",
+                               "draft",
+                               "--backend",
+                               "cpu",
+                               "--set",
+                               "fidelity.density_tolerance=0.05",
+                               "experiments[4].sample_mm=[8,8]",
+                               "experiments[4].duration_s=60"};
+        const QByteArray sentence = "density_tolerance was set and had no effect: no drop falls.";
+        const Answer people = run_cli(call), script = run_cli(call + QStringList{"--json"}),
+                     quiet = run_cli(call + QStringList{"--json", "--quiet"});
+        QVERIFY2(people.out.contains(sentence), people.out);
+        QVERIFY2(script.err.contains(sentence) && !script.json().isEmpty(), script.err);
+        QVERIFY2(quiet.code == 0 && quiet.err.isEmpty(), quiet.err);
     }
     void aProfileTellsWhereTheTimeWent()
     {

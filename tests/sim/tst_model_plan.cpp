@@ -211,6 +211,41 @@ private Q_SLOTS:
         QVERIFY(draft.fibre_shells < reference.fibre_shells);
         QVERIFY(draft.expected_seconds < reference.expected_seconds);
     }
+    void knobsOfWhatIsNotThereAreIdle()
+    {
+        const auto idle = [](const ModelPlan& plan, const char* knob) { return plan.idle_knobs.contains(knob); };
+        const ModelPlan drop = plan_of(drop_design());
+        for (const KnobInfo& knob : knob_table())
+            QCOMPARE(idle(drop, knob.name), QByteArray(knob.name).startsWith("crossings_")); // free liquid meets single yarns
+        Design design = drop_design(120);
+        QVERIFY(idle(plan_of(design), "steps_between_drinks") && idle(plan_of(design), "fibre_shells"));
+        QVERIFY(!idle(plan_of(design), "settle_share"));
+        design = drop_design();
+        Experiment& experiment = design.experiments[0];
+        experiment = standard_experiment(ExperimentType::drying);
+        const ModelPlan drying = plan_of(design);
+        for (const char* knob : {"particles_per_droplet", "settle_share", "saturation_change", "rest_tolerance", "crossings_per_cell"})
+            QVERIFY2(idle(drying, knob), knob);
+        for (const char* knob : {"crossings_per_even_cell", "step_error", "fibre_shells", "neglected_share"})
+            QVERIFY2(!idle(drying, knob), knob);
+        experiment = standard_experiment(ExperimentType::moisture_management);
+        QVERIFY(!idle(plan_of(design), "saturation_change") && !idle(plan_of(design), "crossings_per_cell"));
+        QVERIFY(idle(plan_of(design), "crossings_per_even_cell"));
+        QCOMPARE(plan_from_json(plan_json(drying)).idle_knobs, drying.idle_knobs);
+    }
+    void whatWasSetInVainIsNoted()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::drying);
+        const auto notes = [&](const KnobSettings& settings) {
+            return notes_of(plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings));
+        };
+        QVERIFY(notes({{"crossings_per_even_cell", 1}}).empty());
+        const std::vector<std::string> told = notes({{"crossings_per_even_cell", 4}, {"settle_share", 0.1}});
+        QCOMPARE(told.size(), std::size_t(2));
+        QVERIFY2(told[0].starts_with("Yarns side by side went in bundles: "), told[0].c_str());
+        QCOMPARE(told[1], std::string("settle_share was set and had no effect: no drop falls."));
+    }
     void planSurvivesJson()
     {
         const ModelPlan plan = plan_of(drop_design());
