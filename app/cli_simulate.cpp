@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -30,24 +31,45 @@ struct SimulateOptions : RunVerbOptions {
     bool profile = false;
 };
 
+std::string value_text(const KnobInfo& knob, double value) { return fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit); }
+
+/// What follows a knob that the user set: " (set by the user; standard has 8)".
+std::string as_set(const ModelPlan& plan, const KnobInfo& knob)
+{
+    const double usual = knobs_of(plan.fidelity).*knob.value;
+    return plan.knobs.*knob.value == usual ? std::string() : fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual);
+}
+
+/// The knobs that change nothing in this scene, one after the other, by why they do not.
+std::map<std::string, std::string> idle_by_reason(const ModelPlan& plan)
+{
+    std::map<std::string, std::string> knobs;
+    for (const KnobInfo& knob : knob_table()) {
+        const auto idle = plan.idle_knobs.find(knob.name);
+        if (idle == plan.idle_knobs.end()) continue;
+        std::string& names = knobs[idle->second];
+        names += (names.empty() ? "" : ", ") + std::string(knob.name) + as_set(plan, knob);
+    }
+    return knobs;
+}
+
 void print_plan(const ModelPlan& plan)
 {
     fmt::print("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
         fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
     fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
-    fmt::print("resolution   {} particles per droplet, {} shells in a fibre, a frame every {:.3g} s. {}\n", plan.particles_per_droplet,
-               plan.fibre_shells, plan.frame_interval, plan.resolution_reason);
-    const Knobs fidelity = knobs_of(plan.fidelity);
+    fmt::print("resolution   a frame every {:.3g} s. {}\n", plan.frame_interval, plan.resolution_reason);
+    const char* head = "knobs";
     for (const KnobInfo& knob : knob_table()) {
-        const double value = plan.knobs.*knob.value, usual = fidelity.*knob.value;
-        fmt::print("{:<12} {:<22} {:<8} {}{}\n", &knob == knob_table().data() ? "knobs" : "", knob.name,
-                   fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit), knob.meaning,
-                   value != usual ? fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual) : std::string());
+        if (plan.idle_knobs.contains(knob.name)) continue;
+        fmt::print("{:<12} {:<23} {:<8} {}{}\n", std::exchange(head, ""), knob.name, value_text(knob, plan.knobs.*knob.value), knob.meaning,
+                   as_set(plan, knob));
     }
-    fmt::print("expected     {:.3g} s, {}, {}. {}\n", plan.expected_seconds, bytes_text(plan.expected_bytes),
-               plan.expected_error ? fmt::format("error {:.2g} %", 100 * *plan.expected_error) : std::string("error not measured"),
-               plan.expectation_source);
+    head = "no effect";
+    for (const auto& [why, knobs] : idle_by_reason(plan)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);
+    fmt::print("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
+               error_text(plan), plan.expectation_source);
 }
 
 /// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.

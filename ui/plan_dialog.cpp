@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/plan_dialog.h"
 
+#include "core/base/text.h"
 #include "ui/quantity.h"
 
 #include <QDialogButtonBox>
@@ -8,6 +9,16 @@
 #include <QVBoxLayout>
 
 namespace hygroloom {
+
+namespace {
+
+/// Two digits that count: the scene that was measured is another one.
+QString errorText(double error)
+{
+    return PlanDialog::tr("error %1 %").arg(shownNumber(100 * error, decimals_for(100 * error, 2)));
+}
+
+} // namespace
 
 QString fidelityName(Fidelity fidelity)
 {
@@ -35,8 +46,9 @@ QString roughDuration(double seconds)
 
 QString expectation(const ModelPlan& plan)
 {
-    const QString error = plan.expected_error ? PlanDialog::tr("error %1 %").arg(shownNumber(100 * *plan.expected_error, 1))
-                                              : PlanDialog::tr("error not measured");
+    const QString error = !plan.expected_error ? PlanDialog::tr("error not measured")
+        : *plan.expected_error <= 0            ? PlanDialog::tr("no error, as errors are measured against it")
+                                               : errorText(*plan.expected_error);
     return PlanDialog::tr("%1, %2 of memory, %3. %4")
         .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error, QString::fromStdString(plan.expectation_source).toHtmlEscaped());
 }
@@ -45,7 +57,7 @@ QString shortExpectation(const ModelPlan& plan)
 {
     const QString cost = PlanDialog::tr("%1, %2").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes));
     const bool known = plan.expected_error && *plan.expected_error > 0; // the reference's is none by definition
-    return known ? PlanDialog::tr("%1, error %2 %").arg(cost, shownNumber(100 * *plan.expected_error, 1)) : cost;
+    return known ? PlanDialog::tr("%1, %2").arg(cost, errorText(*plan.expected_error)) : cost;
 }
 
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
@@ -68,9 +80,7 @@ PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QStri
     html += "</table><p><b>" + tr("Region.") + "</b> "
         + tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " " + text(plan.region_reason)
         + "</p><p><b>" + tr("Resolution.") + "</b> "
-        + tr("%1 particles per droplet, a picture every %2 s, yarn steps of at most %3 s.")
-              .arg(plan.particles_per_droplet)
-              .arg(shownNumber(plan.frame_interval, 4), shownNumber(plan.knobs.network_step_limit, 4))
+        + tr("A picture every %1 s.").arg(shownNumber(plan.frame_interval, 4))
         + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
         + expectation(plan) + "</p>";
     auto* browser = new QTextBrowser;

@@ -2,6 +2,7 @@
 #include "core/sim/expectation.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/sim/bundles.h"
 #include "core/sim/droplet.h"
@@ -245,6 +246,13 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
                     run.error && as_set ? " The error is that scene's against its reference."
                     : as_set            ? " Its error against the reference was not measured."
                                         : " The error with these knobs was not measured.");
+}
+
+std::string error_text(const ModelPlan& plan)
+{
+    if (!plan.expected_error) return "error not measured";
+    if (*plan.expected_error <= 0) return "no error, as errors are measured against it";
+    return fmt::format("error {} %", rounded_text(100 * *plan.expected_error, 2));
 }
 
 double parse_error_target(const std::string& text)

@@ -40,6 +40,9 @@ double rough_bytes(const ModelPlan& plan);
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 
+/// "error 4.8 %", or that it was not measured, or that there is none by definition.
+std::string error_text(const ModelPlan& plan);
+
 /// What the user wants of --fidelity auto: one of both.
 struct FidelityTarget {
     std::optional<double> error;   ///< at most, relative

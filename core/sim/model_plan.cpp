@@ -3,6 +3,7 @@
 #include "core/sim/model_plan.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
 #include "core/physics/wicking.h"
@@ -41,8 +42,8 @@ struct Bounds {
     bool wicks = false;
 };
 
-constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
 constexpr const char* mixing = "bundles of so many would mix yarns that differ";
+constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
 
 /// Share of the sample's ends or picks that each type of yarn has.
 std::vector<double> shares_of_types(const Textile& textile, YarnKind kind)
@@ -236,14 +237,17 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool wicking = plan.parts.back().on;
     const bool moist = wicking || conditioning || (wet && !drops); // water can get to the fibres
     plan.water_at_stake = std::max(b.at_stake, 1e-30);
+    const std::string left_out = fmt::format("parts below {:.3g} % are left out at this fidelity.", 100 * knobs.neglected_share);
     const auto share_reason = [&](const char* what, double share) {
-        return fmt::format("{} at most {:.3g} % of the water {}; parts below {:.3g} % are left out at this fidelity.", what, 100 * share,
-                           conditioning ? "that fibres exchange" : "delivered", 100 * knobs.neglected_share);
+        return share < 1 ? fmt::format("{} at most {:.3g} % of the water delivered; {}", what, 100 * share, left_out)
+                         : fmt::format("{} at most all of the water delivered; {}", what, left_out);
     };
     const double sorbed = b.sorbable / plan.water_at_stake;
-    plan.parts.push_back(decide_by(
-        "sorption", {sorbed, moist && b.sorbable > 0, "what the fibres can take up wherever the cloth has really got wet"},
-        share_reason(conditioning ? "The fibres exchange" : "The fibres of the area that can get wet take up", sorbed), knobs, forced));
+    plan.parts.push_back(
+        decide_by("sorption", {sorbed, moist && b.sorbable > 0, "what the fibres can take up wherever the cloth has really got wet"},
+                  conditioning ? fmt::format("The fibres exchange {}.", b.sorbable > 0 ? "all the water there is" : "no water")
+                               : share_reason("The fibres of the area that can get wet take up", sorbed),
+                  knobs, forced));
     const bool sorption = plan.parts.back().on;
     // A sample in a new climate exchanges what its fibres do; without liquid that is all.
     const bool new_climate = conditioning || !experiment.climates.empty();
@@ -267,9 +271,10 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
         {effect, moist && (effect > 0 || may_follow),
          "how far what fibres have really taken up and what evaporates change the temperature"},
         fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
-                    "changes by {:.3g} K; at 2 % a kelvin that is {:.3g} % of a rate. The cooling holds back at most {:.3g} % of the "
+                    "changes by {:.3g} K; at 2 % a kelvin that changes rates by {}. The cooling holds back at most {:.3g} % of the "
                     "water from evaporating. Parts below {:.3g} % are left out at this fidelity.",
-                    warming, cooling, change, 100 * rates, 100 * slowed, 100 * knobs.neglected_share),
+                    warming, cooling, change, rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed,
+                    100 * knobs.neglected_share),
         knobs, forced));
 }
 
@@ -279,12 +284,13 @@ void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experimen
     const auto [width, height] = sample_extent_mm(experiment);
     const bool everywhere = experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
                             experiment.type == ExperimentType::sweat || !experiment.climates.empty();
+    const double wet = 1e6 * b.wet_area / (width * height);
     plan.parts.push_back(
         decide("growth", !everywhere,
                everywhere ? std::string("All of the sample changes from the start.")
-                          : fmt::format("Only the cloth near the liquid is visited: it can wet at most {:.3g} % of the sample. What is "
-                                        "visited grows before the air in its pores changes by {:.3g} % humidity at its border.",
-                                        100 * std::min(1.0, 1e6 * b.wet_area / (width * height)), 100 * knobs.rest_tolerance),
+                          : fmt::format("Only the cloth near the liquid is visited: it can wet {} of the sample. What is visited grows "
+                                        "before the air in its pores changes by {:.3g} % humidity at its border.",
+                                        wet < 1 ? fmt::format("at most {:.3g} %", 100 * wet) : "all", 100 * knobs.rest_tolerance),
                forced));
     plan.rest_tolerance = plan.on("growth") ? knobs.rest_tolerance : 0;
 }
@@ -293,8 +299,8 @@ TextileRegion decide_region(ModelPlan& plan, const Fabric& fabric, const Experim
 {
     const auto [width, height] = sample_extent_mm(experiment);
     const TextileRegion sample = region_of_sample(fabric, width, height);
-    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {:.3g} mm² of its {:.3g} mm².",
-                                     sample.ends, sample.picks, 1e6 * b.wet_area, width * height);
+    plan.region_reason = fmt::format("The whole sample: {} ends and {} picks. The liquid can wet {} mm² of its {} mm².", sample.ends,
+                                     sample.picks, rounded_text(1e6 * b.wet_area, 3), rounded_text(width * height, 3));
     return sample;
 }
 
@@ -355,12 +361,6 @@ std::string decide_cells(ModelPlan& plan, const Textile& textile, const Experime
                        ends.yarns, picks.yarns, ends.count, picks.count);
 }
 
-SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
-{
-    const auto [width, height] = sample_extent_mm(experiment);
-    SceneCounts counts;
-    counts.type = name_of(experiment.type);
-    counts.drops = static_cast<double>(b.drops);
 /// Tells of the knobs by which bundles are made which have no effect. After decide_cells().
 void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentType type)
 {
@@ -404,6 +404,12 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
     std::erase_if(plan.idle_knobs, [](const auto& knob) { return knob.second.empty(); });
 }
 
+SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
+{
+    const auto [width, height] = sample_extent_mm(experiment);
+    SceneCounts counts;
+    counts.type = name_of(experiment.type);
+    counts.drops = static_cast<double>(b.drops);
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
     counts.duration = experiment.duration_s;
     counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
@@ -412,6 +418,23 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
     counts.capillarity = b.liquid.surface_tension / b.liquid.density;
     counts.viscosity = b.liquid.viscosity / b.liquid.density;
     return counts;
+}
+
+/// Of what is in the scene.
+std::string resolution_in_words(const ModelPlan& plan, bool set_by_user)
+{
+    const Knobs& knobs = plan.knobs;
+    const bool liquid = plan.on("liquid");
+    std::string text = fmt::format("{} fidelity{}: ", name_of(plan.fidelity), set_by_user ? " with knobs set by the user" : "");
+    if (liquid) text += fmt::format("{} particles a drop, ", plan.particles_per_droplet);
+    text += fmt::format("one cell per {} and crossing, ", plan.crossings_per_cell > 1 ? "bundle" : "yarn");
+    if (plan.on("sorption")) text += fmt::format("{} shells in a fibre, ", plan.fibre_shells);
+    if (!liquid) return text + fmt::format("steps that misplace at most {:.2g} % of the water and heat at stake.", 100 * knobs.step_error);
+    text += fmt::format("network steps of at most {:.3g} ms that change no saturation by more than about {:.2g}; ",
+                        1e3 * knobs.network_step_limit, knobs.saturation_change);
+    return text + (knobs.settle_share > 0
+                       ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk.", 100 * knobs.settle_share)
+                       : std::string("liquid at rest is never skipped."));
 }
 
 } // namespace
@@ -424,6 +447,19 @@ bool ModelPlan::on(const std::string& part) const
 bool ModelPlan::watches(const std::string& part) const
 {
     return std::any_of(parts.begin(), parts.end(), [&](const PlannedPart& p) { return p.name == part && p.watched; });
+}
+
+std::vector<std::string> notes_of(const ModelPlan& plan)
+{
+    std::vector<std::string> notes;
+    if (plan.crossings_per_cell > 1)
+        notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
+                                    plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
+                                    bundles_of(plan.region.picks, plan.crossings_per_cell).count));
+    for (const KnobInfo* knob : changed_knobs(knobs_of(plan.fidelity), plan.knobs))
+        if (const auto idle = plan.idle_knobs.find(knob->name); idle != plan.idle_knobs.end())
+            notes.push_back(fmt::format("{} was set and had no effect: {}.", knob->name, idle->second));
+    return notes;
 }
 
 ModelPlan with_part(ModelPlan plan, const std::string& part)
@@ -449,19 +485,6 @@ ForcedParts parse_forced_parts(const std::string& text)
                         "and growth; \"" +
                         item + "\" was given.");
         forced[name] = value == "on";
-std::vector<std::string> notes_of(const ModelPlan& plan)
-{
-    std::vector<std::string> notes;
-    if (plan.crossings_per_cell > 1)
-        notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
-                                    plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
-                                    bundles_of(plan.region.picks, plan.crossings_per_cell).count));
-    for (const KnobInfo* knob : changed_knobs(knobs_of(plan.fidelity), plan.knobs))
-        if (const auto idle = plan.idle_knobs.find(knob->name); idle != plan.idle_knobs.end())
-            notes.push_back(fmt::format("{} was set and had no effect: {}.", knob->name, idle->second));
-    return notes;
-}
-
     }
     return forced;
 }
@@ -492,21 +515,12 @@ ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experimen
     plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     const std::string cells = decide_cells(plan, textile, experiment);
+    find_idle_knobs(plan, textile, experiment, bounds);
     plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
-    plan.resolution_reason =
-        fmt::format("{} fidelity{}: {} particles a drop, one cell per {} and crossing, {} shells in a fibre, network steps of at "
-                    "most {:.3g} ms that change no saturation by more than about {:.2g}; {}.",
-                    name_of(fidelity), settings.empty() ? "" : " with knobs set by the user", plan.particles_per_droplet,
-                    plan.crossings_per_cell > 1 ? "bundle" : "yarn", plan.fibre_shells, 1e3 * plan.knobs.network_step_limit,
-                    plan.knobs.saturation_change,
-                    plan.knobs.settle_share > 0
-                        ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk", 100 * plan.knobs.settle_share)
-                        : std::string("liquid at rest is never skipped")) +
-        cells;
+    plan.resolution_reason = resolution_in_words(plan, !settings.empty()) + cells;
     plan.counts = counts_of(experiment, bounds);
     expect(plan, shipped_measurements("cpu"));
     return plan;
 }
 
 } // namespace hygroloom
-    find_idle_knobs(plan, textile, experiment, bounds);

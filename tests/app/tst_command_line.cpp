@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -156,7 +157,7 @@ private Q_SLOTS:
         const QStringList plan{"plan", example("textile-F.hygro"), "--set", "fidelity.fibre_shells=12"};
         const Answer answer = run_cli(plan);
         QCOMPARE(answer.code, 0);
-        QVERIFY2(answer.out.contains("network_step_limit_s   0.005 s"), answer.out);
+        QVERIFY2(answer.out.contains("network_step_limit_s    0.005 s"), answer.out);
         QVERIFY2(answer.out.contains("(set by the user; standard has 8)"), answer.out);
         const QJsonObject knobs = run_cli(plan + QStringList{"--json"}).json()["knobs"].toObject();
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
@@ -204,6 +205,24 @@ private Q_SLOTS:
         QVERIFY2(text.out.contains("% of Ashenhurst's limit 40/cm"), text.out); // 50 x 8/10
         const QJsonObject fabric = run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject();
         QCOMPARE(fabric["weave"].toObject()["floats"].toObject()["warp_face"].toObject()["longest"].toInt(), 7);
+    void planLeavesOutWhatIsNotInTheScene()
+    {
+        const auto plan = [](const char* experiment, const char* fidelity) {
+            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--fidelity", fidelity}).out;
+        };
+        const QByteArray drying = plan("drying", "draft"), drop = plan("one drop", "draft");
+        QVERIFY2(!drying.contains("particles a drop") && drying.contains("no drop falls: particles_per_droplet, "), drying);
+        QVERIFY2(drying.contains("takes at most all of the water delivered"), drying);
+        QVERIFY2(drop.contains("2000 particles a drop"), drop);
+        const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
+        for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
+            QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
+        QVERIFY(plan("one drop", "reference").contains("no error, as errors are measured against it"));
+        const QRegularExpression error(", error ([0-9.]+) %");
+        const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
+        const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
+        QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
+    }
         QCOMPARE(fabric["weave"].toObject()["shafts"].toInt(), 8);
         QVERIFY(qAbs(fabric["jam"].toObject()["warp"].toObject()["ashenhurst_percent"].toDouble() - 87.5) < 1e-9);
     }
