@@ -129,12 +129,21 @@ void print_issue(const std::string& file, const Issue& issue)
     fmt::print(stderr, "{}: {}: {}: {}\n", file, issue.where, severities[static_cast<int>(issue.severity)], issue.text);
 }
 
+void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet)
+{
+    std::size_t warnings = 0;
+    for (const Issue& issue : issues) {
+        if (issue.severity == Severity::error) print_issue(file, issue);
+        if (issue.severity == Severity::warning) ++warnings;
+    }
+    if (warnings == 1 && !quiet) fmt::print(stderr, "1 warning; hygroloom-cli check {} shows it.\n", file);
+    if (warnings > 1 && !quiet) fmt::print(stderr, "{} warnings; hygroloom-cli check {} shows them.\n", warnings, file);
+}
+
 void require_valid(const Design& design, const ProjectOptions& options)
 {
     const std::vector<Issue> issues = validate(design);
-    for (const Issue& issue : issues)
-        if (issue.severity == Severity::error || (issue.severity == Severity::warning && !options.quiet))
-            print_issue(options.project, issue);
+    print_in_short(options.project, issues, options.quiet);
     if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was done.");
 }
 

@@ -50,9 +50,12 @@ KnobSettings knob_settings(const ProjectOptions& options);
 /// For --help: each knob with its values and what it means.
 std::string knob_help();
 
-/// Prints issues on stderr as "file: path: sentence"; notes only when asked for. Throws Stop when one is an error.
-void require_valid(const Design& design, const ProjectOptions& options);
+/// On stderr as "file: path: severity: sentence".
 void print_issue(const std::string& file, const Issue& issue);
+/// Errors on stderr, and unless quiet how many warnings there are, which check shows.
+void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet);
+/// Prints the design's issues in short. Throws Stop when one is an error.
+void require_valid(const Design& design, const ProjectOptions& options);
 
 /// The one named, or the only one when no name is given. Throws Stop with the names there are.
 const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options);

@@ -91,8 +91,7 @@ int import_file(const ImportOptions& options)
                 fmt::print("  {}{}\n", line.severity == Severity::note ? "" : "warning: ", line.text);
         if (!options.output.empty()) fmt::print("{} {}\n", existing ? "Added to" : "Written to", options.output);
     }
-    for (const Issue& issue : issues)
-        if (issue.severity != Severity::note && !options.quiet) print_issue(options.output, issue);
+    if (!options.quiet) print_in_short(options.output, issues, false);
     return exit_ok;
 }
 

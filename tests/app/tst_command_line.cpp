@@ -90,6 +90,20 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"simulate", example("textile-F.hygro"), "--set", "experiments[0].duration_s=0"}).code, 3);
         QCOMPARE(run_cli({"measure", example("textile-F.hygro")}).code, 3);
     }
+    void warningsAreShownByCheckAndCountedByOthers()
+    {
+        const QStringList dense{example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=37"};
+        const Answer check = run_cli(QStringList{"check"} + dense), plan = run_cli(QStringList{"plan", "--json"} + dense);
+        const qsizetype warnings = check.err.count(": warning: ");
+        QVERIFY(warnings > 0);
+        const QByteArray line = QString("%1 warning%2; hygroloom-cli check %3 shows %4.\n")
+                                    .arg(warnings)
+                                    .arg(warnings == 1 ? "" : "s", dense[0], warnings == 1 ? "it" : "them")
+                                    .toUtf8();
+        QCOMPARE(plan.err, line);
+        QVERIFY(!plan.json().isEmpty());
+        QCOMPARE(run_cli(QStringList{"plan", "--quiet"} + dense).err, QByteArray());
+    }
     void presetsAreListedAndAddedToAProject()
     {
         QVERIFY(run_cli({"presets"}).out.contains("Poplin shirting"));
@@ -177,6 +191,24 @@ private Q_SLOTS:
         QVERIFY2(drop.contains("although the fidelity would put 2 ends and picks into one: free liquid meets single yarns."), drop);
         QVERIFY2(drying.contains("are simulated as 53 and 53 bundles; what a frame shows of a yarn is its bundle's."), drying);
     }
+    void planLeavesOutWhatIsNotInTheScene()
+    {
+        const auto plan = [](const char* experiment, const char* fidelity) {
+            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--fidelity", fidelity}).out;
+        };
+        const QByteArray drying = plan("drying", "draft"), drop = plan("one drop", "draft");
+        QVERIFY2(!drying.contains("particles a drop") && drying.contains("no drop falls: particles_per_droplet, "), drying);
+        QVERIFY2(drying.contains("takes at most all of the water delivered"), drying);
+        QVERIFY2(drop.contains("2000 particles a drop"), drop);
+        const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
+        for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
+            QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
+        QVERIFY(plan("one drop", "reference").contains("no error, as errors are measured against it"));
+        const QRegularExpression error(", error ([0-9.]+) %");
+        const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
+        const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
+        QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
+    }
     void autoSaysWhatItTookAndWhy()
     {
         const auto plan = [](const char* option, const char* wish) {
@@ -205,24 +237,6 @@ private Q_SLOTS:
         QVERIFY2(text.out.contains("% of Ashenhurst's limit 40/cm"), text.out); // 50 x 8/10
         const QJsonObject fabric = run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject();
         QCOMPARE(fabric["weave"].toObject()["floats"].toObject()["warp_face"].toObject()["longest"].toInt(), 7);
-    void planLeavesOutWhatIsNotInTheScene()
-    {
-        const auto plan = [](const char* experiment, const char* fidelity) {
-            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--fidelity", fidelity}).out;
-        };
-        const QByteArray drying = plan("drying", "draft"), drop = plan("one drop", "draft");
-        QVERIFY2(!drying.contains("particles a drop") && drying.contains("no drop falls: particles_per_droplet, "), drying);
-        QVERIFY2(drying.contains("takes at most all of the water delivered"), drying);
-        QVERIFY2(drop.contains("2000 particles a drop"), drop);
-        const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
-        for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
-            QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
-        QVERIFY(plan("one drop", "reference").contains("no error, as errors are measured against it"));
-        const QRegularExpression error(", error ([0-9.]+) %");
-        const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
-        const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
-        QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
-    }
         QCOMPARE(fabric["weave"].toObject()["shafts"].toInt(), 8);
         QVERIFY(qAbs(fabric["jam"].toObject()["warp"].toObject()["ashenhurst_percent"].toDouble() - 87.5) < 1e-9);
     }
