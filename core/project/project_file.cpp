@@ -6,9 +6,31 @@
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
 
+#include <fstream>
+
 namespace hygroloom {
 
-Design read_project(const std::filesystem::path& path) { return parse_project(read_file(path, largest_project_bytes), path.string()); }
+namespace {
+
+/// Whether a file is HDF5, as recordings are; they may be larger than a project.
+bool is_recording(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return false;
+    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+    char begin[signature.size()] = {};
+    std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+    return std::string_view(begin, sizeof begin) == signature;
+}
+
+} // namespace
+
+Design read_project(const std::filesystem::path& path)
+{
+    if (is_recording(path))
+        throw FileError(path.string() + ": This is a recording, not a project. The verb measure reads it, and the window shows it.");
+    return parse_project(read_file(path, largest_project_bytes), path.string());
+}
 
 Design parse_project(std::string_view text, const std::string& name)
 {

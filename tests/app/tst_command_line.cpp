@@ -90,6 +90,20 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"simulate", example("textile-F.hygro"), "--set", "experiments[0].duration_s=0"}).code, 3);
         QCOMPARE(run_cli({"measure", example("textile-F.hygro")}).code, 3);
     }
+    void aRecordingGivenForAProjectIsNamedAsOne()
+    {
+        const QString recording = folder_.filePath("drop.hygrorec");
+        QFile file(recording);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("\x89HDF\r\n\x1a\n and the rest");
+        file.close();
+        for (const char* verb : {"simulate", "check", "plan"}) {
+            const Answer answer = run_cli({verb, recording});
+            QCOMPARE(answer.code, 3);
+            QVERIFY2(answer.err.contains("This is a recording, not a project. The verb measure reads it"), answer.err);
+        }
+        QVERIFY(file.remove());
+    }
     void warningsAreShownByCheckAndCountedByOthers()
     {
         const QStringList dense{example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=37"};
