@@ -55,31 +55,6 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
     }
 }
 
-void print_comparison(const Comparison& comparison)
-{
-    fmt::print("{}: ranked by {}\n", comparison.experiment, order_text(comparison));
-    std::size_t widest = 6;
-    for (const Candidate& c : comparison.candidates) widest = std::max(widest, c.fabric.size());
-    fmt::print("    {:<{}}", "fabric", widest);
-    for (const Criterion& criterion : comparison.criteria) fmt::print("  {}", criterion.name);
-    fmt::print("  wall_s\n");
-    int rank = 0;
-    for (const Candidate& c : comparison.candidates) {
-        fmt::print("{:>2}  {:<{}}", ++rank, c.fabric, widest);
-        if (!c.failure.empty()) {
-            fmt::print("  {}\n", c.failure);
-            continue;
-        }
-        for (const Criterion& criterion : comparison.criteria) {
-            const auto found = c.numbers.find(criterion.name);
-            fmt::print("  {:>{}}", found == c.numbers.end() ? "-" : fmt::format("{:.4g}", found->second), criterion.name.size());
-        }
-        fmt::print("  {:>6}\n", fmt::format("{:.3g}", c.wall));
-    }
-    for (const Candidate& c : comparison.candidates)
-        for (const std::string& note : c.notes) fmt::print("  {}: {}\n", c.fabric, note);
-}
-
 /// The comparison's runs, as they go on side by side.
 class CandidateRuns {
 public:
@@ -186,7 +161,7 @@ int compare(const CompareOptions& options)
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
     else
-        print_comparison(comparison);
+        fmt::print("{}", comparison_table(comparison));
     if (!options.output.empty()) {
         write_pictures(runs.maps(), fabrics, options.output);
         if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
@@ -216,7 +191,8 @@ void add_compare(CLI::App& app, Verb& chosen)
     options->takes_knobs = true;
     verb.add_option("--fabrics", options->fabrics, "Names of two or more, with commas between; all of the project when left out")
         ->allow_extra_args(false);
-    verb.add_option("--by", options->by, "Number to rank by, as in the table's head; the first of it when left out");
+    verb.add_option("--by", options->by,
+                    "Number to rank by, a key of the metrics such as absorbency_time_s; the first of the table when left out");
     verb.add_option("--fidelity", options->fidelity, "draft, standard or reference; the same for all");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);

@@ -32,25 +32,35 @@ std::string csv_field(const std::string& text)
     return '"' + inside + '"';
 }
 
+const char* order_words(const Criterion& criterion) { return criterion.most_first ? "the most first" : "the least first"; }
+
 } // namespace
 
 std::vector<Criterion> criteria_of(ExperimentType type)
 {
+    const Criterion radius_top{"maximum_wetted_radius_top_mm", "wetted radius, top", "mm", most};
+    const Criterion radius_bottom{"maximum_wetted_radius_bottom_mm", "wetted radius, bottom", "mm", most};
+    const Criterion absorbency{"absorbency_time_s", "absorbency time", "s", least};
     switch (type) {
-    case ExperimentType::droplet:
-        return {{"maximum_wetted_radius_top_mm", most}, {"maximum_wetted_radius_bottom_mm", most}, {"absorbency_time_s", least}};
-    case ExperimentType::horizontal_wicking:
-        return {{"wick_rate_mm2_s", most}, {"maximum_wetted_radius_top_mm", most}, {"absorbency_time_s", least}};
+    case ExperimentType::droplet: return {radius_top, radius_bottom, absorbency};
+    case ExperimentType::horizontal_wicking: return {{"wick_rate_mm2_s", "wicking rate", "mm2/s", most}, radius_top, absorbency};
     case ExperimentType::moisture_management:
-        return {{"ommc", most},
-                {"one_way_transport_pct", most},
-                {"spreading_speed_bottom_mm_s", most},
-                {"absorption_rate_bottom_pct_s", most},
-                {"wetting_time_top_s", least}};
-    case ExperimentType::vertical_wicking: return {{"wick_height_mm", most}, {"wick_rate_mm_s05", most}};
-    case ExperimentType::drying: return {{"time_to_dry_s", least}, {"drying_rate_g_m2_h", most}, {"surface_temperature_steady_c", least}};
-    case ExperimentType::conditioning: return {{"regain_half_time_s", least}, {"regain_end", most}, {"temperature_peak_rise_c", least}};
-    case ExperimentType::sweat: return {{"maximum_wetted_radius_bottom_mm", most}, {"maximum_wetted_radius_top_mm", most}};
+        return {{"ommc", "overall capability (OMMC)", "", most},
+                {"one_way_transport_pct", "one-way transport", "%", most},
+                {"spreading_speed_bottom_mm_s", "spreading speed, bottom", "mm/s", most},
+                {"absorption_rate_bottom_pct_s", "absorption rate, bottom", "%/s", most},
+                {"wetting_time_top_s", "wetting time, top", "s", least}};
+    case ExperimentType::vertical_wicking:
+        return {{"wick_height_mm", "height", "mm", most}, {"wick_rate_mm_s05", "wicking rate", "mm/s^0.5", most}};
+    case ExperimentType::drying:
+        return {{"time_to_dry_s", "time to dry", "s", least},
+                {"drying_rate_g_m2_h", "drying rate", "g/(m2 h)", most},
+                {"surface_temperature_steady_c", "temperature while drying", "C", least}};
+    case ExperimentType::conditioning:
+        return {{"regain_half_time_s", "half of the change after", "s", least},
+                {"regain_end", "regain at the end", "", most},
+                {"temperature_peak_rise_c", "warmer than the air by", "K", least}};
+    case ExperimentType::sweat: return {radius_bottom, radius_top};
     }
     return {};
 }
@@ -88,9 +98,39 @@ void rank(Comparison& comparison)
                      [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
 }
 
-std::string order_text(const Comparison& comparison)
+std::string comparison_table(const Comparison& comparison)
 {
-    return comparison.ranked_by.name + (comparison.ranked_by.most_first ? ", the most first" : ", the least first");
+    std::string text =
+        fmt::format("{}: ranked by {} ({})\n", comparison.experiment, comparison.ranked_by.title, order_words(comparison.ranked_by));
+    std::size_t widest = 6;
+    for (const Candidate& c : comparison.candidates) widest = std::max(widest, c.fabric.size());
+    std::vector<std::size_t> widths;
+    for (const Criterion& criterion : comparison.criteria) widths.push_back(std::max(criterion.title.size(), std::size_t{9}));
+    const auto row = [&](const std::string& rank, const std::string& fabric, const auto& cell, const std::string& run_time) {
+        text += fmt::format("{:>2}  {:<{}}", rank, fabric, widest);
+        for (std::size_t i = 0; i < widths.size(); ++i) text += fmt::format("  {:>{}}", cell(comparison.criteria[i]), widths[i]);
+        text += fmt::format("  {:>8}\n", run_time);
+    };
+    row(
+        "", "fabric", [](const Criterion& criterion) { return criterion.title; }, "run time");
+    row(
+        "", "", [](const Criterion& criterion) { return criterion.unit; }, "s");
+    int rank = 0;
+    for (const Candidate& c : comparison.candidates) {
+        ++rank;
+        if (!c.failure.empty()) {
+            text += fmt::format("{:>2}  {:<{}}  {}\n", rank, c.fabric, widest, c.failure);
+            continue;
+        }
+        const auto number = [&](const Criterion& criterion) {
+            const auto found = c.numbers.find(criterion.name);
+            return found == c.numbers.end() ? std::string("-") : fmt::format("{:.4g}", found->second);
+        };
+        row(std::to_string(rank), c.fabric, number, fmt::format("{:.3g}", c.wall));
+    }
+    for (const Candidate& c : comparison.candidates)
+        for (const std::string& note : c.notes) text += fmt::format("  {}: {}\n", c.fabric, note);
+    return text;
 }
 
 std::string comparison_json(const Comparison& comparison)
@@ -117,8 +157,9 @@ std::string comparison_json(const Comparison& comparison)
 
 std::string comparison_csv(const Comparison& comparison)
 {
-    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
-                                   order_text(comparison), comparison.complete ? "yes" : "no");
+    std::string text =
+        fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
+                    comparison.ranked_by.name + ", " + order_words(comparison.ranked_by), comparison.complete ? "yes" : "no");
     for (const Criterion& criterion : comparison.criteria) text += "," + criterion.name;
     text += ",wall_s,notes\n";
     int rank = 0;

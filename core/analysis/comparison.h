@@ -11,6 +11,8 @@ namespace hygroloom {
 /// A number of the metrics file by which candidates are compared.
 struct Criterion {
     std::string name;       ///< its key, with the unit
+    std::string title;      ///< for people
+    std::string unit;       ///< empty for a plain number
     bool most_first = true; ///< otherwise the least comes first
 };
 
@@ -44,9 +46,8 @@ Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::
 /// Best first; those without the number after them, those that failed last, equal ones as they stand.
 void rank(Comparison& comparison);
 
-/// How the table says in which order it stands: "maximum_wetted_radius_top_mm, the most first".
-std::string order_text(const Comparison& comparison);
-
+/// The comparison as people read it, with a line for each candidate below one of titles and one of units.
+std::string comparison_table(const Comparison& comparison);
 /// With the metrics file of each.
 std::string comparison_json(const Comparison& comparison);
 /// UTF-8, comma, dot decimals; first lines "# key=value", then a header. Numbers that could not be determined are empty.

@@ -99,6 +99,19 @@ private Q_SLOTS:
             QVERIFY2(std::string(error.what()).find("absorbency_time_s") != std::string::npos, error.what());
         }
     }
+    void theTableHasTitlesAndUnitsForPeople()
+    {
+        Comparison c = of_drops({{"cotton", 3.25}, {"polyester", {}}});
+        c.candidates[1].failure = "too large";
+        QCOMPARE(comparison_table(c), std::string("drop: ranked by wetted radius, top (the most first)\n"
+                                                  "    fabric     wetted radius, top  wetted radius, bottom  absorbency time  run time\n"
+                                                  "                               mm                     mm                s         s\n"
+                                                  " 1  cotton                   3.25                      -                -         0\n"
+                                                  " 2  polyester  too large\n"));
+        for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type)
+            for (const Criterion& criterion : criteria_of(static_cast<ExperimentType>(type)))
+                QVERIFY2(!criterion.title.empty() && criterion.title.find('_') == std::string::npos, criterion.name.c_str());
+    }
     void theFilesSayWhatTheTableSays()
     {
         Comparison c = of_drops({{"a \"fine\", washed", 3.25}, {"b", {}}});

@@ -263,7 +263,9 @@ private Q_SLOTS:
         QVERIFY(run_cli(compare + scene + QStringList{"--by", "ommc"}).err.contains("no number \"ommc\""));
         const Answer least =
             run_cli(compare + scene + QStringList{"--by", "absorbency_time_s", "--fabrics", "Hemp plain, Cotton plain"}, 300);
-        QVERIFY2(least.code == 0 && least.out.contains("ranked by absorbency_time_s, the least first"), least.err);
+        QVERIFY2(least.code == 0 && least.out.contains("ranked by absorbency time (the least first)"), least.err);
+        QVERIFY2(least.out.contains("wetted radius, top  wetted radius, bottom  absorbency time  run time\n"), least.out);
+        QVERIFY(!least.out.contains("_mm") && !least.out.contains("_s"));
         QVERIFY(least.out.contains("Hemp plain") && !least.out.contains("Cotton twill"));
         const QString first = candidates[0].toObject()["fabric"].toString();
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two fabrics or more"));
