@@ -26,7 +26,7 @@ struct Stroke {
 };
 
 // Told apart by dash as well as by colour.
-constexpr Stroke strokes[] = {{"#0b6aa8", "#5ab0e8", Qt::SolidLine}, {"#9a5b00", "#e0a94a", Qt::DashLine}, {"#5b6570", "#a8b2bb", Qt::DotLine}};
+constexpr Stroke strokes[] = {{"#0b6aa8", "#5ab0e8", Qt::SolidLine}, {"#9a5b00", "#e0a94a", Qt::DashLine}, {"#7a3f98", "#c79be0", Qt::DashDotLine}, {"#5b6570", "#a8b2bb", Qt::DotLine}};
 
 constexpr std::size_t most_curves = std::size(strokes);
 
@@ -37,6 +37,7 @@ struct PlotContent {
     struct Curve {
         QString name;
         std::vector<double> Series::*values;
+        bool taken_up = false; ///< less what the cloth held before the experiment
     };
     QString title;
     std::vector<Curve> curves;
@@ -53,7 +54,10 @@ PlotContent waterContent(ExperimentType type)
         return {Chart::tr("Regain, %"), {{Chart::tr("fibres"), &Series::regain_mean}}, 100};
     }
     return {Chart::tr("Water, mg"),
-            {{Chart::tr("free"), &Series::free_water}, {Chart::tr("in yarns"), &Series::yarn_water}, {Chart::tr("evaporated"), &Series::evaporated}},
+            {{Chart::tr("free"), &Series::free_water},
+             {Chart::tr("in yarns"), &Series::yarn_water},
+             {Chart::tr("in fibres"), &Series::bound_water, true},
+             {Chart::tr("evaporated"), &Series::evaporated}},
             1e6};
 }
 
@@ -93,6 +97,7 @@ Chart::Chart(Playback& playback, QWidget* parent)
     layout->addWidget(water_.view);
     layout->addWidget(subject_.view);
     setMinimumHeight(110);
+    water_.view->setToolTip(tr("In fibres: what they have taken up, beyond what they held before.\nClick to show that moment."));
     applyPalette();
     connect(&playback_, &Playback::metricsChanged, this, &Chart::refresh);
     connect(&playback_, &Playback::runChanged, this, &Chart::refresh);
@@ -137,6 +142,17 @@ int Chart::points() const
     return water_.lines.front()->count();
 }
 
+QStringList Chart::waterCurves() const
+{
+    QStringList names;
+    for (const QLineSeries* line : water_.lines) {
+        if (line->isVisible()) {
+            names << line->name();
+        }
+    }
+    return names;
+}
+
 QString Chart::title() const
 {
     return subject_.chart->title();
@@ -157,9 +173,10 @@ void Chart::fill(Plot& plot, const PlotContent& content)
             line->setName(content.curves[i].name);
             const std::vector<double>& values = series.*content.curves[i].values;
             points.reserve(static_cast<qsizetype>(values.size()));
+            const double before = content.curves[i].taken_up && playback_.metrics() ? playback_.metrics()->ledger.water_initial : 0;
             for (std::size_t k = 0; k < std::min(series.time.size(), values.size()); ++k) {
                 // A radius below zero stands for no circle.
-                const double value = content.factor * (content.from_zero ? std::max(0.0, values[k]) : values[k]) + content.offset;
+                const double value = content.factor * (content.from_zero ? std::max(0.0, values[k] - before) : values[k] - before) + content.offset;
                 points << QPointF(series.time[k], value);
                 lowest = std::min(lowest, value);
                 highest = std::max(highest, value);

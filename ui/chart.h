@@ -23,6 +23,8 @@ public:
 
     /// Points of the curve of free water, for those who want to know that there are any.
     int points() const;
+    /// Names of the curves in the plot on the left.
+    QStringList waterCurves() const;
     /// Of the plot on the right: "Wetted radius, mm".
     QString title() const;
 

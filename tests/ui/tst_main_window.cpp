@@ -167,6 +167,7 @@ private Q_SLOTS:
         QVERIFY(window_->chart().points() > 1);
         QVERIFY(!window_->resultsAreStale());
     }
+        QCOMPARE(window_->chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
 
     void scrubbingToTheStartShowsADryMap()
     {
