@@ -263,6 +263,7 @@ void MainWindow::connectParts()
         }
     });
     connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
+    connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
     connect(&run_, &SimulationRun::pausedChanged, this, &MainWindow::refreshActions);
     connect(&run_, &SimulationRun::ended, this, &MainWindow::showRunEnd);
     connect(&playback_, &Playback::runChanged, this, [this] {

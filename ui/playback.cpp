@@ -92,10 +92,18 @@ void Playback::append(const std::shared_ptr<const Frame>& frame, const std::shar
     }
 }
 
+void Playback::complete(const std::shared_ptr<const RunRecord>& run)
+{
+    if (live_) {
+        run_ = run;
+    }
+}
+
 void Playback::end()
 {
     live_ = false;
     Q_EMIT framesChanged();
+    Q_EMIT metricsChanged();
 }
 
 double Playback::duration() const

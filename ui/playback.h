@@ -22,6 +22,8 @@ public:
     /// A run that has just begun and writes to path.
     void begin(const std::shared_ptr<const RunRecord>& run, const QString& path);
     void append(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics);
+    /// The live run got to its end; what is known of it only then.
+    void complete(const std::shared_ptr<const RunRecord>& run);
     /// The recording is complete, or cut short, and can be read.
     void end();
     /// Reads a recording in the background; opened() or failed() follows.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results_panel.h"
 
+#include "core/base/text.h"
 #include "core/base/units.h"
+#include "ui/plan_dialog.h"
 #include "ui/quantity.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDateTime>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QVBoxLayout>
 
@@ -94,6 +98,21 @@ void addConditioning(std::vector<Result>& results, const ConditioningResult& m)
     results.push_back({tr("Warmest over the air"), with(m.peak_rise, "K")});
 }
 
+/// Empty for a recording of an older version.
+QString begunAt(const RunRecord& run)
+{
+    const QDateTime begun = QDateTime::fromString(QString::fromStdString(run.date), Qt::ISODate);
+    return begun.isValid() ? QLocale().toString(begun.toLocalTime(), QLocale::ShortFormat) : QString();
+}
+
+QString timeTaken(const RunRecord& run, bool live)
+{
+    if (run.wall > 0) {
+        return ResultsPanel::tr("took %1 s").arg(shownNumber(run.wall, decimals_for(run.wall, 2)));
+    }
+    return live ? tr("running") : tr("cut short");
+}
+
 } // namespace
 
 std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
@@ -147,12 +166,54 @@ std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
     return results;
 }
 
+QString originOf(const RunRecord& run, bool live)
+{
+    QStringList parts{fidelityName(run.plan.fidelity)};
+    const std::size_t set = changed_knobs(knobs_of(run.plan.fidelity), run.plan.knobs).size();
+    if (set > 0) {
+        parts << (set == 1 ? tr("1 knob set") : ResultsPanel::tr("%1 knobs set").arg(set));
+    }
+    parts << (run.backend == "cpu" ? tr("on the CPU") : tr("on a GPU"));
+    if (const QString begun = begunAt(run); !begun.isEmpty()) {
+        parts << begun;
+    }
+    return (parts << timeTaken(run, live)).join(", ");
+}
+
+QStringList originInFull(const RunRecord& run, bool live)
+{
+    const Knobs usual = knobs_of(run.plan.fidelity);
+    QStringList lines{ResultsPanel::tr("Fidelity: %1").arg(fidelityName(run.plan.fidelity))};
+    for (const KnobInfo* knob : changed_knobs(usual, run.plan.knobs)) {
+        lines << ResultsPanel::tr("%1 set to %2 (%3 has %4)")
+                     .arg(knob->name, QLocale().toString(run.plan.knobs.*knob->value), fidelityName(run.plan.fidelity).toLower(),
+                          QLocale().toString(usual.*knob->value));
+    }
+    for (const PlannedPart& part : run.plan.parts) {
+        if (part.forced) {
+            lines << (part.on ? ResultsPanel::tr("%1 modelled, as was asked") : ResultsPanel::tr("%1 left out, as was asked"))
+                         .arg(QString::fromStdString(part.name));
+        }
+    }
+    lines << ResultsPanel::tr("Device: %1").arg(QString::fromStdString(run.device));
+    if (const QString begun = begunAt(run); !begun.isEmpty()) {
+        lines << ResultsPanel::tr("Begun: %1").arg(begun);
+    }
+    const QString taken = timeTaken(run, live);
+    lines << taken.left(1).toUpper() + taken.mid(1);
+    for (const std::string& note : notes_of(run.plan)) {
+        lines << QString::fromStdString(note);
+    }
+    return lines;
+}
+
 ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     : QScrollArea(parent)
     , playback_(playback)
     , table_(new QWidget)
     , grid_(new QGridLayout(table_))
     , notes_(new QLabel)
+    , origin_(new QLabel)
 {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(8);
@@ -162,9 +223,15 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     notes_->setTextFormat(Qt::PlainText);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     notes_->setAccessibleName(tr("About the results"));
+    origin_->setWordWrap(true);
+    origin_->setForegroundRole(QPalette::PlaceholderText);
+    origin_->setTextFormat(Qt::PlainText);
+    origin_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    origin_->setAccessibleName(tr("How the results were computed"));
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(8, 4, 8, 8);
+    layout->addWidget(origin_);
     layout->addWidget(notes_);
     layout->addWidget(table_);
     layout->addStretch();
@@ -222,6 +289,10 @@ void ResultsPanel::refresh()
         grid_->addWidget(rows_[row][1], static_cast<int>(row), 1, 1, result.bottom.isEmpty() ? 2 : 1);
         rows_[row][1]->setWordWrap(result.bottom.isEmpty());
     }
+    const RunRecord* run = playback_.run().get();
+    origin_->setVisible(run != nullptr);
+    origin_->setText(run ? originOf(*run, playback_.live()) : QString());
+    origin_->setToolTip(run ? "<p style='white-space:pre-wrap'>" + originInFull(*run, playback_.live()).join('\n').toHtmlEscaped() + "</p>" : QString());
     table_->setVisible(!results.empty());
     notes_->setText(notes.join('\n'));
     notes_->setVisible(!notes.isEmpty());
@@ -239,7 +310,10 @@ QString ResultsPanel::text() const
             lines << cells.join('\t').trimmed();
         }
     }
-    return (lines << notes_->text()).join('\n');
+    if (playback_.run()) {
+        lines << originInFull(*playback_.run(), playback_.live());
+    }
+    return (lines << notes_->text()).join('\n').trimmed();
 }
 
 } // namespace hygroloom

@@ -53,7 +53,8 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
         callbacks.device_failed = [&](const std::string& failure) { device_failure = QString::fromStdString(failure); };
         try {
             const std::unique_ptr<Backend> machine = make_backend(backend);
-            run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks);
+            const auto run = std::make_shared<const RunRecord>(run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks));
+            post([this, run] { Q_EMIT completed(run); });
         } catch (const Cancelled&) {
             outcome = Outcome::cancelled;
         } catch (const DeviceError& error) {

@@ -32,6 +32,8 @@ Q_SIGNALS:
     void started(const std::shared_ptr<const RunRecord>& run);
     /// metrics: of all frames up to this one.
     void frameArrived(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics);
+    /// The run to its end, with the time it took and all the devices it took; ended() follows. Not of one that was stopped.
+    void completed(const std::shared_ptr<const RunRecord>& run);
     void progressed(const RunProgress& progress);
     void pausedChanged(bool paused);
     /// sentence: what went wrong, empty otherwise.

@@ -134,6 +134,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         h5::write_text(provenance.get(), "device", run.device);
         h5::write_text(provenance.get(), "fidelity", name_of(run.plan.fidelity));
         h5::write_text(provenance.get(), "plan", plan_json(run.plan));
+        h5::write_text(provenance.get(), "date", run.date);
         h5::write_text(provenance.get(), "seed", std::to_string(run.seed));
         h5::write_number(provenance.get(), "threads", run.threads);
     }
@@ -239,6 +240,7 @@ try : file_(std::make_unique<File>()) {
     run.device = h5::read_text(provenance.get(), h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
     run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
     run.switched_on = read_switched_on(provenance.get());
+    if (h5::exists(provenance.get(), "date")) run.date = h5::read_text(provenance.get(), "date");
     run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
     const Fabric* fabric = find_fabric(run.design, run.fabric);

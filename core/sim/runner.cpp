@@ -8,6 +8,7 @@
 #include "core/sim/recording.h"
 #include "core/sim/scene.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,6 +129,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.textile = textile_of_run(design, *fabric, *experiment, run.plan.region);
     run.seed = options.seed;
     run.threads = options.threads;
+    run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();

@@ -10,6 +10,7 @@
 #include "ui/issues_panel.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
+#include "ui/results_panel.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
 #include "ui/water_map_view.h"
@@ -28,6 +29,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -165,9 +167,28 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
         QVERIFY(window_->waterMaps().top().circle().radius > 0);
         QVERIFY(window_->chart().points() > 1);
+        QCOMPARE(window_->chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
         QVERIFY(!window_->resultsAreStale());
     }
-        QCOMPARE(window_->chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
+
+    void resultsSayHowTheyWereComputed()
+    {
+        const auto& run = window_->playback().run();
+        QVERIFY(run->wall > 0);
+        const QString line = originOf(*run, false);
+        QVERIFY2(line.startsWith("Draft, on ") && line.contains(", took "), qPrintable(line));
+        const QString text = window_->results().text();
+        QVERIFY2(text.contains("Fidelity: Draft\nDevice: " + QString::fromStdString(run->device) + "\nBegun: "), qPrintable(text));
+        RunRecord other = *run;
+        other.wall = 0;
+        other.date.clear();
+        other.plan.knobs.fibre_shells = 3;
+        other.plan.parts[4].forced = true;
+        QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, on ") && originOf(other, true).endsWith(", running"));
+        QVERIFY(originOf(other, false).endsWith(", cut short"));
+        QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
+        QVERIFY(originInFull(other, false).join('\n').contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
+    }
 
     void scrubbingToTheStartShowsADryMap()
     {
@@ -208,6 +229,7 @@ private Q_SLOTS:
         QCOMPARE(window_->playback().frames(), frames);
         QTRY_VERIFY_WITH_TIMEOUT(qAbs(window_->waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
         QTRY_VERIFY_WITH_TIMEOUT(window_->chart().points() == frames, 10000);
+        QVERIFY(window_->playback().run()->wall > 0 && !window_->playback().run()->date.empty());
     }
 
     void playingMovesThroughTheRecording()
