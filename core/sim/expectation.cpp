@@ -125,15 +125,18 @@ struct Nearest {
     const MeasuredRun* run = nullptr;
 };
 
-/// Where neither goes in bundles, how large they might have been does not count.
-bool set_alike(const ModelPlan& a, const ModelPlan& b)
+/// Whether the measured run is set as the plan, but for knobs that change nothing in the plan's scene; where neither goes in bundles, how
+/// large they might have been does not count.
+bool set_alike(const ModelPlan& measured, const ModelPlan& plan)
 {
-    Knobs of_a = a.knobs;
-    if (a.crossings_per_cell == 1 && b.crossings_per_cell == 1) {
-        of_a.crossings_per_cell = b.knobs.crossings_per_cell;
-        of_a.crossings_per_even_cell = b.knobs.crossings_per_even_cell;
+    Knobs knobs = measured.knobs;
+    if (measured.crossings_per_cell == 1 && plan.crossings_per_cell == 1) {
+        knobs.crossings_per_cell = plan.knobs.crossings_per_cell;
+        knobs.crossings_per_even_cell = plan.knobs.crossings_per_even_cell;
     }
-    return of_a == b.knobs;
+    for (const KnobInfo& knob : knob_table())
+        if (plan.idle_knobs.contains(knob.name)) knobs.*knob.value = plan.knobs.*knob.value;
+    return knobs == plan.knobs;
 }
 
 /// The run that was set as this one, or that of its fidelity, in the scene that is least unlike.

@@ -76,6 +76,19 @@ private Q_SLOTS:
         QVERIFY(!plan.expected_error);
         QVERIFY(mentions(plan.expectation_source, "not measured"));
     }
+    void aKnobWithoutEffectLeavesTheErrorKnown()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::drying);
+        const auto plan = [&](const KnobSettings& settings) {
+            ModelPlan made = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings);
+            expect(made, shipped_measurements("cpu"));
+            return made;
+        };
+        QVERIFY(plan({}).expected_error);
+        QVERIFY(plan({{"particles_per_droplet", 500}}).expected_error);
+        QVERIFY(!plan({{"step_error", 1e-4}}).expected_error);
+    }
     void moreWorkIsExpectedToTakeLonger()
     {
         const std::vector<MeasuredScene> measured{scene_of("drop", plan_of(35), 7, 0.02)};
