@@ -31,6 +31,8 @@ public:
     void clear();
 
     const std::shared_ptr<const RunRecord>& run() const { return run_; }
+    /// Another with each run that is shown; run() alone changes also when a live one is complete.
+    long generation() const { return generation_; }
     bool live() const { return live_; }
     /// Empty when nothing is shown.
     const QString& path() const { return path_; }

@@ -97,7 +97,7 @@ void WaterMapView::refresh()
         update();
         return;
     }
-    mapper_.run([this, run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
+    mapper_.run([this, of = playback_.generation(), run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
         const Frame start = start_of_maps(*run, *first);
         const CellMap top = cell_map(run->textile, *frame, start, MapSide::top, cells);
         const CellMap bottom = cell_map(run->textile, *frame, start, MapSide::bottom, cells);
@@ -116,8 +116,8 @@ void WaterMapView::refresh()
             topCircle = wetted_circle(run->textile, *frame, Face::top);
             bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
         }
-        turn.deliver([this, run, cells, atStart, top, bottom, topCircle, bottomCircle] {
-            if (run != playback_.run() || cells != cells_->value()) {
+        turn.deliver([this, of, run, cells, atStart, top, bottom, topCircle, bottomCircle] {
+            if (of != playback_.generation() || cells != cells_->value()) {
                 return;
             }
             maximum_ = std::max({maximum_, atStart, top.maximum(), bottom.maximum()});

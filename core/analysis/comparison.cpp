@@ -2,12 +2,15 @@
 #include "core/analysis/comparison.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace hygroloom {
 
@@ -82,6 +85,9 @@ Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::
     for (const Criterion& criterion : criteria)
         if (const auto found = all.find(criterion.name); found != all.end() && found->is_number())
             candidate.numbers[criterion.name] = *found;
+    for (std::string& note : notes_of(run.plan)) candidate.notes.push_back(std::move(note));
+    if (const std::optional<double>& error = run.plan.expected_error; error && *error > 0)
+        candidate.notes.push_back(fmt::format("The error to be expected is {} %.", rounded_text(100 * *error, 2)));
     return candidate;
 }
 

@@ -108,6 +108,10 @@ void count_network(const ModelPlan& plan, Steps& steps)
     const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
     steps.network = frames_of(plan) * std::max(1.0, finer);
     if (plan.on("liquid")) steps.network += plan.counts.duration / plan.knobs.network_step_limit;
+    // From a pool steps go with the way of the front, which goes with the root of time.
+    constexpr double usual = 120; // s
+    if (!plan.on("liquid") && plan.counts.type == name_of(ExperimentType::moisture_management))
+        steps.network *= std::sqrt(plan.counts.duration / usual);
 }
 
 /// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
@@ -241,14 +245,15 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const MeasuredScene& scene = *nearest.scene;
     plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
-    const bool as_set = set_alike(run.plan, plan);
+    const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
+    const bool as_set = set_alike(run.plan, plan) && !cut;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
         fmt::format("From {} on {}, measured on {} ({}): {:.3g} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
                     scene.fabric, scene.device, scene.date, run.seconds, plan.expected_seconds / run.seconds,
                     run.error && as_set ? " The error is that scene's against its reference."
                     : as_set            ? " Its error against the reference was not measured."
-                                        : " The error with these knobs was not measured.");
+                                        : " The error with these knobs and parts was not measured.");
 }
 
 std::string error_text(const ModelPlan& plan)

@@ -413,6 +413,8 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
     counts.duration = experiment.duration_s;
     counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
+    if (experiment.type == ExperimentType::moisture_management) // not all may have come by the end
+        counts.wet_share *= std::min(1.0, experiment.duration_s / experiment.feed_s);
     counts.suction = b.suction;
     counts.uptake = b.uptake;
     counts.capillarity = b.liquid.surface_tension / b.liquid.density;

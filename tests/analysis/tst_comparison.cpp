@@ -60,6 +60,11 @@ std::string order_of(const Comparison& comparison)
 class TestComparison : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void candidatesTellTheErrorToBeExpected()
+    {
+        const std::vector<std::string> notes = full_candidate(ExperimentType::droplet).notes;
+        QVERIFY(!notes.empty() && notes.back() == "The error to be expected is 17 %.");
+    }
     void everyTypeReportsWhatItIsComparedBy_data()
     {
         QTest::addColumn<int>("type");

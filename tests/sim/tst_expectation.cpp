@@ -89,6 +89,33 @@ private Q_SLOTS:
         QVERIFY(plan({{"particles_per_droplet", 500}}).expected_error);
         QVERIFY(!plan({{"step_error", 1e-4}}).expected_error);
     }
+    void aShorterFeedIsExpectedToTakeLess()
+    {
+        // Plain cotton at draft took 0.39, 0.86, 6.4 and 13.1 s for 2, 10, 120 and 600 s, measured once.
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        const auto seconds = [&](double duration) {
+            design.experiments[0].duration_s = duration;
+            ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+            expect(plan, shipped_measurements("cpu"));
+            return plan.expected_seconds;
+        };
+        const double usual = seconds(120);
+        for (const auto& [duration, measured] : {std::pair(10.0, 0.86), std::pair(600.0, 13.1)}) {
+            const double ratio = seconds(duration) / usual / (measured / 6.4);
+            QVERIFY2(ratio > 1 / 1.5 && ratio < 1.5, qPrintable(QString("%1 s: %2").arg(duration).arg(ratio)));
+        }
+    }
+    void aPartThatWasForcedOffLeavesTheErrorUnknown()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::drying);
+        for (const auto& [on, known] : {std::pair(true, true), std::pair(false, false)}) {
+            ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"heat", on}});
+            expect(plan, shipped_measurements("cpu"));
+            QCOMPARE(plan.expected_error.has_value(), known);
+        }
+    }
     void moreWorkIsExpectedToTakeLonger()
     {
         const std::vector<MeasuredScene> measured{scene_of("drop", plan_of(35), 7, 0.02)};

@@ -166,6 +166,9 @@ private Q_SLOTS:
         QVERIFY(window_->playback().frames() > 1);
         QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
         QVERIFY(window_->waterMaps().top().circle().radius > 0);
+        // Of the last moment, also where the map of it came after the run was complete.
+        const double reached = wetted_circle(window_->playback().run()->textile, *window_->playback().frame(), Face::top).radius;
+        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().top().circle().radius, reached, 5000);
         QVERIFY(window_->chart().points() > 1);
         QCOMPARE(window_->chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
         QVERIFY(!window_->resultsAreStale());
