@@ -221,6 +221,8 @@ Recording::Recording(const std::filesystem::path& path)
 try : file_(std::make_unique<File>()) {
     const h5::Quiet quiet;
     if (!std::filesystem::exists(path)) throw FileError("there is no such file.");
+    if (path.extension() == ".hygro" && H5Fis_hdf5(path.c_str()) <= 0)
+        throw FileError("this is a project, not a recording; simulate -o makes one of it.");
     file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                              "this is not a recording, or it is damaged or incomplete.");
     const hid_t file = file_->file.get();
