@@ -56,6 +56,11 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("changes");
+        // The ends of the range that walls were calibrated for.
+        QTest::newRow("a flat cap") << "sessile"
+                                    << "contact_angle_deg=30 particles=4000";
+        QTest::newRow("a drop that hardly wets") << "sessile"
+                                                 << "contact_angle_deg=150 particles=2000";
         QTest::newRow("wide tube, wetting") << "washburn"
                                             << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
         QTest::newRow("fine tube") << "washburn"
