@@ -199,6 +199,13 @@ PlannedPart decide_by(const char* name, const Estimate& estimate, std::string re
     return part;
 }
 
+/// What is left out where the share is that of the knob, in a clause.
+std::string left_out_below(double share)
+{
+    return share > 0 ? fmt::format("parts below {:.3g} % are left out at this fidelity", 100 * share)
+                     : "nothing that has an effect is left out at this fidelity";
+}
+
 /// How the experiment brings its water, in words.
 std::string supply_in_words(const Experiment& experiment, const Bounds& b)
 {
@@ -237,10 +244,10 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool wicking = plan.parts.back().on;
     const bool moist = wicking || conditioning || (wet && !drops); // water can get to the fibres
     plan.water_at_stake = std::max(b.at_stake, 1e-30);
-    const std::string left_out = fmt::format("parts below {:.3g} % are left out at this fidelity.", 100 * knobs.neglected_share);
+    const std::string left_out = left_out_below(knobs.neglected_share);
     const auto share_reason = [&](const char* what, double share) {
-        return share < 1 ? fmt::format("{} at most {:.3g} % of the water delivered; {}", what, 100 * share, left_out)
-                         : fmt::format("{} at most all of the water delivered; {}", what, left_out);
+        return share < 1 ? fmt::format("{} at most {:.3g} % of the water delivered; {}.", what, 100 * share, left_out)
+                         : fmt::format("{} at most all of the water delivered; {}.", what, left_out);
     };
     const double sorbed = b.sorbable / plan.water_at_stake;
     plan.parts.push_back(
@@ -272,9 +279,8 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
          "how far what fibres have really taken up and what evaporates change the temperature"},
         fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
                     "changes by {:.3g} K; at 2 % a kelvin that changes rates by {}. The cooling holds back at most {:.3g} % of the "
-                    "water from evaporating. Parts below {:.3g} % are left out at this fidelity.",
-                    warming, cooling, change, rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed,
-                    100 * knobs.neglected_share),
+                    "water from evaporating; {}.",
+                    warming, cooling, change, rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed, left_out),
         knobs, forced));
 }
 

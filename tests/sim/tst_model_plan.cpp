@@ -204,6 +204,18 @@ private Q_SLOTS:
         for (const char* wrong : {"heat", "heat=maybe", "warmth=on", "=on", "heat=on,,x"})
             QVERIFY_EXCEPTION_THROWN(parse_forced_parts(wrong), Error);
     }
+    void theReferenceLeavesNothingOutForBeingSmall()
+    {
+        const auto reasons = [](Fidelity fidelity) {
+            std::string all;
+            for (const PlannedPart& part : plan_of(drop_design(), fidelity).parts) all += part.reason;
+            return all;
+        };
+        QVERIFY(reasons(Fidelity::draft).find("below 1 % are left out") != std::string::npos);
+        const std::string reference = reasons(Fidelity::reference);
+        QVERIFY2(reference.find("nothing that has an effect is left out") != std::string::npos, reference.c_str());
+        QVERIFY2(reference.find("below 0 %") == std::string::npos, reference.c_str());
+    }
     void finerFidelityResolvesMore()
     {
         const ModelPlan draft = plan_of(drop_design(), Fidelity::draft), reference = plan_of(drop_design(), Fidelity::reference);
