@@ -127,7 +127,8 @@ void draw_bar(double share, double seconds)
 {
     constexpr int width = 30;
     const int full = static_cast<int>(share * width);
-    const std::string left = share > 0.02 ? fmt::format(", about {:.0f} s left", seconds * (1 - share) / share) : std::string();
+    const std::optional<double> to_go = time_left(share, seconds);
+    const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
     fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s taken{}", std::string(static_cast<std::size_t>(full), '#'),
                std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, seconds, left);
     std::fflush(stderr);

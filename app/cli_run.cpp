@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "app/cli_run.h"
 
+#include "core/base/text.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -39,9 +40,12 @@ void RunBar::tell(std::size_t run, const RunProgress& progress)
     constexpr int width = 30;
     const int full = static_cast<int>(share * width);
     const double wall = std::chrono::duration<double>(now - start_).count();
-    const std::string left = share > 0.01 ? fmt::format(", about {:.0f} s left", wall * (1 - share) / share) : std::string();
-    const std::string far = runs_.size() == 1 ? fmt::format("{:.3g} of {:.3g} s", progress.simulated, progress.duration)
-                                              : fmt::format("{} of {} runs", done, runs_.size());
+    const std::optional<double> to_go = time_left(share, wall);
+    const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
+    const int decimals = decimals_of_moments(progress.duration);
+    const std::string far = runs_.size() == 1
+                                ? fmt::format("{:.{}f} of {:.{}f} s", progress.simulated, decimals, progress.duration, decimals)
+                                : fmt::format("{} of {} runs", done, runs_.size());
     fmt::print(stderr, "\r\033[K[{}{}] {}, {:.0f} s taken{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
                std::string(static_cast<std::size_t>(width - full), '.'), far, wall, left, particles);
     std::fflush(stderr);

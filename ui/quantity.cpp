@@ -31,12 +31,18 @@ Quantity quantity(const QString& unit, std::vector<TypedUnit> units, double mini
     return q;
 }
 
+QLocale ungrouped()
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
 } // namespace
 
 QString shownNumber(double value, int decimals)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QLocale locale = ungrouped();
     QString text = locale.toString(value, 'f', decimals);
     if (decimals > 0) {
         while (text.endsWith(locale.zeroDigit())) {
@@ -47,6 +53,11 @@ QString shownNumber(double value, int decimals)
         }
     }
     return text == "-0" ? "0" : text;
+}
+
+QString momentText(double seconds, double duration)
+{
+    return ungrouped().toString(seconds, 'f', decimals_of_moments(duration)) + QChar(0x00a0) + "s";
 }
 
 QString bytesText(double bytes)

@@ -2,6 +2,7 @@
 #include "ui/simulation_panel.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/sim/expectation.h"
 #include "gpu/backends.h"
 #include "ui/appearance.h"
@@ -262,11 +263,13 @@ void SimulationPanel::showProgress(const RunProgress& progress)
     }
     const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     bar_->setValue(static_cast<int>(1000 * share));
-    QString text = tr("%1 of %2 s simulated in %3 s").arg(shownNumber(progress.simulated, 2), shownNumber(progress.duration, 2), shownNumber(progress.wall, 0));
+    QString text = tr("%1 of %2 simulated in %3 s")
+                       .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration), shownNumber(progress.wall, 0));
+    const auto left = time_left(share, progress.wall);
     if (run_.paused()) {
         text += tr(", paused.");
-    } else if (share > 0.005) {
-        text += tr(", %1 left.").arg(roughDuration(progress.wall * (1 - share) / share));
+    } else if (left) {
+        text += tr(", %1 left.").arg(roughDuration(*left));
     } else {
         text += ".";
     }

@@ -133,7 +133,7 @@ void Timeline::refresh()
         event_->clear();
         return;
     }
-    time_->setText(tr("%1 s / %2 s").arg(QLocale().toString(playback_.timeOf(playback_.current()), 'f', 2), shownNumber(playback_.duration(), 2)));
+    time_->setText(tr("%1 / %2").arg(momentText(playback_.timeOf(playback_.current()), playback_.duration()), momentText(playback_.duration(), playback_.duration())));
     const auto& metrics = playback_.metrics();
     const Experiment* experiment = playback_.run() ? find_experiment(playback_.run()->design, playback_.run()->experiment) : nullptr;
     const bool soaks = experiment && (experiment->type == ExperimentType::droplet || experiment->type == ExperimentType::horizontal_wicking);

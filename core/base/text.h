@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// UTF-8 texts, and how counts of bytes are told.
+// UTF-8 texts, and how counts of bytes and times are told.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -54,6 +55,17 @@ inline std::string bytes_text(double bytes)
     char text[400]; // of any double
     std::snprintf(text, sizeof text, "%.*f %s", count.decimals, count.number, count.unit);
     return text;
+}
+
+/// The decimals with which all moments of a run are told that lasts so many seconds: 3.20 of 10, 3600 of 3600.
+inline int decimals_of_moments(double duration) { return duration >= 1000 ? 0 : duration >= 100 ? 1 : duration >= 1 ? 2 : 3; }
+
+/// Seconds that work will still take of which a share was done in so many seconds; none while that is too little to go by.
+inline std::optional<double> time_left(double share, double seconds)
+{
+    constexpr double least_share = 0.02, least_seconds = 2;
+    if (!(share >= least_share && seconds >= least_seconds)) return std::nullopt;
+    return seconds * (1 - share) / share;
 }
 
 } // namespace hygroloom

@@ -43,6 +43,12 @@ private Q_SLOTS:
         QCOMPARE(bytes_text(1.25e9 - 1), std::string("1.2 GB"));
         QCOMPARE(bytes_text(123456e9), std::string("123456 GB"));
     }
+    void whatIsLeftIsToldOnceSomethingIsKnown()
+    {
+        QVERIFY(!time_left(0.001, 600) && !time_left(0.5, 0.1) && !time_left(0, 0));
+        QCOMPARE(*time_left(0.25, 30), 90.0);
+        QCOMPARE(*time_left(1, 30), 0.0);
+    }
     void aMicrolitreIsACubicMillimetre() { QVERIFY(near(cubic_metre_from_ul(1), 1e-9, 1e-24)); }
 };
 

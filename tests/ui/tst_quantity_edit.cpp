@@ -12,6 +12,16 @@ class TestQuantityEdit : public QObject {
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void momentsOfARunAreToldAlike()
+    {
+        const auto text = [](double seconds, double duration) { return momentText(seconds, duration).replace(QChar(0x00a0), ' '); };
+        QCOMPARE(text(3600, 3600), QString("3600 s"));
+        QCOMPARE(text(36, 3600), QString("36 s"));
+        QCOMPARE(text(2.5, 600), QString("2.5 s"));
+        QCOMPARE(text(3.2, 10), QString("3.20 s"));
+        QCOMPARE(text(0.02, 0.4), QString("0.020 s"));
+    }
+
     void readsTypedUnits_data()
     {
         QTest::addColumn<QString>("field");
