@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // compare: candidates on the same experiment, ranked.
+#include "app/cli_fidelity.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
-#include "app/cli_run.h"
 
 #include "core/analysis/comparison.h"
 #include "core/project/atomic_file.h"
@@ -15,8 +15,7 @@
 namespace hygroloom {
 namespace {
 
-struct CompareOptions : RunVerbOptions {
-    std::string fidelity = "standard";
+struct CompareOptions : FidelityOptions {
     std::vector<std::string> fabrics; ///< as given
     std::string by;
     std::string output;
@@ -137,14 +136,17 @@ private:
 
 int compare(const CompareOptions& options)
 {
+    check_fidelity(options);
     RunOptions how = run_options(options);
-    how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
+    const FidelityChoice choice = chosen_fidelity(options, design, fabrics, how.forced, how.knobs);
+    how.fidelity = choice.fidelity;
+    how.fidelity_reason = choice.reason;
     Comparison comparison;
     comparison.experiment = experiment.name;
     comparison.criteria = criteria_of(experiment.type);
@@ -161,7 +163,7 @@ int compare(const CompareOptions& options)
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
     else
-        fmt::print("{}", comparison_table(comparison));
+        fmt::print("{}{}", comparison_table(comparison), fidelity_text(choice));
     if (!options.output.empty()) {
         write_pictures(runs.maps(), fabrics, options.output);
         if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
@@ -193,7 +195,7 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->allow_extra_args(false);
     verb.add_option("--by", options->by,
                     "Number to rank by, a key of the metrics such as absorbency_time_s; the first of the table when left out");
-    verb.add_option("--fidelity", options->fidelity, "draft, standard or reference; the same for all");
+    add_fidelity_options(verb, *options, ", for all of them together");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // plan and simulate: what a run would do, and the run.
+#include "app/cli_fidelity.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
-#include "app/cli_run.h"
 
 #include "core/base/text.h"
-#include "core/sim/expectation.h"
 #include "core/sim/plan_json.h"
-#include "gpu/backends.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +20,7 @@
 namespace hygroloom {
 namespace {
 
-struct SimulateOptions : RunVerbOptions {
-    std::string fidelity = "standard";
-    std::string error, time;          ///< of --fidelity auto
+struct SimulateOptions : FidelityOptions {
     std::vector<std::string> fabrics; ///< several, as given
     int at_once = 0;
     std::string output;
@@ -72,48 +68,6 @@ void print_plan(const ModelPlan& plan)
                error_text(plan), plan.expectation_source);
 }
 
-/// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
-std::optional<FidelityTarget> target_of(const SimulateOptions& options)
-{
-    const bool error = !options.error.empty(), time = !options.time.empty();
-    if (options.fidelity != "auto") {
-        if (error || time) throw Stop(exit_usage, "--error and --time go with --fidelity auto.");
-        return std::nullopt;
-    }
-    if (error == time) throw Stop(exit_usage, "--fidelity auto needs one of --error 5% and --time 10s.");
-    FidelityTarget target;
-    if (error) target.error = as_usage([&] { return parse_error_target(options.error); });
-    if (time) target.seconds = as_usage([&] { return parse_time_target(options.time); });
-    return target;
-}
-
-/// With what is expected of the machine that the run would go to.
-ModelPlan planned(const SimulateOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
-                  const KnobSettings& knobs)
-{
-    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs);
-    const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knobs)); });
-    if (backend != "cpu") expect(plan, shipped_measurements(backend));
-    return plan;
-}
-
-/// As named, or the one that keeps what auto was told.
-FidelityChoice chosen_fidelity(const SimulateOptions& options, const std::optional<FidelityTarget>& target, const Design& design,
-                               const Fabric& fabric, const ForcedParts& forced, const KnobSettings& knobs)
-{
-    if (!target) return {as_usage([&] { return fidelity_from_name(options.fidelity); }), ""};
-    std::vector<ModelPlan> plans;
-    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
-        plans.push_back(planned(options, design, fabric, fidelity, forced, knobs));
-    return choose_fidelity(plans, *target);
-}
-
-/// Refuses a wrong word before the project is read.
-void check_fidelity(const SimulateOptions& options)
-{
-    if (!target_of(options)) as_usage([&] { return fidelity_from_name(options.fidelity); });
-}
-
 int plan(const SimulateOptions& options)
 {
     check_fidelity(options);
@@ -122,7 +76,7 @@ int plan(const SimulateOptions& options)
     const Design design = load_project(options);
     require_valid(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
-    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, fabric, forced, knobs);
+    const FidelityChoice choice = chosen_fidelity(options, design, {fabric.name}, forced, knobs);
     ModelPlan plan = planned(options, design, fabric, choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
     if (options.json)
@@ -154,8 +108,7 @@ void print_run(const FinishedRun& finished, const CommonOptions& options)
 {
     print_metrics(finished.run, finished.metrics, options.json);
     const ModelPlan& plan = finished.run.plan;
-    if (!options.json && !plan.fidelity_reason.empty())
-        fmt::print("  {} fidelity was taken. {}\n", name_of(plan.fidelity), plan.fidelity_reason);
+    if (!options.json) fmt::print("{}", fidelity_text({plan.fidelity, plan.fidelity_reason}));
     if (options.json && !options.quiet)
         for (const std::string& note : notes_of(plan)) fmt::print(stderr, "{}: {}\n", finished.run.fabric, note);
 }
@@ -164,7 +117,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
 {
     const Fabric& fabric = chosen_fabric(design, options);
     const std::string experiment = chosen_experiment(design, options).name;
-    const FidelityChoice choice = chosen_fidelity(options, target_of(options), design, fabric, how.forced, how.knobs);
+    const FidelityChoice choice = chosen_fidelity(options, design, {fabric.name}, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     how.recording = options.output;
@@ -193,8 +146,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, RunOp
     const Experiment& experiment = chosen_experiment(design, options);
     make_folder(options.output);
     std::vector<FidelityChoice> choices;
-    for (const std::string& fabric : fabrics)
-        choices.push_back(chosen_fidelity(options, target_of(options), design, *find_fabric(design, fabric), how.forced, how.knobs));
+    for (const std::string& fabric : fabrics) choices.push_back(chosen_fidelity(options, design, {fabric}, how.forced, how.knobs));
     how.fidelity = Fidelity::draft;
     for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // takes most memory
     const auto backends =
@@ -258,10 +210,7 @@ void add_run_options(CLI::App& verb, SimulateOptions& options)
 {
     add_project_options(verb, options, true);
     options.takes_knobs = true;
-    verb.add_option("--fidelity", options.fidelity, "draft, standard, reference, or auto with --error or --time");
-    verb.add_option("--error", options.error,
-                    "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%");
-    verb.add_option("--time", options.time, "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min");
+    add_fidelity_options(verb, options, "");
     add_physics_option(verb, options);
 }
 

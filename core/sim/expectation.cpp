@@ -263,6 +263,22 @@ std::string error_text(const ModelPlan& plan)
     return fmt::format("error {} %", rounded_text(100 * *plan.expected_error, 2));
 }
 
+ModelPlan expected_of_all(const std::vector<ModelPlan>& plans)
+{
+    ModelPlan all = plans.front();
+    if (plans.size() == 1) return all;
+    for (std::size_t i = 1; i < plans.size(); ++i) {
+        all.expected_seconds += plans[i].expected_seconds;
+        all.expected_bytes = std::max(all.expected_bytes, plans[i].expected_bytes);
+        if (!plans[i].expected_error || !all.expected_error)
+            all.expected_error.reset();
+        else
+            all.expected_error = std::max(*all.expected_error, *plans[i].expected_error);
+    }
+    all.expectation_source = fmt::format("That is the largest error of {} runs, and the time of all, one after the other.", plans.size());
+    return all;
+}
+
 double parse_error_target(const std::string& text)
 {
     const auto [value, unit] = number_and_unit(text);

@@ -43,6 +43,10 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 /// "error 4.8 %", or that it was not measured, or that there is none by definition.
 std::string error_text(const ModelPlan& plan);
 
+/// What is expected of several runs at one fidelity, one after the other: their times together, the largest of their errors (none where one
+/// is not known). Precondition: there is one.
+ModelPlan expected_of_all(const std::vector<ModelPlan>& plans);
+
 /// What the user wants of --fidelity auto: one of both.
 struct FidelityTarget {
     std::optional<double> error;   ///< at most, relative

@@ -223,6 +223,18 @@ private Q_SLOTS:
         const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
         QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
     }
+    void aWrongFidelityIsToldWhichThereAre()
+    {
+        const QString project = example("three-candidates.hygro");
+        for (const char* verb : {"plan", "simulate", "compare"}) {
+            const Answer answer = run_cli({verb, project, "--fidelity", "best"});
+            QCOMPARE(answer.code, 2);
+            QVERIFY2(answer.err.contains("draft, standard, reference or auto; \"best\""), answer.err);
+        }
+        QVERIFY(run_cli({"compare", project, "--fidelity", "auto"}).err.contains("needs one of"));
+        const Answer ladder = run_cli({"tradeoff", example("textile-F.hygro"), "--fidelities", "draft,auto"}); // where auto is none
+        QVERIFY2(ladder.err.contains("draft, standard or reference; \"auto\""), ladder.err);
+    }
     void autoSaysWhatItTookAndWhy()
     {
         const auto plan = [](const char* option, const char* wish) {

@@ -267,6 +267,12 @@ private Q_SLOTS:
         QVERIFY2(least.out.contains("wetted radius, top  wetted radius, bottom  absorbency time  run time\n"), least.out);
         QVERIFY(!least.out.contains("_mm") && !least.out.contains("_s"));
         QVERIFY(least.out.contains("Hemp plain") && !least.out.contains("Cotton twill"));
+        const Answer hurried = run_cli(QStringList{"compare", example("three-candidates.hygro"), "--backend", "cpu", "--physics",
+                                                   "heat=off,vapour=off", "--fidelity", "auto", "--time", "0.001s"} +
+                                           scene,
+                                       300);
+        QVERIFY2(hurried.out.contains("draft fidelity was taken. No fidelity is expected to take at most 0.001 s"), hurried.out);
+        QVERIFY2(hurried.out.contains("of 3 runs"), hurried.out);
         const QString first = candidates[0].toObject()["fabric"].toString();
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two fabrics or more"));
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + "," + first}).err.contains("named twice"));

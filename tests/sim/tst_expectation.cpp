@@ -187,6 +187,16 @@ private Q_SLOTS:
         const FidelityChoice none = choose_fidelity(plans, {{}, 0.5});
         QVERIFY(none.fidelity == Fidelity::draft && mentions(none.reason, "coarsest"));
     }
+    void runsTogetherAreExpectedByTheWorst()
+    {
+        const std::vector<ModelPlan> some = ladder({1, 5, 50}, {0.08, 0.02, 0.0});
+        const ModelPlan all = expected_of_all(some);
+        QCOMPARE(all.expected_seconds, 56.0);
+        QCOMPARE(*all.expected_error, 0.08);
+        QVERIFY(mentions(all.expectation_source, "3 runs"));
+        QCOMPARE(expected_of_all({some[1]}).expected_seconds, 5.0);
+        QVERIFY(!expected_of_all({some[0], ladder({1}, {})[0]}).expected_error);
+    }
     void targetsAreReadWithTheirUnits()
     {
         QCOMPARE(parse_error_target("5%"), 0.05);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "app/cli_fidelity.h"
+
+#include "gpu/backends.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace hygroloom {
+namespace {
+
+/// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
+std::optional<FidelityTarget> target_of(const FidelityOptions& options)
+{
+    const bool error = !options.error.empty(), time = !options.time.empty();
+    if (options.fidelity != "auto") {
+        if (error || time) throw Stop(exit_usage, "--error and --time go with --fidelity auto.");
+        return std::nullopt;
+    }
+    if (error == time) throw Stop(exit_usage, "--fidelity auto needs one of --error 5% and --time 10s.");
+    FidelityTarget target;
+    if (error) target.error = as_usage([&] { return parse_error_target(options.error); });
+    if (time) target.seconds = as_usage([&] { return parse_time_target(options.time); });
+    return target;
+}
+
+Fidelity named(const std::string& name)
+try {
+    return fidelity_from_name(name);
+} catch (const Error&) {
+    throw Stop(exit_usage, fmt::format("--fidelity: It must be draft, standard, reference or auto; \"{}\" was given.", name));
+}
+
+} // namespace
+
+void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose)
+{
+    verb.add_option("--fidelity", options.fidelity, "draft, standard, reference, or auto with --error or --time");
+    verb.add_option("--error", options.error,
+                    "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%" + whose);
+    verb.add_option("--time", options.time,
+                    "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min" + whose);
+}
+
+void check_fidelity(const FidelityOptions& options)
+{
+    if (!target_of(options)) named(options.fidelity);
+}
+
+ModelPlan planned(const FidelityOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
+                  const KnobSettings& knobs)
+{
+    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs);
+    const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knobs)); });
+    if (backend != "cpu") expect(plan, shipped_measurements(backend));
+    return plan;
+}
+
+FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<std::string>& fabrics,
+                               const ForcedParts& forced, const KnobSettings& knobs)
+{
+    const std::optional<FidelityTarget> target = target_of(options);
+    if (!target) return {named(options.fidelity), ""};
+    std::vector<ModelPlan> ladder;
+    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
+        std::vector<ModelPlan> plans;
+        for (const std::string& fabric : fabrics) {
+            try {
+                plans.push_back(planned(options, design, *find_fabric(design, fabric), fidelity, forced, knobs));
+            } catch (const Error&) {
+                if (fabrics.size() == 1) throw;
+            }
+        }
+        if (plans.empty()) return {};
+        ladder.push_back(expected_of_all(plans));
+    }
+    return choose_fidelity(ladder, *target);
+}
+
+std::string fidelity_text(const FidelityChoice& choice)
+{
+    return choice.reason.empty() ? "" : fmt::format("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
+}
+
+} // namespace hygroloom
