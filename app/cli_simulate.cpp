@@ -8,6 +8,7 @@
 #include "core/sim/plan_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -49,8 +50,11 @@ std::map<std::string, std::string> idle_by_reason(const ModelPlan& plan)
     return knobs;
 }
 
-void print_plan(const ModelPlan& plan)
+void print_plan(const ModelPlan& plan, const std::string& fabric, const std::string& experiment)
 {
+    fmt::print("fabric       {}\nexperiment   {}\n", fabric, experiment);
+    fmt::print("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
+               error_text(plan), plan.expectation_source);
     fmt::print("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
         fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
@@ -64,8 +68,6 @@ void print_plan(const ModelPlan& plan)
     }
     head = "no effect";
     for (const auto& [why, knobs] : idle_by_reason(plan)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);
-    fmt::print("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
-               error_text(plan), plan.expectation_source);
 }
 
 int plan(const SimulateOptions& options)
@@ -79,10 +81,14 @@ int plan(const SimulateOptions& options)
     const FidelityChoice choice = chosen_fidelity(options, design, {fabric.name}, forced, knobs);
     ModelPlan plan = planned(options, design, fabric, choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
-    if (options.json)
-        fmt::print("{}\n", plan_json(plan));
-    else
-        print_plan(plan);
+    const std::string experiment = chosen_experiment(design, options).name;
+    if (options.json) {
+        nlohmann::ordered_json json{{"fabric", fabric.name}, {"experiment", experiment}};
+        json.update(nlohmann::ordered_json::parse(plan_json(plan)));
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        print_plan(plan, fabric.name, experiment);
+    }
     return exit_ok;
 }
 

@@ -194,6 +194,15 @@ private Q_SLOTS:
         QCOMPARE(knobs.size(), 14);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }
+    void planBeginsWithWhatItIsOfAndWhatToExpect()
+    {
+        const QStringList call{"plan", example("three-candidates.hygro"), "--fabric", "Hemp plain", "--experiment", "one drop"};
+        const Answer people = run_cli(call), script = run_cli(call + QStringList{"--json"});
+        QVERIFY2(people.out.startsWith("fabric       Hemp plain\nexperiment   one drop\nexpected     about "), people.out);
+        QCOMPARE(script.json()["fabric"].toString(), QString("Hemp plain"));
+        QCOMPARE(script.json()["experiment"].toString(), QString("one drop"));
+        QVERIFY(script.json()["expected"].toObject()["time_s"].toDouble() > 0);
+    }
     void planSaysWhereYarnsAreNotBundled()
     {
         const auto plan = [](const char* experiment) {
