@@ -257,6 +257,14 @@ QString severityName(Severity severity)
     return QApplication::translate("hygroloom", "Note");
 }
 
+PaperColors paperColors(const QPalette& palette)
+{
+    if (isDark(palette)) {
+        return {"#d8d5cd", "#14171a", "#0b6aa8"};
+    }
+    return {palette.color(QPalette::Base), palette.color(QPalette::Text), palette.color(QPalette::Highlight)};
+}
+
 QColor quietText(const QPalette& palette)
 {
     return palette.color(QPalette::Disabled, QPalette::WindowText);

@@ -29,6 +29,12 @@ QIcon severityIcon(Severity severity);
 /// "Error", "Warning", "Note".
 QString severityName(Severity severity);
 
+/// What weaves are drawn with. Paper is pale and ink is dark in every look, as weavers read them: a dark square is a warp end that lies up.
+struct PaperColors {
+    QColor paper, ink, accent;
+};
+PaperColors paperColors(const QPalette& palette);
+
 /// Text that is less important than the rest, readable on window and base.
 QColor quietText(const QPalette& palette);
 

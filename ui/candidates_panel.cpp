@@ -27,12 +27,13 @@ QPixmap swatch(const Weave& weave, const QPalette& palette, double ratio)
     constexpr int squares = 6, size = 3;
     QPixmap pixmap(QSize(squares * size, squares * size) * ratio);
     pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(palette.color(QPalette::Base));
+    const PaperColors colors = paperColors(palette);
+    pixmap.fill(colors.paper);
     QPainter painter(&pixmap);
     for (int end = 0; end < squares; ++end) {
         for (int pick = 0; pick < squares; ++pick) {
             if (weave.warp_up(end, pick)) {
-                painter.fillRect(end * size, (squares - 1 - pick) * size, size, size, palette.color(QPalette::Text));
+                painter.fillRect(end * size, (squares - 1 - pick) * size, size, size, colors.ink);
             }
         }
     }

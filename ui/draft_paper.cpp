@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/draft_paper.h"
 
+#include "ui/appearance.h"
 #include "ui/cloth_picture.h"
 #include "ui/weave_edits.h"
 
@@ -204,7 +205,7 @@ void DraftPaper::drawPart(QPainter& painter, DraftPart part)
     if (size.isEmpty() || area.isEmpty()) {
         return;
     }
-    const QColor ink = palette().color(QPalette::Text);
+    const auto [paper, ink, accent] = paperColors(palette());
     QColor pale = ink, line = ink;
     pale.setAlphaF(0.3F);
     line.setAlphaF(0.18F);
@@ -246,15 +247,15 @@ void DraftPaper::drawPart(QPainter& painter, DraftPart part)
         }
     }
     if (part == DraftPart::drawdown) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setPen(QPen(accent, 2));
         const QRectF first = squareOf(part, {0, 0}), last = squareOf(part, {fabric_.weave.ends() - 1, fabric_.weave.picks() - 1});
         painter.drawRect(QRectF(QPointF(first.left(), last.top()), QPointF(last.right(), first.bottom())));
     }
     if (hasFocus() && part == cursor_part_) {
         const QRectF square = squareOf(part, cursor_).adjusted(1, 1, -1, -1);
-        painter.setPen(QPen(palette().color(QPalette::Base), 3));
+        painter.setPen(QPen(paper, 3));
         painter.drawRect(square);
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setPen(QPen(accent, 2));
         painter.drawRect(square);
     }
     painter.restore();
@@ -265,7 +266,7 @@ void DraftPaper::drawPart(QPainter& painter, DraftPart part)
 void DraftPaper::drawThumbs(QPainter& painter)
 {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().color(QPalette::Highlight));
+    painter.setBrush(paperColors(palette()).accent);
     const int shafts = draft_.shafts, treadles = cells(DraftPart::treadling).width();
     if (shownShafts() < shafts) {
         const QRectF area = areaOf(DraftPart::threading);
@@ -282,7 +283,7 @@ void DraftPaper::drawThumbs(QPainter& painter)
 void DraftPaper::paintEvent(QPaintEvent*)
 {
     QPainter painter(viewport());
-    painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
+    painter.fillRect(viewport()->rect(), paperColors(palette()).paper);
     for (const DraftPart part : parts) {
         drawPart(painter, part);
     }

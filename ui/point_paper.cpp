@@ -178,7 +178,7 @@ void PointPaper::resizeEvent(QResizeEvent*)
 
 QImage PointPaper::squares(const QPoint& low, const QPoint& high) const
 {
-    const QColor ink = palette().color(QPalette::Text);
+    const QColor ink = paperColors(palette()).ink;
     QColor pale = ink;
     pale.setAlphaF(0.22F);
     const QRgb full = qPremultiply(ink.rgba()), light = qPremultiply(pale.rgba());
@@ -197,10 +197,10 @@ void PointPaper::paintEvent(QPaintEvent*)
 {
     QPainter painter(viewport());
     const int width = viewport()->width(), height = viewport()->height();
-    const QColor ink = palette().color(QPalette::Text);
+    const auto [paper, ink, accent] = paperColors(palette());
     QColor line = ink;
     line.setAlphaF(0.16F);
-    painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
+    painter.fillRect(viewport()->rect(), paper);
 
     const double c = cell();
     const QPoint low = crossingAt(QPointF(0, height)), high = crossingAt(QPointF(width, 0));
@@ -216,7 +216,6 @@ void PointPaper::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF(0, y), QPointF(width, y));
     }
 
-    const QColor accent = palette().color(QPalette::Highlight);
     QColor veil = accent;
     veil.setAlphaF(0.45F);
     for (int end = low.x(); selected_.x() >= 0 && end <= high.x(); ++end) {
@@ -230,7 +229,7 @@ void PointPaper::paintEvent(QPaintEvent*)
         }
     }
     for (const QPoint& at : pending_) {
-        painter.fillRect(squareOf(at.x(), at.y()), paintUp_ ? ink : palette().color(QPalette::Base));
+        painter.fillRect(squareOf(at.x(), at.y()), paintUp_ ? ink : paper);
         painter.fillRect(squareOf(at.x(), at.y()), veil);
     }
     const auto frame = [&](const QRect& area) {
@@ -242,14 +241,14 @@ void PointPaper::paintEvent(QPaintEvent*)
         QColor light = accent;
         light.setAlphaF(0.2F);
         painter.fillRect(frame(selection_), light);
-        painter.setPen(QPen(palette().color(QPalette::Base), 3));
+        painter.setPen(QPen(paper, 3));
         painter.drawRect(frame(selection_));
         painter.setPen(QPen(accent, 2, Qt::DashLine));
         painter.drawRect(frame(selection_));
     }
     const auto mark = [&](const QPoint& at, double inset) {
         const QRectF square = squareOf(at.x(), at.y());
-        painter.setPen(QPen(weave_.warp_up(at.x(), at.y()) ? palette().color(QPalette::Base) : ink, 3));
+        painter.setPen(QPen(weave_.warp_up(at.x(), at.y()) ? paper : ink, 3));
         painter.drawRect(square.adjusted(inset, inset, 1 - inset, 1 - inset));
         painter.setPen(QPen(accent, 2));
         painter.drawRect(square.adjusted(inset, inset, 1 - inset, 1 - inset));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The weave editor's tools and actions, with mouse and keys.
 #include "core/project/project_file.h"
+#include "ui/appearance.h"
 #include "ui/document.h"
 #include "ui/examples.h"
 #include "ui/point_paper.h"
@@ -220,6 +221,20 @@ private Q_SLOTS:
         for (int end = 0; end <= 20; ++end) { QCOMPARE(drawn.warp_up(end, 1), first); }
         document_->history()->undo();
         QVERIFY(document_->fabric()->weave.crossings() == up);
+    }
+
+    void aDarkSquareIsWarpUpInEveryLook()
+    {
+        setGrid("0110\n0110\n1001\n1001\n");
+        PointPaper* paper = editor_->paper();
+        for (const Appearance look : {Appearance::dark, Appearance::contrast, Appearance::light}) {
+            applyAppearance(look);
+            const QImage picture = paper->viewport()->grab().toImage();
+            const auto lightness = [&](int end, int pick) {
+                return picture.pixelColor(paper->squareOf(end, pick).center().toPoint() + QPoint(0, 2)).lightnessF();
+            };
+            QVERIFY2(lightness(3, 0) < 0.3F && lightness(2, 0) > 0.7F, qPrintable(QString::number(static_cast<int>(look))));
+        }
     }
 
 private:
