@@ -60,6 +60,14 @@ QString shortExpectation(const ModelPlan& plan)
     return known ? PlanDialog::tr("%1, %2").arg(cost, errorText(*plan.expected_error)) : cost;
 }
 
+QString expectedError(const ModelPlan& plan)
+{
+    if (!plan.expected_error) {
+        return PlanDialog::tr("expected error not known");
+    }
+    return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error)) : PlanDialog::tr("errors are measured against it");
+}
+
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
     : QDialog(parent)
 {

@@ -105,6 +105,12 @@ QString begunAt(const RunRecord& run)
     return begun.isValid() ? QLocale().toString(begun.toLocalTime(), QLocale::ShortFormat) : QString();
 }
 
+/// With a capital.
+QString sentence(const QString& words)
+{
+    return words.left(1).toUpper() + words.mid(1);
+}
+
 QString timeTaken(const RunRecord& run, bool live)
 {
     if (run.wall > 0) {
@@ -173,7 +179,7 @@ QString originOf(const RunRecord& run, bool live)
     if (set > 0) {
         parts << (set == 1 ? tr("1 knob set") : ResultsPanel::tr("%1 knobs set").arg(set));
     }
-    parts << (run.backend == "cpu" ? tr("on the CPU") : tr("on a GPU"));
+    parts << expectedError(run.plan) << (run.backend == "cpu" ? tr("on the CPU") : tr("on a GPU"));
     if (const QString begun = begunAt(run); !begun.isEmpty()) {
         parts << begun;
     }
@@ -189,6 +195,7 @@ QStringList originInFull(const RunRecord& run, bool live)
                      .arg(knob->name, QLocale().toString(run.plan.knobs.*knob->value), fidelityName(run.plan.fidelity).toLower(),
                           QLocale().toString(usual.*knob->value));
     }
+    lines << sentence(expectedError(run.plan)) + ". " + QString::fromStdString(run.plan.expectation_source);
     for (const PlannedPart& part : run.plan.parts) {
         if (part.forced) {
             lines << (part.on ? ResultsPanel::tr("%1 modelled, as was asked") : ResultsPanel::tr("%1 left out, as was asked"))
@@ -199,8 +206,7 @@ QStringList originInFull(const RunRecord& run, bool live)
     if (const QString begun = begunAt(run); !begun.isEmpty()) {
         lines << ResultsPanel::tr("Begun: %1").arg(begun);
     }
-    const QString taken = timeTaken(run, live);
-    lines << taken.left(1).toUpper() + taken.mid(1);
+    lines << sentence(timeTaken(run, live));
     for (const std::string& note : notes_of(run.plan)) {
         lines << QString::fromStdString(note);
     }

@@ -179,16 +179,22 @@ private Q_SLOTS:
         const auto& run = window_->playback().run();
         QVERIFY(run->wall > 0);
         const QString line = originOf(*run, false);
-        QVERIFY2(line.startsWith("Draft, on ") && line.contains(", took "), qPrintable(line));
+        QVERIFY(run->plan.expected_error);
+        QVERIFY2(line.contains(QRegularExpression("^Draft, expected error [0-9.]+ %, on ")) && line.contains(", took "), qPrintable(line));
         const QString text = window_->results().text();
-        QVERIFY2(text.contains("Fidelity: Draft\nDevice: " + QString::fromStdString(run->device) + "\nBegun: "), qPrintable(text));
+        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. From ")), qPrintable(text));
+        QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nBegun: "), qPrintable(text));
         RunRecord other = *run;
         other.wall = 0;
         other.date.clear();
         other.plan.knobs.fibre_shells = 3;
         other.plan.parts[4].forced = true;
-        QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, on ") && originOf(other, true).endsWith(", running"));
+        other.plan.expected_error.reset();
+        QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, expected error not known, on "));
+        QVERIFY(originOf(other, true).endsWith(", running"));
         QVERIFY(originOf(other, false).endsWith(", cut short"));
+        other.plan.expected_error = 0;
+        QVERIFY(originOf(other, false).contains("errors are measured against it"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false).join('\n').contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
     }
