@@ -162,6 +162,7 @@ private:
     QAction* stop_ = nullptr;
     QAction* play_ = nullptr;
     QAction* plan_ = nullptr;
+    QAction* shown_plan_ = nullptr;
     QAction* take_design_ = nullptr;
     QMenu* recent_ = nullptr;
     QActionGroup* workspaces_ = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/examples.h"
 #include "ui/experiment_panel.h"
 #include "ui/main_window.h"
+#include "ui/results_panel.h"
 #include "ui/simulation_panel.h"
 #include "ui/timeline.h"
 #include "ui/view_bar.h"
@@ -188,8 +189,10 @@ void MainWindow::buildExperimentMenu()
     connect(pause_, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
     stop_ = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run; what was simulated so far stays."));
     connect(stop_, &QAction::triggered, &run_, &SimulationRun::cancel);
-    plan_ = addCommand(menu, "plan", tr("&What Is Modelled, and Why…"), {}, tr("Which physics the run takes into account, and for what reason."));
+    plan_ = addCommand(menu, "plan", tr("&What Is Modelled, and Why…"), {}, tr("Which physics the next run takes into account, and for what reason."));
     connect(plan_, &QAction::triggered, simulation_panel_, &SimulationPanel::showPlan);
+    shown_plan_ = addCommand(menu, {}, tr("What W&as Modelled, and Why…"), {}, tr("Which physics the run that is shown took into account, and for what reason."));
+    connect(shown_plan_, &QAction::triggered, results_, &ResultsPanel::showPlan);
     menu->addSeparator();
     play_ = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Show the run as it went."));
     connect(play_, &QAction::triggered, timeline_, &Timeline::togglePlaying);
@@ -264,6 +267,7 @@ void MainWindow::refreshActions()
     save_recording_->setEnabled(playback_.run() && !playback_.live() && !playback_.path().isEmpty());
     take_design_->setEnabled(playback_.run() != nullptr);
     play_->setEnabled(playback_.run() != nullptr);
+    shown_plan_->setEnabled(playback_.run() != nullptr);
 }
 
 void MainWindow::findCommand()

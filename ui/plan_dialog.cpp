@@ -18,6 +18,39 @@ QString errorText(double error)
     return PlanDialog::tr("error %1 %").arg(shownNumber(100 * error, decimals_for(100 * error, 2)));
 }
 
+QString escaped(const std::string& words)
+{
+    return QString::fromStdString(words).toHtmlEscaped();
+}
+
+/// of: "The next run: %1".
+QString heading(const QString& of, const ModelPlan& plan, const QString& fabric, const QString& experiment)
+{
+    const QString run = PlanDialog::tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), fidelityName(plan.fidelity).toLower());
+    return "<h3>" + of.arg(run) + "</h3>";
+}
+
+/// The plan's parts, region, resolution and cost, as HTML.
+QString inWords(const ModelPlan& plan)
+{
+    QString html = "<table cellpadding='4' width='100%'>";
+    for (const PlannedPart& part : plan.parts) {
+        QString state = part.on ? PlanDialog::tr("modelled") : PlanDialog::tr("left out");
+        if (part.forced) {
+            state += PlanDialog::tr(", as you asked");
+        }
+        if (part.watched) {
+            state += PlanDialog::tr(", watched");
+        }
+        html += "<tr><td width='16%'><b>" + escaped(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + escaped(part.reason) + "</td></tr>";
+    }
+    return html + "</table><p><b>" + PlanDialog::tr("Region.") + "</b> "
+        + PlanDialog::tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " "
+        + escaped(plan.region_reason) + "</p><p><b>" + PlanDialog::tr("Resolution.") + "</b> "
+        + PlanDialog::tr("A picture every %1 s.").arg(shownNumber(plan.frame_interval, 4)) + " " + escaped(plan.resolution_reason) + "</p><p><b>"
+        + PlanDialog::tr("Expected.") + "</b> " + expectation(plan) + "</p>";
+}
+
 } // namespace
 
 QString fidelityName(Fidelity fidelity)
@@ -71,26 +104,23 @@ QString expectedError(const ModelPlan& plan)
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)
     : QDialog(parent)
 {
-    setWindowTitle(tr("What is modelled, and why"));
-    const auto text = [](const std::string& words) { return QString::fromStdString(words).toHtmlEscaped(); };
-    QString html = "<h3>" + tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), fidelityName(plan.fidelity).toLower()) + "</h3>";
-    html += "<table cellpadding='4' width='100%'>";
-    for (const PlannedPart& part : plan.parts) {
-        QString state = part.on ? tr("modelled") : tr("left out");
-        if (part.forced) {
-            state += tr(", as you asked");
-        }
-        if (part.watched) {
-            state += tr(", watched");
-        }
-        html += "<tr><td width='16%'><b>" + text(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + text(part.reason) + "</td></tr>";
+    setWindowTitle(tr("What the next run models, and why"));
+    fill(heading(tr("The next run: %1"), plan, fabric, experiment) + inWords(plan));
+}
+
+PlanDialog::PlanDialog(const RunRecord& run, QWidget* parent)
+    : QDialog(parent)
+{
+    setWindowTitle(tr("What was modelled, and why"));
+    QString html = heading(tr("The run that is shown: %1"), run.plan, QString::fromStdString(run.fabric), QString::fromStdString(run.experiment));
+    for (const SwitchedPart& part : run.switched_on) {
+        html += "<p>" + escaped(in_words(part)) + "</p>";
     }
-    html += "</table><p><b>" + tr("Region.") + "</b> "
-        + tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " " + text(plan.region_reason)
-        + "</p><p><b>" + tr("Resolution.") + "</b> "
-        + tr("A picture every %1 s.").arg(shownNumber(plan.frame_interval, 4))
-        + " " + text(plan.resolution_reason) + "</p><p><b>" + tr("Expected.") + "</b> "
-        + expectation(plan) + "</p>";
+    fill(html + inWords(run.plan));
+}
+
+void PlanDialog::fill(const QString& html)
+{
     auto* browser = new QTextBrowser;
     browser->setHtml(html);
     browser->setFrameShape(QFrame::NoFrame);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// "What is modelled, and why": a plan in words.
+// "What is modelled, and why": a plan in words, of the next run or of the one that is shown.
 #pragma once
 
-#include "core/sim/model_plan.h"
+#include "core/sim/runner.h"
 
 #include <QDialog>
 
@@ -11,7 +11,13 @@ namespace hygroloom {
 class PlanDialog : public QDialog {
     Q_OBJECT
 public:
+    /// Of the next run.
     PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent = nullptr);
+    /// Of a run that was made, also what it did otherwise than was planned.
+    explicit PlanDialog(const RunRecord& run, QWidget* parent = nullptr);
+
+private:
+    void fill(const QString& html);
 };
 
 QString fidelityName(Fidelity fidelity);

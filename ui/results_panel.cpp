@@ -231,8 +231,9 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     notes_->setAccessibleName(tr("About the results"));
     origin_->setWordWrap(true);
     origin_->setForegroundRole(QPalette::PlaceholderText);
-    origin_->setTextFormat(Qt::PlainText);
-    origin_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    origin_->setTextFormat(Qt::RichText);
+    origin_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(origin_, &QLabel::linkActivated, this, &ResultsPanel::showPlan);
     origin_->setAccessibleName(tr("How the results were computed"));
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
@@ -297,11 +298,20 @@ void ResultsPanel::refresh()
     }
     const RunRecord* run = playback_.run().get();
     origin_->setVisible(run != nullptr);
-    origin_->setText(run ? originOf(*run, playback_.live()) : QString());
+    origin_->setText(run ? tr("%1. <a href='plan'>What was modelled…</a>").arg(originOf(*run, playback_.live()).toHtmlEscaped()) : QString());
     origin_->setToolTip(run ? "<p style='white-space:pre-wrap'>" + originInFull(*run, playback_.live()).join('\n').toHtmlEscaped() + "</p>" : QString());
     table_->setVisible(!results.empty());
     notes_->setText(notes.join('\n'));
     notes_->setVisible(!notes.isEmpty());
+}
+
+void ResultsPanel::showPlan()
+{
+    if (playback_.run()) {
+        auto* dialog = new PlanDialog(*playback_.run(), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    }
 }
 
 QString ResultsPanel::text() const

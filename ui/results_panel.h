@@ -34,6 +34,8 @@ public:
 
     /// All that is shown, line by line, as for the clipboard.
     QString text() const;
+    /// Which physics the shown run took into account; nothing without one.
+    void showPlan();
 
 private:
     void refresh();

@@ -47,7 +47,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     addFidelities();
     addDevices();
     why_->setFlat(true);
-    why_->setToolTip(tr("Which physics this run takes into account, and for what reason."));
+    why_->setToolTip(tr("Which physics the next run takes into account, and for what reason."));
     layout->addWidget(why_, 0, Qt::AlignLeft);
     start_->setMinimumHeight(36);
     QFont font = start_->font();

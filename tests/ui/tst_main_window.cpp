@@ -9,6 +9,7 @@
 #include "ui/import_dialog.h"
 #include "ui/issues_panel.h"
 #include "ui/main_window.h"
+#include "ui/plan_dialog.h"
 #include "ui/quantity_edit.h"
 #include "ui/results_panel.h"
 #include "ui/simulation_panel.h"
@@ -35,6 +36,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <QToolButton>
 
@@ -197,6 +199,31 @@ private Q_SLOTS:
         QVERIFY(originOf(other, false).contains("errors are measured against it"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false).join('\n').contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
+    }
+
+    void plansSayWhichRunTheyAreOf()
+    {
+        window_->document().edit("another name", {}, [](Design& d) { d.experiments[0].name = "soon"; });
+        QTRY_VERIFY_WITH_TIMEOUT(window_->simulationPanel().canRun(), 5000);
+        const auto told = [](QWidget& panel) {
+            auto* dialog = panel.findChild<PlanDialog*>();
+            const QString text = dialog ? dialog->findChild<QTextBrowser*>()->toPlainText() : QString();
+            delete dialog;
+            return text;
+        };
+        QString next;
+        const auto ask = [&] {
+            window_->simulationPanel().showPlan();
+            next = told(window_->simulationPanel());
+            return next;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(ask().startsWith("The next run: soon on "), 5000);
+        window_->results().showPlan();
+        const QString shown = told(window_->results());
+        const QString ran = QString::fromStdString(window_->playback().run()->experiment);
+        QVERIFY2(shown.startsWith("The run that is shown: " + ran + " on ") && ran != "soon", qPrintable(shown));
+        QVERIFY(shown.contains(QString::fromStdString(window_->playback().run()->plan.parts[0].reason)));
+        window_->document().history()->undo();
     }
 
     void scrubbingToTheStartShowsADryMap()
