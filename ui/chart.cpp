@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "ui/appearance.h"
 #include "ui/color_map.h"
+#include "ui/curve_legend.h"
 #include "ui/time_chart_view.h"
 
 #include <QChart>
@@ -94,8 +95,10 @@ Chart::Chart(Playback& playback, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(water_.view);
-    layout->addWidget(subject_.view);
+    for (const Plot* plot : {&water_, &subject_}) {
+        layout->addWidget(plot->view, 1);
+        layout->addWidget(plot->legend);
+    }
     setMinimumHeight(110);
     water_.view->setToolTip(tr("In fibres: what they have taken up, beyond what they held before.\nClick to show that moment."));
     applyPalette();
@@ -115,8 +118,8 @@ Chart::Plot Chart::addPlot()
     plot.chart = new QChart;
     plot.chart->setMargins(QMargins(2, 0, 6, 0));
     plot.chart->setBackgroundRoundness(0);
-    plot.chart->legend()->setAlignment(Qt::AlignRight);
-    plot.chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
+    plot.chart->legend()->hide(); // its pieces of the lines are too short for dashes
+    plot.legend = new CurveLegend;
     plot.chart->layout()->setContentsMargins(0, 0, 0, 0);
     plot.time = new QValueAxis;
     plot.value = new QValueAxis;
@@ -184,6 +187,7 @@ void Chart::fill(Plot& plot, const PlotContent& content)
         }
         line->replace(points);
     }
+    refreshLegend(plot);
     plot.time->setRange(0, playback_.duration() > 0 ? playback_.duration() : 10);
     if (content.from_zero) {
         plot.value->setRange(0, highest > 0 ? highest * 1.08 : 1);
@@ -213,6 +217,17 @@ void Chart::resizeEvent(QResizeEvent* event)
     }
 }
 
+void Chart::refreshLegend(Plot& plot)
+{
+    std::vector<CurveLegend::Entry> entries;
+    for (const QLineSeries* line : plot.lines) {
+        if (line->isVisible()) {
+            entries.push_back({line->name(), line->pen()});
+        }
+    }
+    plot.legend->setEntries(entries);
+}
+
 void Chart::applyPalette()
 {
     const bool dark = isDark(palette());
@@ -227,8 +242,7 @@ void Chart::applyPalette()
         QFont title = small;
         title.setBold(true);
         plot->chart->setTitleFont(title);
-        plot->chart->legend()->setLabelColor(ink);
-        plot->chart->legend()->setFont(small);
+        plot->legend->setFont(small);
         for (QValueAxis* axis : {plot->time, plot->value}) {
             axis->setLabelsColor(ink);
             axis->setLabelsFont(small);
@@ -238,6 +252,7 @@ void Chart::applyPalette()
         for (std::size_t i = 0; i < plot->lines.size(); ++i) {
             plot->lines[i]->setPen(QPen(QColor(dark ? strokes[i].dark : strokes[i].light), 2, strokes[i].style));
         }
+        refreshLegend(*plot);
         plot->view->update();
     }
 }

@@ -12,6 +12,7 @@ class QValueAxis;
 
 namespace hygroloom {
 
+class CurveLegend;
 class TimeChartView;
 struct PlotContent;
 
@@ -35,6 +36,7 @@ protected:
 private:
     struct Plot {
         TimeChartView* view = nullptr;
+        CurveLegend* legend = nullptr;
         QChart* chart = nullptr;
         QValueAxis* time = nullptr;
         QValueAxis* value = nullptr;
@@ -43,6 +45,7 @@ private:
     Plot addPlot();
     void refresh();
     void fill(Plot& plot, const PlotContent& content);
+    static void refreshLegend(Plot& plot);
     void applyPalette();
 
     Playback& playback_;
