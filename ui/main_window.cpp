@@ -276,6 +276,11 @@ void MainWindow::connectParts()
             viewport_->showFrame(playback_.frame(), playback_.maximumSaturation());
         }
     });
+    connect(&playback_, &Playback::metricsChanged, this, [this] {
+        if (!playback_.live()) {
+            viewport_->setRunMaximum(playback_.maximumSaturation());
+        }
+    });
     connect(&playback_, &Playback::opened, this, [this](const QString& path) {
         addRecentFile(path);
         if (!document_.modified()) {

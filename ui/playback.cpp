@@ -104,6 +104,7 @@ void Playback::end()
     live_ = false;
     Q_EMIT framesChanged();
     Q_EMIT metricsChanged();
+    Q_EMIT ended();
 }
 
 double Playback::duration() const

@@ -59,6 +59,8 @@ Q_SIGNALS:
     void metricsChanged();
     void frameShown();
     void opened(const QString& path);
+    /// The live run's recording can be read.
+    void ended();
     void failed(const QString& sentence);
 
 private:

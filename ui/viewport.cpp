@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace hygroloom {
 
@@ -159,6 +160,13 @@ void Viewport::showFrame(const std::shared_ptr<const Frame>& frame, double runMa
     frame_ = frame;
     run_maximum_ = runMaximum;
     showWater();
+}
+
+void Viewport::setRunMaximum(double saturation)
+{
+    if (std::exchange(run_maximum_, saturation) != saturation && range_ == WaterRange::run) {
+        showWater();
+    }
 }
 
 void Viewport::showWater()

@@ -34,6 +34,8 @@ public:
     /// The region of a run; showFrame() then gives it water.
     void showRun(const std::shared_ptr<const RunRecord>& run);
     void showFrame(const std::shared_ptr<const Frame>& frame, double runMaximum);
+    /// Once more of the run's moments are known.
+    void setRunMaximum(double saturation);
     /// Nothing to draw, and what to do about it.
     void showNothing(const QString& sentence);
     void setNotice(const QString& sentence);

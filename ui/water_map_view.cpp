@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/water_map_view.h"
 
+#include "core/base/error.h"
+#include "core/sim/recording.h"
+
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -61,17 +64,17 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     layout->addLayout(foot);
     setMinimumWidth(280);
 
-    connect(cells_, &QSpinBox::valueChanged, this, [this] {
+    const auto startOver = [this] {
         maximum_ = 0;
         refresh();
-    });
+        scan();
+    };
+    connect(cells_, &QSpinBox::valueChanged, this, startOver);
     for (WaterMap* map : {top_, bottom_}) {
         connect(map, &WaterMap::pointed, value_, &QLabel::setText);
     }
-    connect(&playback_, &Playback::runChanged, this, [this] {
-        maximum_ = 0;
-        refresh();
-    });
+    connect(&playback_, &Playback::runChanged, this, startOver);
+    connect(&playback_, &Playback::ended, this, &WaterMapView::scan);
     connect(&playback_, &Playback::frameShown, this, &WaterMapView::refresh);
     refresh();
 }
@@ -120,10 +123,7 @@ void WaterMapView::refresh()
             if (of != playback_.generation() || cells != cells_->value()) {
                 return;
             }
-            maximum_ = std::max({maximum_, atStart, top.maximum(), bottom.maximum()});
-            const double range = roundedUp(maximum_);
-            top_->setRange(range, colors_);
-            bottom_->setRange(range, colors_);
+            widen(std::max({atStart, top.maximum(), bottom.maximum()}));
             const QSizeF size(run->textile.ends() * run->textile.warp.pitch, run->textile.picks() * run->textile.weft.pitch);
             top_->setMap(top, topCircle, size);
             bottom_->setMap(bottom, bottomCircle, size);
@@ -131,6 +131,48 @@ void WaterMapView::refresh()
             Q_EMIT mapChanged();
         });
     });
+}
+
+void WaterMapView::scan()
+{
+    scanner_.drop();
+    if (playback_.live() || !playback_.run() || !playback_.firstFrame()) {
+        return;
+    }
+    scanner_.run([this, of = playback_.generation(), run = playback_.run(), first = playback_.firstFrame(), path = playback_.path().toStdString(),
+                  cells = cells_->value()](const NewestJob::Turn& turn) {
+        try {
+            const Recording recording(path);
+            const Frame start = start_of_maps(*run, *first);
+            double most = 0;
+            for (int index = 0; index < recording.frames() && !turn.outdated(); ++index) {
+                const Frame frame = recording.frame(index);
+                for (MapSide side : {MapSide::top, MapSide::bottom}) {
+                    most = std::max(most, cell_map(run->textile, frame, start, side, cells).maximum());
+                }
+            }
+            turn.deliver([this, of, cells, most] {
+                if (of == playback_.generation() && cells == cells_->value()) {
+                    widen(most);
+                }
+            });
+        } catch (const Error&) {
+            // What is wrong with the recording is told where its frames are read.
+        }
+    });
+}
+
+double WaterMapView::range() const
+{
+    return roundedUp(maximum_);
+}
+
+void WaterMapView::widen(double maximum)
+{
+    maximum_ = std::max(maximum_, maximum);
+    top_->setRange(range(), colors_);
+    bottom_->setRange(range(), colors_);
+    update();
 }
 
 void WaterMapView::resizeEvent(QResizeEvent* event)
@@ -148,7 +190,7 @@ void WaterMapView::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF room = legend_->geometry();
-    drawLegend(painter, QRectF(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height())), tr("Water"), 1000 * roundedUp(maximum_),
+    drawLegend(painter, QRectF(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height())), tr("Water"), 1000 * range(),
                tr("g/m²"), colors_);
 }
 

@@ -18,6 +18,8 @@ public:
 
     const WaterMap& top() const { return *top_; }
     const WaterMap& bottom() const { return *bottom_; }
+    /// Where the colours end, kg/m2: of what was looked at while the run is live, of all its moments from then on.
+    double range() const;
     void setCrossingsPerCell(int crossings);
     void setWaterColors(WaterColors colors);
 
@@ -30,6 +32,9 @@ protected:
 
 private:
     void refresh();
+    /// Takes all moments of a recording into the range.
+    void scan();
+    void widen(double maximum);
 
     Playback& playback_;
     WaterMap* top_;
@@ -39,9 +44,10 @@ private:
     QSpinBox* cells_;
     QWidget* legend_;
     QBoxLayout* maps_;
-    double maximum_ = 0; ///< kg/m2, of all maps of this run so far
+    double maximum_ = 0; ///< kg/m2, of all maps of this run that are known
     WaterColors colors_ = WaterColors::blue;
     NewestJob mapper_;
+    NewestJob scanner_;
 };
 
 } // namespace hygroloom

@@ -258,13 +258,14 @@ private Q_SLOTS:
     {
         const QString path = window_->playback().path();
         const int frames = window_->playback().frames();
-        const double water = window_->waterMaps().top().map().maximum();
+        const double water = window_->waterMaps().top().map().maximum(), range = window_->waterMaps().range();
         QSignalSpy opened(&window_->playback(), &Playback::opened);
         QVERIFY(window_->openFile(path));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 10000);
         QCOMPARE(window_->playback().frames(), frames);
         QTRY_VERIFY_WITH_TIMEOUT(qAbs(window_->waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
         QTRY_VERIFY_WITH_TIMEOUT(window_->chart().points() == frames, 10000);
+        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().range(), range, 5000);
         QVERIFY(window_->playback().run()->wall > 0 && !window_->playback().run()->date.empty());
     }
 
