@@ -122,8 +122,8 @@ void print_results(const RunRecord& run, const Metrics& m)
         break;
     case ExperimentType::drying:
         if (!m.drying) break;
-        row("drying rate", m.drying->rate, 3.6e6, "g/(m2 h)", "less than 70 % of the water dried");
-        row("temperature while drying",
+        row("steady drying rate", m.drying->rate, 3.6e6, "g/(m2 h)", "less than 70 % of the water dried");
+        row("steady temperature",
             m.drying->steady_temperature ? std::optional(celsius_from_kelvin(*m.drying->steady_temperature)) : std::nullopt, 1, "C",
             "less than 70 % of the water dried");
         row("time to dry", m.drying->time_to_dry, 1, "s", "more than 4 % of the water were left");

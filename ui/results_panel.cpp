@@ -83,9 +83,9 @@ void addManagement(std::vector<Result>& results, const ManagementIndices& m)
 
 void addDrying(std::vector<Result>& results, const DryingResult& m)
 {
-    const QString early = tr("not before 70 % have dried");
-    results.push_back({tr("Drying rate"), orWhy(m.rate, 3.6e6, "g/(m² h)", early)});
-    results.push_back({tr("Temperature while drying"),
+    const QString early = tr("dried too little yet");
+    results.push_back({tr("Steady drying rate"), orWhy(m.rate, 3.6e6, "g/(m² h)", early)});
+    results.push_back({tr("Steady temperature"),
                        m.steady_temperature ? with(celsius_from_kelvin(*m.steady_temperature), "°C") : early});
     results.push_back({tr("Time to dry"), orWhy(m.time_to_dry, 1, "s", tr("more than 4 % of the water are left"))});
 }

@@ -37,7 +37,7 @@ double wet_bulb(const ClimateParameters& air)
     return 0.5 * (low + high);
 }
 
-/// Whether there is still water outside the fibres when the constant-rate period ends.
+/// Whether there is still water outside the fibres when the constant-rate period ends at the latest.
 bool stays_wet(const Scene& scene)
 {
     const double liquid = std::accumulate(scene.initial_liquid.begin(), scene.initial_liquid.end(), 0.0);

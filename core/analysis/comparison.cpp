@@ -57,8 +57,8 @@ std::vector<Criterion> criteria_of(ExperimentType type)
         return {{"wick_height_mm", "height", "mm", most}, {"wick_rate_mm_s05", "wicking rate", "mm/s^0.5", most}};
     case ExperimentType::drying:
         return {{"time_to_dry_s", "time to dry", "s", least},
-                {"drying_rate_g_m2_h", "drying rate", "g/(m2 h)", most},
-                {"surface_temperature_steady_c", "temperature while drying", "C", least}};
+                {"drying_rate_g_m2_h", "steady drying rate", "g/(m2 h)", most},
+                {"surface_temperature_steady_c", "steady temperature", "C", least}};
     case ExperimentType::conditioning:
         return {{"regain_half_time_s", "half of the change after", "s", least},
                 {"regain_end", "regain at the end", "", most},

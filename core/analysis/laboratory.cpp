@@ -37,6 +37,18 @@ std::optional<double> falls_to(const std::vector<double>& time, const std::vecto
     return std::nullopt;
 }
 
+/// The last moment after one, s, up to which the rate has held: see steady_to. None while it holds.
+std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const std::vector<double>& left, double from, double left_then)
+{
+    constexpr double held = 0.95;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        if (time[i - 1] <= from) continue;
+        const double mean = (left_then - left[i - 1]) / (time[i - 1] - from);
+        if ((left[i - 1] - left[i]) / (time[i] - time[i - 1]) < held * mean) return i - 1;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height)
@@ -60,10 +72,17 @@ DryingResult drying_result(const std::vector<double>& time, const std::vector<do
     DryingResult result;
     if (time.empty() || left.front() <= 0) return result;
     const double first = left.front();
-    const std::optional<double> from = falls_to(time, left, steady_from * first), to = falls_to(time, left, steady_to * first);
+    const std::optional<double> from = falls_to(time, left, steady_from * first);
+    std::optional<double> to = falls_to(time, left, steady_to * first);
     result.time_to_dry = falls_to(time, left, 0.04 * first);
-    if (!from || !to) return result;
-    result.rate = (steady_from - steady_to) * first / (*to - *from) / area;
+    if (!from) return result;
+    double left_then = steady_to * first;
+    if (const auto last = rate_holds_to(time, left, *from, steady_from * first); last && left[*last] > left_then) {
+        to = time[*last];
+        left_then = left[*last];
+    }
+    if (!to) return result;
+    result.rate = (steady_from * first - left_then) / (*to - *from) / area;
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
