@@ -2,6 +2,7 @@
 #include "core/analysis/metrics.h"
 
 #include "core/base/units.h"
+#include "core/sim/scene.h"
 
 #include <fmt/format.h>
 
@@ -97,6 +98,31 @@ std::array<double, 2> contents(const Textile& textile, const Frame& frame, const
     return water;
 }
 
+/// What the fibres of both faces have drunk of a drying test's water when it begins, kg: frames count from there.
+std::array<double, 2> drunk_before(const RunRecord& run, const Experiment& experiment)
+{
+    std::array<double, 2> water{0, 0};
+    if (experiment.type != ExperimentType::drying) return water;
+    const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < run.textile.ends(); ++end)
+            for (int pick = 0; pick < run.textile.picks(); ++pick) {
+                const int line = kind == YarnKind::warp ? end : run.textile.ends() + pick;
+                const YarnParameters& yarn = scene.yarns[scene.type[static_cast<std::size_t>(line)]];
+                const double length = scene.length[static_cast<std::size_t>(run.textile.segment(kind, end, pick))];
+                const std::size_t face = run.textile.warp_up(end, pick) == (kind == YarnKind::warp) ? 0 : 1;
+                water[face] += (yarn.initial_regain - yarn.resting_regain) * yarn.fibre_area * yarn.fibre_density * length;
+            }
+    return water;
+}
+
+/// Water of a face, or none where that is less than the frames, which are floats, can tell of what the fibres hold.
+double water_of_face(double water, const Frame& frame)
+{
+    constexpr double told = 2e-7;
+    return std::abs(water) > told * frame.ledger.water_bound ? water : 0.0;
+}
+
 /// Area of the stain's ellipse over the time in which its circle grew to 95 %.
 std::optional<double> horizontal_rate(const Metrics& m)
 {
@@ -125,6 +151,7 @@ void MetricsCollector::start(const RunRecord& run)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
     metrics_ = {};
+    drunk_before_ = drunk_before(run, experiment_);
     regain_at_start_.clear();
     edge_time_.reset();
     had_free_water_ = false;
@@ -139,8 +166,8 @@ void MetricsCollector::add(const Frame& frame)
     s.time.push_back(frame.time);
     s.radius_top.push_back(top);
     s.radius_bottom.push_back(bottom);
-    s.water_top.push_back(frame.water_top);
-    s.water_bottom.push_back(frame.water_bottom);
+    s.water_top.push_back(water_of_face(frame.water_top + drunk_before_[0], frame));
+    s.water_bottom.push_back(water_of_face(frame.water_bottom + drunk_before_[1], frame));
     s.free_water.push_back(frame.ledger.water_free);
     s.yarn_water.push_back(frame.ledger.water_liquid);
     s.bound_water.push_back(frame.ledger.water_bound);

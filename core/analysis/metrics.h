@@ -26,7 +26,8 @@ Circle smallest_enclosing_circle(const std::vector<std::array<double, 2>>& point
 /// The smallest circle round the wet segments of a face.
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face);
 
-/// One value per frame for each series of the metrics file.
+/// One value per frame for each series of the metrics file. The water of a face is what it has beyond what its fibres held before any came;
+/// less than nothing only where they have given some of that to the air.
 struct Series {
     std::vector<double> time, radius_top, radius_bottom, water_top, water_bottom, free_water, yarn_water, bound_water, evaporated, dripped,
         temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
@@ -68,6 +69,7 @@ private:
     Textile textile_;
     Experiment experiment_;
     Metrics metrics_;
+    std::array<double, 2> drunk_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first moment
     std::vector<float> regain_at_start_;
     std::optional<double> edge_time_; ///< s, when water was first seen where the sample ends
     bool had_free_water_ = false;

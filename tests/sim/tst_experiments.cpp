@@ -239,6 +239,13 @@ private Q_SLOTS:
         QVERIFY(*m.drying->time_to_dry > 60e-3 / *m.drying->rate);
         QVERIFY(std::abs(m.series.temperature_mean.back() - air) < 0.1);
         QVERIFY(m.ledger.water_liquid < 1e-12);
+        // Both faces together begin with all of the test's water, whatever of it the fibres have drunk, and end with none.
+        const double both = m.series.water_top.front() + m.series.water_bottom.front();
+        QVERIFY2(std::abs(both - m.ledger.water_delivered) < 1e-6 * both, qPrintable(QString::number(both)));
+        for (const std::vector<double>* face : {&m.series.water_top, &m.series.water_bottom}) {
+            QVERIFY(*std::min_element(face->begin(), face->end()) >= 0);
+            QVERIFY(face->back() < 0.01 * both);
+        }
         QVERIFY(std::abs(m.series.regain_mean.back() - 0.0697) < 0.002); // cotton at 21 C and 65 %
     }
     void aDrySampleTakesUpItsRegainAndWarms()
