@@ -329,6 +329,42 @@ private Q_SLOTS:
         QCOMPARE(measured.code, 0);
         QVERIFY(measured.err.contains("cut short"));
     }
+    void anInterruptedComparisonKeepsWhatWasRun()
+    {
+        const QString folder = folder_.filePath("cut-comparison");
+        const auto comparison = [&] { return QJsonDocument::fromJson(contents(folder + "/comparison.json")).object(); };
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"compare", example("three-candidates.hygro"), "--experiment", "one drop", "--backend", "cpu",
+                                      "--fidelity", "draft", "--set", "experiments.one drop.duration_s=3", "-o", folder});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(!comparison()["candidates"].toArray().isEmpty(), 120000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        const qsizetype ended = comparison()["candidates"].toArray().size();
+        QVERIFY(ended < 3 && !comparison()["complete"].toBool());
+        const QByteArray err = process.readAllStandardError();
+        QVERIFY2(err.contains(QString("Cancelled after %1 of 3 fabrics.").arg(ended).toUtf8()), err);
+        QVERIFY(process.readAllStandardOutput().contains(comparison()["candidates"].toArray()[0].toObject()["fabric"].toString().toUtf8()));
+        QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * ended);
+    }
+    void aComparisonInterruptedAtOnceHasNothingToRank()
+    {
+        const QString folder = folder_.filePath("no-comparison");
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"compare", example("three-candidates.hygro"), "--experiment", "one drop", "--backend", "cpu",
+                                      "--json", "--set", "experiments.one drop.duration_s=3600", "-o", folder});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder + "/comparison.json"), 30000);
+        QTest::qWait(500);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitCode(), 130);
+        const QJsonObject json = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+        QVERIFY(json.contains("complete") && !json["complete"].toBool() && json["candidates"].toArray().isEmpty());
+        QVERIFY(process.readAllStandardError().contains("Cancelled after 0 of 3 fabrics."));
+    }
     void aMissingGpuIsFour()
     {
         const QByteArray devices = run_cli({"devices", "--json"}).out;
