@@ -40,7 +40,7 @@ std::optional<double> falls_to(const std::vector<double>& time, const std::vecto
 /// The last moment after one, s, up to which the rate has held: see steady_to. None while it holds.
 std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const std::vector<double>& left, double from, double left_then)
 {
-    constexpr double held = 0.95;
+    constexpr double held = 0.98;
     for (std::size_t i = 1; i < time.size(); ++i) {
         if (time[i - 1] <= from) continue;
         const double mean = (left_then - left[i - 1]) / (time[i - 1] - from);

@@ -15,7 +15,7 @@ struct WickingResult {
 WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height);
 
 /// Of the water, what is left where the constant-rate period begins, and where it ends at the latest: where fibres hold much of the water
-/// it ends before, as soon as less dries between two moments than 95 % of what has dried on average since it began.
+/// it ends before, as soon as less dries between two moments than 98 % of what has dried on average since it began.
 constexpr double steady_from = 0.8, steady_to = 0.3;
 
 /// Of a wet sample in an air stream (AATCC 199 and 201).
