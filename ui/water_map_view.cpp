@@ -183,8 +183,8 @@ void WaterMapView::resizeEvent(QResizeEvent* event)
 
 void WaterMapView::paintEvent(QPaintEvent*)
 {
-    if (!playback_.frame() || top_->map().columns < 1) {
-        return;
+    if (!playback_.frame() || top_->map().columns < 1 || !(maximum_ > 0)) {
+        return; // as long as all is dry no scale is known
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
