@@ -160,11 +160,12 @@ int compare(const CompareOptions& options)
     const InterruptCancels cancels(control.cancel);
     CandidateRuns runs(design, fabrics, how, options, control, comparison);
     runs.run(backends);
+    const bool some = !comparison.candidates.empty();
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
-    else
+    else if (some)
         fmt::print("{}{}", comparison_table(comparison), fidelity_text(choice));
-    if (!options.output.empty()) {
+    if (!options.output.empty() && some) {
         write_pictures(runs.maps(), fabrics, options.output);
         if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
     }
