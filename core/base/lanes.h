@@ -46,12 +46,14 @@ HL_FN void bring(const void* memory)
 
 #if HL_LANE_IS_THREAD
 HL_FN Real root(Real value) { return plain_root(value); }
+HL_FN Real inverse_root(Real value) { return plain_inverse_root(value); }
 HL_FN Real inverse(Real value) { return plain_inverse(value); }
 HL_FN Real quotient(Real a, Real b) { return plain_quotient(a, b); }
 #else
 template <typename T> inline T inverse(const T& value) { return Real(1) / value; }
 template <typename T> inline T quotient(const T& a, const T& b) { return a / b; }
 inline Real root(Real value) { return std::sqrt(value); }
+inline Real inverse_root(Real value) { return Real(1) / root(value); }
 #endif
 HL_FN Real positive(Real value) { return value > 0 ? value : Real(0); }
 
@@ -125,6 +127,7 @@ inline Pack root(const Pack& values)
     for (int i = 0; i < lanes; ++i) roots[i] = std::sqrt(values[i]);
     return roots;
 }
+inline Pack inverse_root(const Pack& values) { return Real(1) / root(values); }
 inline Pack positive(const Pack& values) { return values > 0 ? values : Pack{}; }
 
 /// Rows of four to columns of eight.
@@ -229,5 +232,19 @@ inline int list_lanes(const Mask& wanted, int first, int* slots, bool has_room)
 }
 
 #endif
+
+/// Several sums over neighbours, by lanes.
+template <int count> struct PackSums {
+    Pack of[count];
+};
+template <int count> struct Sums {
+    Real of[count];
+};
+template <int count> HL_FN Sums<count> sum_of(const PackSums<count>& packs)
+{
+    Sums<count> sums;
+    for (int k = 0; k < count; ++k) sums.of[k] = sum_of(packs.of[k]);
+    return sums;
+}
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -76,6 +76,25 @@ HL_FN void atomic_max_of_all(int* target, int value)
 #endif
 }
 
+/// The same for several targets side by side.
+template <int count> HL_FN void atomic_max_of_all(int* targets, const int (&values)[count])
+{
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
+    const unsigned together = __activemask(), before = (1u << threadIdx.x % 32) - 1;
+    const int own = __popc(together & before);
+    if (__popc(together) >= count) { // a target for each thread
+        int most = 0;
+        for (int k = 0; k < count; ++k) {
+            const int most_of_all = __reduce_max_sync(together, values[k]);
+            if (own == k) most = most_of_all;
+        }
+        if (own < count) atomic_max(targets + own, most);
+        return;
+    }
+#endif
+    for (int k = 0; k < count; ++k) atomic_max(targets + k, values[k]);
+}
+
 /// Lowers a shared value to the smallest one offered.
 HL_FN void atomic_min(int* target, int value)
 {
@@ -156,6 +175,18 @@ HL_FN float plain_quotient(float a, float b)
     return a / b;
 #endif
 }
+/// 1 / root; on a GPU to 2^-22.9 of it, which is what products of it are rounded to.
+HL_FN float plain_inverse_root(float value)
+{
+#ifdef __CUDA_ARCH__
+    float inverse;
+    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(inverse) : "f"(value));
+    return inverse;
+#else
+    return 1.0f / std::sqrt(value);
+#endif
+}
+HL_FN double plain_inverse_root(double value) { return 1.0 / std::sqrt(value); }
 HL_FN double plain_quotient(double a, double b) { return a / b; }
 HL_FN double plain_root(double value) { return std::sqrt(value); }
 HL_FN double plain_inverse(double value) { return 1.0 / value; }

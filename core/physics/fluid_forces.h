@@ -36,16 +36,21 @@ HL_FN SurfaceEnergy surface_energy(Real surface_tension, Real spacing)
     return {well, well * Real(surface_sharpness) * support * support};
 }
 
-/// Forces on the first of two particles, over the square of their volume, N/m6: minus the slope of the energy. d points from the second to
-/// the first; pull is the sum of both, tilt the first's less the second's. Of one pair (Real) or a pack of them.
-template <typename T> HL_FN Vec3T<T> surface_force(T pull, const Vec3T<T>& tilt, const Vec3T<T>& d, Real support)
+/// Force on the first of two particles, by the way from the second to it and by the first's tilt less the second's.
+template <typename T> struct SurfaceForce {
+    T along;   ///< the way
+    T against; ///< the tilt
+};
+
+/// Over the square of the particles' volume and SplineUnits::slope, N m-2: minus the slope of the energy. d is the way, inverse one over
+/// its length; pull is the sum of both. Of one pair (Real) or a pack of them.
+template <typename T, typename Kernel>
+HL_FN SurfaceForce<T> surface_force(const T& pull, const Vec3T<T>& tilt, const Vec3T<T>& d, const T& inverse, const Kernel& kernel,
+                                    Real per_metre)
 {
-    const T r = root(dot(d, d));
-    const T inverse = inverse_distance(r, support);
-    const T slope = spline_slope(r, support) * inverse;
-    const T along = dot(tilt, d) * inverse * inverse; // at no distance there is no direction
-    const T stretch = pull * slope - (spline_curvature(r, support) - slope) * along;
-    return {stretch * d.x - slope * tilt.x, stretch * d.y - slope * tilt.y, stretch * d.z - slope * tilt.z};
+    const T slope = kernel.slope() * inverse;
+    const T towards = dot(tilt, d) * (inverse * inverse);
+    return {pull * slope - (per_metre * kernel.curvature() - slope) * towards, slope};
 }
 
 /// A wall is wetted at an angle whose cosine is the energy that a covered area gains over the surface tension. It counts as liquid,

@@ -8,35 +8,61 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// W(r), 1/m3; of one distance (Real) or a pack of them.
+/// The kernel of support 1 at a distance q, in the parts it is made of; of one distance (Real) or a pack of them.
+template <typename T> struct Spline {
+    T outer, inner; ///< 1 - q and 1/2 - q, 0 if less
+
+    HL_FN explicit Spline(const T& q) : outer(positive(Real(1) - q)), inner(positive(Real(0.5) - q)) {}
+    HL_FN T kernel() const { return outer * outer * outer - Real(4) * (inner * inner * inner); } ///< W, over 16 / pi
+    HL_FN T slope() const { return Real(4) * (inner * inner) - outer * outer; }                  ///< dW/dq, over 48 / pi
+    HL_FN T curvature() const { return Real(2) * outer - Real(8) * inner; }                      ///< d2W/dq2, over 48 / pi
+};
+
+/// The same for those who are farther than half the support.
+template <typename T> struct OuterSpline {
+    T outer;
+
+    HL_FN explicit OuterSpline(const T& q) : outer(positive(Real(1) - q)) {}
+    HL_FN T kernel() const { return outer * outer * outer; }
+    HL_FN T slope() const { return -(outer * outer); }
+    HL_FN T curvature() const { return Real(2) * outer; }
+};
+
+/// What kernels of a support H are of Spline's.
+struct SplineUnits {
+    Real per_metre;       ///< 1 / H
+    Real kernel;          ///< 16 / (pi H3)
+    Real slope;           ///< 48 / (pi H4)
+    Real gradient_factor; ///< 48 / (pi H5), of slope() / q, and of curvature()
+    Real nothing;         ///< m2, square of a distance that makes no difference
+
+    HL_FN explicit SplineUnits(Real support)
+        : per_metre(Real(1) / support), kernel(Real(5.09295817894065) * per_metre * per_metre * per_metre),
+          slope(Real(3) * kernel * per_metre), gradient_factor(slope * per_metre), nothing(Real(1e-12) * support * support)
+    {
+    }
+};
+
+/// W(r), 1/m3.
 template <typename T> HL_FN T spline_kernel(T r, Real support)
 {
-    const T q = r * (Real(1) / support);
-    const T rest = positive(Real(1) - q), inner = positive(Real(0.5) - q);
-    return (Real(2.546479089470325) / (support * support * support)) * // 8 / pi
-           (Real(2) * rest * rest * rest - Real(8) * inner * inner * inner);
+    const SplineUnits units(support);
+    return units.kernel * Spline<T>(r * units.per_metre).kernel();
 }
-
-/// dW/dr, 1/m4.
-template <typename T> HL_FN T spline_slope(T r, Real support)
-{
-    const T q = r * (Real(1) / support);
-    const T rest = positive(Real(1) - q), inner = positive(Real(0.5) - q);
-    return (Real(2.546479089470325) / (support * support * support * support)) * (Real(24) * inner * inner - Real(6) * rest * rest);
-}
-
-/// 1 / r; at no distance something large, which does not matter there.
-template <typename T> HL_FN T inverse_distance(T r, Real support) { return inverse(r + Real(1e-6) * support); }
 
 /// dW/dr / r, 1/m5, so that grad W = this x (r_i - r_j).
-template <typename T> HL_FN T spline_gradient_factor(T r, Real support) { return spline_slope(r, support) * inverse_distance(r, support); }
+template <typename T> HL_FN T spline_gradient_factor(T r, Real support)
+{
+    const SplineUnits units(support);
+    const T q = r * units.per_metre;
+    return units.gradient_factor * Spline<T>(q).slope() * inverse(q + Real(1e-6)); // at no distance it does not matter
+}
 
 /// d2W/dr2, 1/m5.
 template <typename T> HL_FN T spline_curvature(T r, Real support)
 {
-    const T q = r * (Real(1) / support);
-    return (Real(2.546479089470325) / (support * support * support * support * support)) *
-           (Real(12) * positive(Real(1) - q) - Real(48) * positive(Real(0.5) - q));
+    const SplineUnits units(support);
+    return units.gradient_factor * Spline<T>(r * units.per_metre).curvature();
 }
 
 /// Fifth powers of what is left of the support and of its inner half, which the integrals of the spline over planes are made of.

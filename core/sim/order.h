@@ -17,6 +17,10 @@ struct Nothing {
     HL_FN void operator()(int) const {}
 };
 
+/// Whether a stage is one of two parts: collect(i) sums over neighbours by lanes, finish(i, sums) does with the sums what takes one lane
+/// only. What finish() writes no collect() reads, so any order of elements gives the same.
+template <typename Stage> constexpr bool collects = requires(const Stage& stage) { stage.collect(0); };
+
 /// One stage after the other on the same element.
 template <typename First, typename Second> struct InTurn {
     First first;
@@ -26,6 +30,12 @@ template <typename First, typename Second> struct InTurn {
         first(i);
         second(i);
     }
+    HL_FN auto collect(int i) const requires collects<Second>
+    {
+        first(i);
+        return second.collect(i);
+    }
+    template <typename Sums> HL_FN void finish(int i, const Sums& sums) const { second.finish(i, sums); }
 };
 
 /// Whether a stage works on packs of numbers: see lanes.h.

@@ -212,7 +212,7 @@ struct Particles {
     int* distant = nullptr;       ///< most_distant slots each: the others
     int* near_count = nullptr;    ///< slots in use, whole packs
     int* distant_count = nullptr; ///< slots in use, whole packs
-    Real* slope = nullptr;        ///< of near pairs, this step: see spline_gradient_factor()
+    Real* slope = nullptr;        ///< of near pairs, this step: the kernel's over SplineUnits::slope and the distance, times the size
     Real* listed_x = nullptr;     ///< where particles were when neighbours were listed; axes apart, so packs are read as they lie
     Real* listed_y = nullptr;
     Real* listed_z = nullptr;

@@ -163,8 +163,12 @@ private Q_SLOTS:
             for (std::size_t j = 0; j < n; ++j) {
                 if (j == i) continue;
                 const Here a = at(i), b = at(j);
-                const Vec3 f = surface_force(e.pull(Real(a.share)) + e.pull(Real(b.share)), e.tilt(a.slope) - e.tilt(b.slope),
-                                             single(x[i] - x[j]), support);
+                const Vec3 tilt = e.tilt(a.slope) - e.tilt(b.slope), d = single(x[i] - x[j]);
+                const SplineUnits units(support);
+                const Real r = length(d);
+                const SurfaceForce<Real> parts = surface_force(e.pull(Real(a.share)) + e.pull(Real(b.share)), tilt, d, Real(1) / r,
+                                                               Spline<Real>(r * units.per_metre), units.per_metre);
+                const Vec3 f = units.slope * (parts.along * d - parts.against * tilt);
                 total += f;
                 if (i == 0) force += f;
             }

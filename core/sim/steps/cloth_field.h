@@ -119,7 +119,7 @@ private:
     {
         const Quad* bead = beads.bead + static_cast<std::int64_t>(segment) * beads.per_segment;
         const int count = segments * beads.per_segment;
-        const Real tiny = Real(1e-12) * type.reach * type.reach; // at no distance there is no direction
+        const SplineUnits units(type.reach), near(type.support);
         Pack surface_share{};
         Packs surface_slope{};
         Bend surface_bend;
@@ -128,15 +128,15 @@ private:
             Quads b = load(bead + k);
             if (count - k < lanes) b.w *= first_lanes(count - k);
             const Packs d{x.x - b.x, x.y - b.y, x.z - b.z};
-            const Pack r2 = dot(d, d), r = root(r2);
-            const Pack factor = b.w * spline_gradient_factor(r, type.reach), push = b.w * spline_gradient_factor(r, type.support);
-            const Pack one_over = inverse(r2 + tiny);
-            surface_share += b.w * spline_kernel(r, type.reach);
+            const Pack square = dot(d, d) + units.nothing, one_over = inverse_root(square), r = square * one_over;
+            const Spline<Pack> outer(r * units.per_metre), inner(r * near.per_metre);
+            const Pack factor = b.w * units.slope * outer.slope() * one_over, push = b.w * near.slope * inner.slope() * one_over;
+            surface_share += b.w * units.kernel * outer.kernel();
             surface_slope += factor * d;
-            surface_bend.add((b.w * spline_curvature(r, type.reach) - factor) * one_over, factor, d);
-            s.share += b.w * spline_kernel(r, type.support);
+            surface_bend.add((b.w * units.gradient_factor * outer.curvature() - factor) * (one_over * one_over), factor, d);
+            s.share += b.w * near.kernel * inner.kernel();
             s.slope += push * d;
-            s.bend.add((b.w * spline_curvature(r, type.support) - push) * one_over, push, d);
+            s.bend.add((b.w * near.gradient_factor * inner.curvature() - push) * (one_over * one_over), push, d);
         }
         s.surface_share += type.share * surface_share;
         s.surface_slope += (Pack{} + type.share) * surface_slope;

@@ -74,12 +74,13 @@ struct BeginStep {
         p.motion[i] = {v.x, v.y, v.z, p.size(i)};
         p.standing[i] = {x.x, x.y, x.z, p.size(i)};
         const Real way[3] = {x.x - p.listed_x[i], x.y - p.listed_y[i], x.z - p.listed_z[i]};
+        int whole[6];
         for (int k = 0; k < 3; ++k) {
             const Real parts = way[k] * (Real(parts_of_spacing) / p.spacing), most = Real(1 << 30);
-            const int whole = static_cast<int>(parts > -most ? parts < most ? parts : most : -most);
-            atomic_max_of_all(moved + k, whole);
-            atomic_max_of_all(moved + 3 + k, -whole);
+            whole[k] = static_cast<int>(parts > -most ? parts < most ? parts : most : -most);
+            whole[3 + k] = -whole[k];
         }
+        atomic_max_of_all(moved, whole);
         return 0;
     }
 };
@@ -125,10 +126,8 @@ struct FindBox {
         const Vec3& x = p.position[i];
         const int cell[3] = {g.whole(x.x - g.origin.x, g.whole_x), g.whole(x.y - g.origin.y, g.whole_y),
                              g.whole(x.z - g.origin.z, g.whole_z)};
-        for (int k = 0; k < 3; ++k) {
-            atomic_max_of_all(box + k, -cell[k]);
-            atomic_max_of_all(box + 3 + k, cell[k]);
-        }
+        const int ends[6] = {-cell[0], -cell[1], -cell[2], cell[0], cell[1], cell[2]};
+        atomic_max_of_all(box, ends);
     }
 };
 
@@ -331,6 +330,21 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
 
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
 
+/// A pack of pairs, and the surface's kernel at their distances.
+template <typename Kernel> struct Pairs {
+    Packs way;                      ///< m, from the other to the own
+    Pack square, inverse, distance; ///< m2, 1/m and m; at the same place next to nothing, and its inverse very large
+    Kernel kernel;
+
+    HL_FN Pairs(const Quad& own, const Quads& others, const SplineUnits& units)
+        : way(between(own, others)), square(dot(way, way) + units.nothing), inverse(inverse_root(square)), distance(square * inverse),
+          kernel(distance * units.per_metre)
+    {
+    }
+};
+using NearPairs = Pairs<Spline<Pack>>;
+using DistantPairs = Pairs<OuterSpline<Pack>>; ///< farther than half the reach, whatever they have moved since they were listed
+
 /// The liquid's share of the space round each particle and how it changes, where a wall counts as liquid; and the pull and the tilt
 /// that follow.
 struct FindSurface {
@@ -338,23 +352,34 @@ struct FindSurface {
     LiquidParameters liquid;
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int i) const { finish(i, sum_of(collect(i))); }
+    HL_FN PackSums<4> collect(int i) const
     {
-        const Real volume = p.mass / liquid.density;
+        const SplineUnits units(p.reach);
         const Quad own = p.place[i];
         Pack kernels{};
         Packs slopes{};
-        const auto add = [&](const int* slots) {
-            const Quads others = gather(p.standing, slots);
-            const Packs d = between(own, others);
-            const Pack r = root(dot(d, d));
-            kernels += others.w * spline_kernel(r, p.reach);
-            slopes += others.w * spline_gradient_factor(r, p.reach) * d;
+        const auto add = [&](const auto& pairs, const Pack& sizes) {
+            kernels += sizes * pairs.kernel.kernel();
+            slopes += sizes * pairs.kernel.slope() * pairs.inverse * pairs.way;
         };
-        for_neighbours(p, i, add);
-        for_distant_neighbours(p, i, add);
-        Real share = volume * (p.size(i) * spline_kernel(Real(0), p.reach) + sum_of(kernels)) + p.cloth[i].surface_share;
-        Vec3 slope = volume * sum_of(slopes) + p.cloth[i].surface_slope;
+        for_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.standing, slots);
+            add(NearPairs(own, others, units), others.w);
+        });
+        for_distant_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.standing, slots);
+            add(DistantPairs(own, others, units), others.w);
+        });
+        return {{kernels, slopes.x, slopes.y, slopes.z}};
+    }
+    HL_FN void finish(int i, const Sums<4>& sums) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const SplineUnits units(p.reach);
+        const auto& [kernels, x, y, z] = sums.of;
+        Real share = volume * (p.size(i) * spline_kernel(Real(0), p.reach) + units.kernel * kernels) + p.cloth[i].surface_share;
+        Vec3 slope = volume * units.slope * Vec3{x, y, z} + p.cloth[i].surface_slope;
         if (p.at_wall(i)) {
             const Real of_liquid = wall_share(liquid.vessel.wetting);
             share += of_liquid * kernel_beyond_plane(p.wall_distance[i], p.reach);
@@ -365,12 +390,19 @@ struct FindSurface {
     }
 };
 
-/// Surface force of a pack of neighbours of full size on a particle, over the product of the volumes.
-HL_FN Packs surface_forces(const Particles& p, const Quad& own, const Packs& d, const int* slots)
-{
-    const Quads theirs = gather(p.surface, slots);
-    return surface_force<Pack>(own.w + theirs.w, between(own, theirs), d, p.reach);
-}
+/// Surface forces of a pack of neighbours of full size on a particle: see surface_force().
+struct SurfaceForces {
+    Packs tilt; ///< the particle's less the neighbours'
+    SurfaceForce<Pack> force;
+
+    template <typename Kernel>
+    HL_FN SurfaceForces(const Particles& p, const Quad& own, const Pairs<Kernel>& pairs, const SplineUnits& units, const int* slots)
+    {
+        const Quads theirs = gather(p.surface, slots);
+        tilt = between(own, theirs);
+        force = surface_force(own.w + theirs.w, tilt, pairs.way, pairs.inverse, pairs.kernel, units.per_metre);
+    }
+};
 
 /// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
 /// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
@@ -394,34 +426,48 @@ struct FindForces {
     LiquidParameters liquid;
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int i) const { finish(i, sum_of(collect(i))); }
+    HL_FN PackSums<7> collect(int i) const
     {
-        const Real volume = p.mass / liquid.density;
         const Real smallest = Real(0.01) * p.support * p.support;
         const Quad place = p.place[i], motion = p.motion[i], surface = p.surface[i];
+        const SplineUnits near(p.support), units(p.reach);
+        const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density * (near.slope / units.slope);
         Pack kernels{};
-        const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density; // over that of the surface's forces
         Packs forces{}, pressed{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
-            const Packs d = between(place, others);
-            const Pack r2 = dot(d, d), r = root(r2);
+            const NearPairs pairs(place, others, units);
             const Quads motions = gather(p.motion, slots);
             const Pack& sizes = motions.w;
-            const Pack slope = sizes * spline_slope(r, p.support) * inverse_distance(r, p.reach);
+            const Spline<Pack> kernel(pairs.distance * near.per_metre);
+            const Pack slope = sizes * kernel.slope() * pairs.inverse;
             store(slope_of(p, slots), slope);
-            kernels += sizes * spline_kernel(r, p.support);
-            pressed += (place.w + others.w) * slope * d;
-            forces += sizes * surface_forces(p, surface, d, slots);
-            forces += quotient(drag * dot(between(motion, motions), d), r2 + smallest) * slope * d;
+            kernels += sizes * kernel.kernel();
+            pressed += (place.w + others.w) * slope * pairs.way;
+            const SurfaceForces surfaces(p, surface, pairs, units, slots);
+            const Pack friction = quotient(drag * dot(between(motion, motions), pairs.way), pairs.square + smallest) * slope;
+            forces += (sizes * surfaces.force.along + friction) * pairs.way;
+            forces -= sizes * surfaces.force.against * surfaces.tilt;
         });
         for_distant_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.standing, slots);
-            forces += others.w * surface_forces(p, surface, between(place, others), slots);
+            const DistantPairs pairs(place, others, units);
+            const SurfaceForces surfaces(p, surface, pairs, units, slots);
+            forces += others.w * surfaces.force.along * pairs.way;
+            forces -= others.w * surfaces.force.against * surfaces.tilt;
         });
-        const Vec3 force = sum_of(forces), pressure = sum_of(pressed);
-        const Real kernel = sum_of(kernels);
+        return {{kernels, forces.x, forces.y, forces.z, pressed.x, pressed.y, pressed.z}};
+    }
+    HL_FN void finish(int i, const Sums<7>& sums) const
+    {
         if (!p.alive[i]) return;
+        const Real volume = p.mass / liquid.density;
+        const SplineUnits near(p.support), units(p.reach);
+        const auto& [kernels, x, y, z, pressed_x, pressed_y, pressed_z] = sums.of;
+        const Vec3 force = units.slope * Vec3{x, y, z}, pressure = near.slope * Vec3{pressed_x, pressed_y, pressed_z};
+        const Real kernel = near.kernel * kernels;
+        const Quad motion = p.motion[i], surface = p.surface[i];
         Vec3 a = (volume / liquid.density) * force;
         a.z -= liquid.gravity;
         const ClothField& cloth = p.cloth[i];
@@ -453,22 +499,28 @@ struct CorrectPressure {
     std::int64_t* total; ///< too dense by, 1e-6 of the rest density
     static constexpr bool wide = true;
 
-    HL_FN std::int64_t operator()(int i) const
+    HL_FN std::int64_t operator()(int i) const { return finish(i, sum_of(collect(i))); }
+    HL_FN PackSums<1> collect(int i) const
     {
         const Quad own = p.predicted[i];
-        const Real before = p.place[i].w; // read before threads that share a particle meet, written after
+        const SplineUnits units(p.support);
         Pack kernels{};
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.predicted, slots);
-            const Packs d = between(own, others);
-            kernels += others.w * spline_kernel(root(dot(d, d)), p.support);
+            kernels += others.w * NearPairs(own, others, units).kernel.kernel();
         });
+        return {{kernels}};
+    }
+    HL_FN std::int64_t finish(int i, const Sums<1>& sums) const
+    {
+        const Quad own = p.predicted[i];
+        const Real kernels = SplineUnits(p.support).kernel * sums.of[0];
         const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
-        Real density = p.mass * (own.w * spline_kernel(Real(0), p.support) + sum_of(kernels)) +
+        Real density = p.mass * (own.w * spline_kernel(Real(0), p.support) + kernels) +
                        liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
         if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
-        p.place[i].w = positive(before + liquid.step->stiffness * (excess - p.allowed[i]));
+        p.place[i].w = positive(p.place[i].w + liquid.step->stiffness * (excess - p.allowed[i]));
         return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
     }
 };
@@ -479,7 +531,8 @@ struct FindPressureForce {
     LiquidParameters liquid;
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int i) const { finish(i, sum_of(collect(i))); }
+    HL_FN PackSums<3> collect(int i) const
     {
         const Quad own = p.place[i];
         Packs push{};
@@ -487,8 +540,12 @@ struct FindPressureForce {
             const Quads others = gather(p.place, slots);
             push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
-        const Vec3 sum = sum_of(push);
-        if (p.alive[i]) predict(p, liquid, i, sum);
+        return {{push.x, push.y, push.z}};
+    }
+    HL_FN void finish(int i, const Sums<3>& sums) const
+    {
+        const auto& [x, y, z] = sums.of;
+        if (p.alive[i]) predict(p, liquid, i, SplineUnits(p.support).slope * Vec3{x, y, z});
     }
 };
 
@@ -499,32 +556,41 @@ struct FindStress {
     LiquidParameters liquid;
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+    HL_FN void operator()(int i) const { finish(i, sum_of(collect(i))); }
+    HL_FN PackSums<2> collect(int i) const
     {
-        const Real volume = p.mass / liquid.density;
         const Quad own = p.place[i], surface = p.surface[i];
-        const Real before = p.stress[i];
-        Pack sum{};
-        const auto add_surface = [&](const int* slots) {
-            const Quads others = gather(p.standing, slots);
-            const Packs d = between(own, others);
-            sum += others.w * dot(surface_forces(p, surface, d, slots), d);
+        const SplineUnits units(p.reach);
+        Pack pressed{}, pulled{};
+        const auto add_surface = [&](const auto& pairs, const Pack& sizes, const int* slots) {
+            const SurfaceForces surfaces(p, surface, pairs, units, slots);
+            pulled += sizes * (surfaces.force.along * pairs.square - surfaces.force.against * dot(surfaces.tilt, pairs.way));
         };
         for_neighbours(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
-            const Packs d = between(own, others);
-            sum -= (own.w + others.w) * load(slope_of(p, slots)) * dot(d, d);
-            add_surface(slots);
+            const NearPairs pairs(own, others, units);
+            pressed += (own.w + others.w) * load(slope_of(p, slots)) * pairs.square;
+            add_surface(pairs, gather(p.standing, slots).w, slots);
         });
-        for_distant_neighbours(p, i, add_surface);
-        Real virial = volume * sum_of(sum);
+        for_distant_neighbours(p, i, [&](const int* slots) {
+            const Quads others = gather(p.standing, slots);
+            add_surface(DistantPairs(own, others, units), others.w, slots);
+        });
+        return {{pulled, pressed}};
+    }
+    HL_FN void finish(int i, const Sums<2>& sums) const
+    {
+        const Real volume = p.mass / liquid.density;
+        const Quad own = p.place[i], surface = p.surface[i];
+        const Real pull = SplineUnits(p.reach).slope * sums.of[0], pressure = SplineUnits(p.support).slope * sums.of[1];
+        Real virial = volume * (pull - pressure);
         if (p.at_wall(i)) {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
             virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
-        p.stress[i] = before + liquid.step->dt * virial / Real(6);
+        p.stress[i] += liquid.step->dt * virial / Real(6);
     }
 };
 
