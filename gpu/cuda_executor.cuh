@@ -17,7 +17,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -61,13 +64,20 @@ __device__ inline bool is_last_block(unsigned* came)
     return true;
 }
 
-template <typename Stage, typename Next> __global__ void run_stage(Counted counted, Stage stage, Next next, unsigned* came)
+template <typename Stage, typename Next>
+__global__ void run_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
 {
-    constexpr int each = threads_each<Stage>();
-    const int i = static_cast<int>((blockIdx.x * blockDim.x + threadIdx.x) / each);
-    const std::int64_t part = call_stage(stage, i, counted.count ? *counted.count : counted.most);
-    if constexpr (!std::is_void_v<decltype(stage(0))>)
-        if (stage.total != nullptr) add_from_warp(stage.total, part, each);
+    constexpr int threads = threads_each<Stage>();
+    const int own = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x), end = counted.count ? *counted.count : counted.most;
+    std::int64_t part = 0;
+    if constexpr (collects<Stage>)
+        part = call_collecting(stage, own / 32 * elements_beside * times, times, end);
+    else
+        part = call_stage(stage, own / threads, end);
+    if constexpr (!std::is_void_v<decltype(stage(0))>) {
+        __syncwarp();
+        if (stage.total != nullptr) add_from_warp(stage.total, part, collects<Stage> ? 1 : threads);
+    }
     if constexpr (!std::is_same_v<Next, Nothing>)
         if (is_last_block(came)) next(0);
 }
@@ -135,7 +145,7 @@ public:
         {
             if (size_ > 0)
                 run_stage<<<static_cast<unsigned>((size_ + 255) / 256), 256, 0, own_stream>>>(
-                    {nullptr, static_cast<int>(size_)}, FillStage<T>{data_, value}, Nothing{}, nullptr);
+                    {nullptr, static_cast<int>(size_)}, 1, FillStage<T>{data_, value}, Nothing{}, nullptr);
             check_cuda(cudaGetLastError(), "filling memory");
         }
         void upload(const std::vector<T>& values)
@@ -284,9 +294,9 @@ public:
         ask(cooperates_, cudaDevAttrCooperativeLaunch);
         meeting_.resize(1);
         sums_.resize(static_cast<std::size_t>(processors_));
-        ++scenes_on(device_);
+        ++scenes_on(device_).loaded;
     }
-    ~CudaExecutor() { --scenes_on(device_); }
+    ~CudaExecutor() { --scenes_on(device_).loaded; }
     CudaExecutor(const CudaExecutor&) = delete;
     CudaExecutor& operator=(const CudaExecutor&) = delete;
 
@@ -305,11 +315,13 @@ public:
             for_each(name, counted, stage.first);
             for_each(name, counted, stage.second, next);
         } else {
-            constexpr int each = threads_each<Stage>(), few = 1 << 16;
-            const int block = each == 1 && counted.most < few ? 64 : 128, elements = block / each;
+            constexpr int threads = threads_each<Stage>(), few = 1 << 16, threads_of_processor = 2048;
+            // As many times as leave enough to do for all threads at once.
+            const int times = collects<Stage> ? std::clamp(counted.most / (processors_ * threads_of_processor / threads), 1, lanes) : 1;
+            const int block = threads == 1 && counted.most < few ? 64 : 128, elements = block / threads * times;
             const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
             const Lap lap(stage_clock_.get(), name);
-            run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, stage, next, came_.data());
+            run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, times, stage, next, came_.data());
             check_cuda(cudaGetLastError(), name);
         }
     }
@@ -343,22 +355,30 @@ public:
         check_cuda(cudaGetLastError(), name);
     }
 
-    /// Goes through an order of stages that decide loops and branches; of so many elements at most.
-    template <typename Order> void go_through(const Order& order, int most)
+    /// Goes through an order of stages that decide loops and branches; of so many elements at most. Returns the seconds that took, without
+    /// those in which other scenes had the GPU.
+    template <typename Order> double go_through(const Order& order, int most)
     {
-        constexpr int many = 50000; // whose stages are better started one by one, with as many threads as each can have
-        if (stage_clock_ || !cooperates_ || most > many) return order(*this);
-        int fit = 0;
-        check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order>, grid_threads, 0), "asking for its room");
-        if (fit == 0) return order(*this);
-        const int share = std::max(1, processors_ / std::max(1, scenes_on(device_).load())); // a block on each fills it
-        const int blocks = std::min(share, (most * lanes + grid_threads - 1) / grid_threads);
-        GridMemory memory{meeting_.data(), sums_.data(), sort_memory()};
-        void* arguments[] = {const_cast<Order*>(&order), &memory};
-        const dim3 grid(static_cast<unsigned>(blocks)), block(grid_threads);
-        check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order>, grid, block, arguments, 0, own_stream), "starting the steps");
+        const auto seconds_since = [](auto start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+        const int fit = blocks_that_fit<Order>(most);
+        if (fit == 0) {
+            const auto start = std::chrono::steady_clock::now();
+            order(*this);
+            return seconds_since(start);
+        }
+        Scenes& scenes = scenes_on(device_);
+        constexpr int least_blocks = 8; // with fewer, scenes are slower side by side than in turn
+        const int together = std::min(scenes.loaded.load(), std::max(1, fit / least_blocks));
+        const Turn turn(scenes, together);
+        const auto start = std::chrono::steady_clock::now();
+        const int share = std::max(1, fit / together);
+        if (most * lanes > 4 * share * few_grid_threads)
+            start_in_grid<many_grid_threads>(order, most, share);
+        else
+            start_in_grid<few_grid_threads>(order, most, share);
         // A copy that waits would stand in the way of other scenes' work, which comes through the same queues.
         check_cuda(cudaStreamSynchronize(own_stream), "the liquid's steps");
+        return seconds_since(start);
     }
     /// Within an order gone through from here: goes through the body as long as the flag is set.
     template <typename Body> void loop(const Flag* flag, const Body& body)
@@ -425,11 +445,62 @@ private:
         const char* name_;
         cudaEvent_t events_[2] = {};
     };
-    /// That share a GPU; of more than 64 GPUs some count together.
-    static std::atomic<int>& scenes_on(int device)
+    /// That share a GPU.
+    struct Scenes {
+        std::atomic<int> loaded = 0;
+        std::mutex mutex;
+        std::condition_variable one_less;
+        int running = 0; ///< whose steps are in one kernel
+    };
+    /// To run beside so many at most.
+    class Turn {
+    public:
+        Turn(Scenes& scenes, int together) : scenes_(scenes)
+        {
+            std::unique_lock lock(scenes.mutex);
+            scenes.one_less.wait(lock, [&] { return scenes.running < together; });
+            ++scenes.running;
+        }
+        ~Turn()
+        {
+            {
+                const std::lock_guard lock(scenes_.mutex);
+                --scenes_.running;
+            }
+            scenes_.one_less.notify_all();
+        }
+        Turn(const Turn&) = delete;
+        Turn& operator=(const Turn&) = delete;
+
+    private:
+        Scenes& scenes_;
+    };
+    /// Of more than 64 GPUs some count together.
+    static Scenes& scenes_on(int device)
     {
-        static std::atomic<int> scenes[64];
+        static Scenes scenes[64];
         return scenes[device % 64];
+    }
+    /// Of a kernel that goes through an order, on the whole GPU; 0: its stages are better started one by one.
+    template <typename Order> int blocks_that_fit(int most) const
+    {
+        constexpr int many = 50000; // with as many threads as each stage can have
+        if (stage_clock_ || !cooperates_ || most > many) return 0;
+        return fits_in_grid<Order, few_grid_threads>() && fits_in_grid<Order, many_grid_threads>() ? processors_ : 0; // one on each fills it
+    }
+    template <typename Order, int threads> static bool fits_in_grid()
+    {
+        int fit = 0;
+        check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order, threads>, threads, 0), "asking for its room");
+        return fit > 0;
+    }
+    template <int threads, typename Order> void start_in_grid(const Order& order, int most, int share)
+    {
+        GridMemory memory{meeting_.data(), sums_.data(), sort_memory()};
+        void* arguments[] = {const_cast<Order*>(&order), &memory};
+        const dim3 grid(static_cast<unsigned>(std::min(share, (most * lanes + threads - 1) / threads))), block(threads);
+        check_cuda(cudaLaunchCooperativeKernel(go_through_in_grid<Order, threads>, grid, block, arguments, 0, own_stream),
+                   "starting the steps");
     }
     SortMemory sort_memory() { return {many_.data(), number_.data(), member_.data()}; }
     static bool is_set(const Flag* flag)

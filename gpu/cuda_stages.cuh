@@ -2,7 +2,7 @@
 // What stages on a GPU have in common, wherever they are started from: threads that share an element, sums, sorting by counting.
 #pragma once
 
-#include "core/base/portable.h"
+#include "core/base/lanes.h"
 #include "core/sim/order.h"
 
 #include <type_traits>
@@ -40,7 +40,29 @@ template <typename Stage> __device__ std::int64_t call_stage(const Stage& stage,
     return 0;
 }
 
-/// Adds up what the threads of a warp have found; of those that share an element, the first counts.
+/// Calls a stage that collects for some times as many elements side by side as a warp works on at once, below end; at most as many times as
+/// there are lanes: all lanes collect for one after the other, and then each finishes one, which takes the warp no longer than one alone.
+/// Returns the own one's result.
+template <typename Stage> __device__ std::int64_t call_collecting(const Stage& stage, int first_of_warp, int times, int end)
+{
+    if (first_of_warp >= end) return 0;
+    const auto element = [&](int k) { return first_of_warp + k * elements_beside + own_element(); }; // side by side: they read the same
+    decltype(sum_of(stage.collect(0))) own;
+    for (int k = 0; k < times; ++k) {
+        const int i = element(k);
+        const auto sums = sum_of(stage.collect(i < end ? i : end - 1));
+        if (own_lane() == k) own = sums;
+    }
+    const int i = element(own_lane());
+    if (own_lane() >= times || i >= end) return 0;
+    if constexpr (std::is_void_v<decltype(stage(0))>)
+        stage.finish(i, own);
+    else
+        return stage.finish(i, own);
+    return 0;
+}
+
+/// Adds up what the threads of a warp have found, of which so many share an element, whose first counts.
 __device__ inline void add_from_warp(std::int64_t* total, std::int64_t part, int each)
 {
     for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);

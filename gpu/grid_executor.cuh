@@ -12,7 +12,9 @@
 
 namespace hygroloom {
 
-constexpr int grid_threads = 512; ///< of each block
+/// Of each block: many take turns while others wait for memory, where there is much to do for each; few have more registers and are sooner
+/// done with little.
+constexpr int many_grid_threads = 1024, few_grid_threads = 512;
 
 /// In the GPU's memory, one for each scene.
 struct GridMeeting {
@@ -27,21 +29,28 @@ struct GridMemory {
     SortMemory sort;
 };
 
-class GridExecutor {
+template <int grid_threads> class GridExecutor {
 public:
     __device__ explicit GridExecutor(const GridMemory& memory) : memory_(memory), met_(memory.meeting->times) {}
 
     template <typename Stage, typename Next = Nothing>
     __device__ void for_each(const char*, const Counted& counted, const Stage& stage, const Next& next = {})
     {
-        constexpr int each = threads_each<Stage>(), together = grid_threads / each;
+        constexpr int threads = threads_each<Stage>(), together = grid_threads / threads;
         const Part part = own_part(counted.count ? *counted.count : counted.most);
         std::int64_t sum = 0;
-        const int own = static_cast<int>(threadIdx.x) / each;
-        for (int first = part.first; first < part.end; first += together) sum += call_stage(stage, first + own, part.end);
+        if constexpr (collects<Stage>) {
+            const int rounds = (part.end - part.first + together - 1) / together, times = rounds < lanes ? rounds : lanes;
+            const int first_of_warp = part.first + static_cast<int>(threadIdx.x) / 32 * elements_beside * times;
+            for (int first = 0; part.first + first < part.end; first += together * times)
+                sum += call_collecting(stage, first_of_warp + first, times, part.end);
+        } else {
+            const int own = static_cast<int>(threadIdx.x) / threads;
+            for (int first = part.first; first < part.end; first += together) sum += call_stage(stage, first + own, part.end);
+        }
         if constexpr (!std::is_void_v<decltype(stage(0))>) {
             __syncwarp();
-            if (stage.total != nullptr) add_from_warp(stage.total, sum, each);
+            if (stage.total != nullptr) add_from_warp(stage.total, sum, collects<Stage> ? 1 : threads);
         }
         meet(next);
     }
@@ -138,11 +147,11 @@ private:
     unsigned met_; ///< times that this block has met the others; of its first thread only
 };
 
-template <typename Order>
+template <typename Order, int grid_threads>
 __global__ void __launch_bounds__(grid_threads)
     go_through_in_grid(const __grid_constant__ Order order, const __grid_constant__ GridMemory memory)
 {
-    GridExecutor executor(memory);
+    GridExecutor<grid_threads> executor(memory);
     order(executor);
 }
 

@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -111,8 +112,13 @@ public:
     {
         if (flag->on) body();
     }
-    /// Goes through an order of stages that decide loops and branches; of so many elements at most.
-    template <typename Order> void go_through(const Order& order, int) { order(*this); }
+    /// Goes through an order of stages that decide loops and branches; of so many elements at most. Returns the seconds that took.
+    template <typename Order> double go_through(const Order& order, int)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        order(*this);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
 
     /// Before the first sort of so many keys.
     void prepare_sort(int, int) {}

@@ -217,18 +217,17 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 template <typename Executor> bool Solver<Executor>::flow(double wall_seconds)
 {
     if (flow_.count == 0 || time_ >= sync_time_) return true;
-    const auto start = std::chrono::steady_clock::now();
     flow_.time = time_;
     flow_.sync_time = sync_time_;
     const double budget = 0.25 * wall_seconds / std::max(1e-9, wall_per_step_);
     flow_.budget = wall_per_step_ > 0 ? static_cast<int>(std::clamp(budget, 1.0, double(most_flow_steps))) : 1;
     const std::int64_t steps = flow_.steps;
     control_.write(0, flow_);
-    exec_.go_through(liquid_flow(), room_);
+    const double seconds = exec_.go_through(liquid_flow(), room_);
     flow_ = control_.read(0);
     if (flow_.side == 1) change_sides();
     time_ = flow_.time;
-    if (flow_.steps > steps) wall_per_step_ = elapsed(start) / static_cast<double>(flow_.steps - steps);
+    if (flow_.steps > steps) wall_per_step_ = seconds / static_cast<double>(flow_.steps - steps);
     return time_ >= sync_time_ || flow_.count == 0 || flow_.drains.on;
 }
 
