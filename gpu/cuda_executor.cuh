@@ -292,11 +292,16 @@ public:
         ask(most_shared_, cudaDevAttrMaxSharedMemoryPerBlockOptin);
         ask(processors_, cudaDevAttrMultiProcessorCount);
         ask(cooperates_, cudaDevAttrCooperativeLaunch);
+        check_cuda(cudaEventCreateWithFlags(&stepped_, cudaEventBlockingSync | cudaEventDisableTiming), "taking an event");
         meeting_.resize(1);
         sums_.resize(static_cast<std::size_t>(processors_));
         ++scenes_on(device_).loaded;
     }
-    ~CudaExecutor() { --scenes_on(device_).loaded; }
+    ~CudaExecutor()
+    {
+        --scenes_on(device_).loaded;
+        cudaEventDestroy(stepped_);
+    }
     CudaExecutor(const CudaExecutor&) = delete;
     CudaExecutor& operator=(const CudaExecutor&) = delete;
 
@@ -376,8 +381,10 @@ public:
             start_in_grid<many_grid_threads>(order, most, share);
         else
             start_in_grid<few_grid_threads>(order, most, share);
-        // A copy that waits would stand in the way of other scenes' work, which comes through the same queues.
-        check_cuda(cudaStreamSynchronize(own_stream), "the liquid's steps");
+        // A copy that waits would stand in the way of other scenes' work, which comes through the same queues. And with several scenes, threads
+        // that look again and again would keep each other from the processors.
+        check_cuda(cudaEventRecord(stepped_, own_stream), "the liquid's steps");
+        check_cuda(together > 1 ? cudaEventSynchronize(stepped_) : cudaStreamSynchronize(own_stream), "the liquid's steps");
         return seconds_since(start);
     }
     /// Within an order gone through from here: goes through the body as long as the flag is set.
@@ -517,6 +524,7 @@ private:
     Buffer<unsigned> came_;                   ///< blocks of the kernel that runs: see is_last_block()
     std::unique_ptr<StageClock> stage_clock_; ///< none: nothing is timed
     Buffer<double> line_room_;                ///< see LineRoom
+    cudaEvent_t stepped_ = nullptr;           ///< the end of a kernel that goes through an order
     Buffer<GridMeeting> meeting_;             ///< see GridMemory
     Buffer<int> sums_;                        ///< the same
     Buffer<int> many_, number_, member_; ///< see SortMemory
