@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 namespace hygroloom {
@@ -62,19 +63,23 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
 {
     const std::optional<FidelityTarget> target = target_of(options);
     if (!target) return {named(options.fidelity), ""};
-    std::vector<ModelPlan> ladder;
-    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
-        std::vector<ModelPlan> plans;
-        for (const std::string& fabric : fabrics) {
-            try {
-                plans.push_back(planned(options, design, *find_fabric(design, fabric), fidelity, forced, knobs));
-            } catch (const Error&) {
-                if (fabrics.size() == 1) throw;
-            }
+    constexpr std::array fidelities{Fidelity::draft, Fidelity::standard, Fidelity::reference};
+    std::array<std::vector<ModelPlan>, fidelities.size()> plans;
+    for (const std::string& fabric : fabrics) {
+        try {
+            std::vector<ModelPlan> own;
+            for (Fidelity fidelity : fidelities)
+                own.push_back(planned(options, design, *find_fabric(design, fabric), fidelity, forced, knobs));
+            for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
+        } catch (const Stop&) {
+            throw;
+        } catch (const Error&) { // comparing tells of it
+            if (fabrics.size() == 1) throw;
         }
-        if (plans.empty()) return {};
-        ladder.push_back(expected_of_all(plans));
     }
+    if (plans[0].empty()) return {};
+    std::vector<ModelPlan> ladder;
+    for (const std::vector<ModelPlan>& all : plans) ladder.push_back(expected_of_all(all));
     return choose_fidelity(ladder, *target);
 }
 

@@ -10,7 +10,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::size_t most_scenes_of_a_gpu = 16; // more of them are slower: see the benchmarks
+constexpr std::size_t most_scenes_of_a_gpu = 16; // more of them would wait for their turn, and take memory
 constexpr double share_of_memory = 0.8;          // of a GPU's, that scenes may take
 
 /// The numbers of the GPUs that can be used; none means the CPU. Throws as make_backend().

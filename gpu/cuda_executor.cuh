@@ -361,7 +361,7 @@ public:
     }
 
     /// Goes through an order of stages that decide loops and branches; of so many elements at most. Returns the seconds that took, without
-    /// those in which other scenes had the GPU.
+    /// waiting for its turn.
     template <typename Order> double go_through(const Order& order, int most)
     {
         const auto seconds_since = [](auto start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
@@ -373,8 +373,8 @@ public:
         }
         Scenes& scenes = scenes_on(device_);
         constexpr int least_blocks = 8; // with fewer, scenes are slower side by side than in turn
-        const int together = std::min(scenes.loaded.load(), std::max(1, fit / least_blocks));
-        const Turn turn(scenes, together);
+        const Turn turn(scenes, std::max(1, fit / least_blocks));
+        const int together = turn.together();
         const auto start = std::chrono::steady_clock::now();
         const int share = std::max(1, fit / together);
         if (most * lanes > 4 * share * few_grid_threads)
@@ -459,13 +459,13 @@ private:
         std::condition_variable one_less;
         int running = 0; ///< whose steps are in one kernel
     };
-    /// To run beside so many at most.
+    /// To run beside so many at most, or as many as there are.
     class Turn {
     public:
-        Turn(Scenes& scenes, int together) : scenes_(scenes)
+        Turn(Scenes& scenes, int most) : scenes_(scenes)
         {
             std::unique_lock lock(scenes.mutex);
-            scenes.one_less.wait(lock, [&] { return scenes.running < together; });
+            scenes.one_less.wait(lock, [&] { return scenes.running < (together_ = std::min(most, scenes.loaded.load())); });
             ++scenes.running;
         }
         ~Turn()
@@ -479,8 +479,11 @@ private:
         Turn(const Turn&) = delete;
         Turn& operator=(const Turn&) = delete;
 
+        int together() const { return together_; }
+
     private:
         Scenes& scenes_;
+        int together_ = 1; ///< scenes that run side by side
     };
     /// Of more than 64 GPUs some count together.
     static Scenes& scenes_on(int device)

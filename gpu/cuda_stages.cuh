@@ -45,6 +45,7 @@ template <typename Stage> __device__ std::int64_t call_stage(const Stage& stage,
 /// Returns the own one's result.
 template <typename Stage> __device__ std::int64_t call_collecting(const Stage& stage, int first_of_warp, int times, int end)
 {
+    static_assert(is_wide<Stage>);
     if (first_of_warp >= end) return 0;
     const auto element = [&](int k) { return first_of_warp + k * elements_beside + own_element(); }; // side by side: they read the same
     decltype(sum_of(stage.collect(0))) own;

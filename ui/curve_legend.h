@@ -5,6 +5,8 @@
 #include <QPen>
 #include <QWidget>
 
+#include <vector>
+
 namespace hygroloom {
 
 class CurveLegend : public QWidget {

@@ -98,7 +98,7 @@ QString expectedError(const ModelPlan& plan)
     if (!plan.expected_error) {
         return PlanDialog::tr("expected error not known");
     }
-    return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error)) : PlanDialog::tr("errors are measured against it");
+    return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error)) : PlanDialog::tr("what errors are measured against");
 }
 
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent)

@@ -195,7 +195,8 @@ QStringList originInFull(const RunRecord& run, bool live)
                      .arg(knob->name, QLocale().toString(run.plan.knobs.*knob->value), fidelityName(run.plan.fidelity).toLower(),
                           QLocale().toString(usual.*knob->value));
     }
-    lines << sentence(expectedError(run.plan)) + ". " + QString::fromStdString(run.plan.expectation_source);
+    const QString source = QString::fromStdString(run.plan.expectation_source);
+    lines << sentence(expectedError(run.plan)) + (source.isEmpty() ? "" : ". " + source);
     for (const PlannedPart& part : run.plan.parts) {
         if (part.forced) {
             lines << (part.on ? ResultsPanel::tr("%1 modelled, as was asked") : ResultsPanel::tr("%1 left out, as was asked"))

@@ -41,10 +41,13 @@ std::optional<double> falls_to(const std::vector<double>& time, const std::vecto
 std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const std::vector<double>& left, double from, double left_then)
 {
     constexpr double held = 0.98;
+    std::size_t slower = 0; // moments in a row
     for (std::size_t i = 1; i < time.size(); ++i) {
-        if (time[i - 1] <= from) continue;
-        const double mean = (left_then - left[i - 1]) / (time[i - 1] - from);
-        if ((left[i - 1] - left[i]) / (time[i] - time[i - 1]) < held * mean) return i - 1;
+        const double interval = time[i] - time[i - 1], so_far = time[i - 1] - from;
+        if (so_far < interval) continue; // too short for a mean
+        const double mean = (left_then - left[i - 1]) / so_far;
+        slower = (left[i - 1] - left[i]) / interval < held * mean ? slower + 1 : 0;
+        if (slower == 2) return i - 2;
     }
     return std::nullopt;
 }

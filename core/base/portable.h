@@ -175,7 +175,7 @@ HL_FN float plain_quotient(float a, float b)
     return a / b;
 #endif
 }
-/// 1 / root; on a GPU to 2^-22.9 of it, which is what products of it are rounded to.
+/// 1 / root; on a GPU to 2^-22.9 of it, about twice what a product is rounded to.
 HL_FN float plain_inverse_root(float value)
 {
 #ifdef __CUDA_ARCH__

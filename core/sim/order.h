@@ -18,7 +18,7 @@ struct Nothing {
 };
 
 /// Whether a stage is one of two parts: collect(i) sums over neighbours by lanes, finish(i, sums) does with the sums what takes one lane
-/// only. What finish() writes no collect() reads, so any order of elements gives the same.
+/// only, and asks no other. What finish() writes no collect() reads, so any order of elements gives the same.
 template <typename Stage> constexpr bool collects = requires(const Stage& stage) { stage.collect(0); };
 
 /// One stage after the other on the same element.
@@ -35,7 +35,7 @@ template <typename First, typename Second> struct InTurn {
         first(i);
         return second.collect(i);
     }
-    template <typename Sums> HL_FN void finish(int i, const Sums& sums) const { second.finish(i, sums); }
+    template <typename Found> HL_FN void finish(int i, const Found& sums) const { second.finish(i, sums); }
 };
 
 /// Whether a stage works on packs of numbers: see lanes.h.

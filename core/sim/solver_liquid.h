@@ -38,6 +38,7 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     spacing_ = static_cast<Real>(spacing);
     support_ = Real(support_in_spacings) * spacing_;
     reach_of_surface_ = static_cast<Real>(surface_support_in_spacings) * spacing_;
+    static_assert(2 * support_in_spacings >= surface_support_in_spacings); // see DistantPairs
     set_rules(spacing);
     liquid_room_ = room_about_sample();
     flow_.longest_dt = rules_.longest_step();

@@ -66,6 +66,15 @@ private Q_SLOTS:
         const DryingResult cut = drying_result({time.begin(), time.begin() + 160}, left, temperature, 0.25); // before 30 % are left
         QVERIFY(cut.rate && r.rate && *cut.rate == *r.rate);
     }
+    void aConstantRateHoldsToTheEnd()
+    {
+        for (const double interval : {0.5, 1.0, 3.0, 7.0}) { // 80 % are left at a moment, or just before or after
+            const auto time = moments(interval, 2100);
+            const auto left = along(time, [](double t) { return std::max(0.0, 1.1e-3 * (1 - t / 2000)); });
+            const DryingResult r = drying_result(time, left, along(time, [](double) { return 290.0; }), 0.25);
+            QVERIFY(near(r.rate, 1.1e-3 / 2000 / 0.25, 1e-9 * 2.2e-6));
+        }
+    }
     void whatDidNotDryHasNoEnd()
     {
         const auto time = moments(1, 100);

@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY(originOf(other, true).endsWith(", running"));
         QVERIFY(originOf(other, false).endsWith(", cut short"));
         other.plan.expected_error = 0;
-        QVERIFY(originOf(other, false).contains("errors are measured against it"));
+        QVERIFY(originOf(other, false).contains("what errors are measured against"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false).join('\n').contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
     }
