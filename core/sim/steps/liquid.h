@@ -330,7 +330,7 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
 
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }
 
-/// A pack of pairs, and the surface's kernel at their distances.
+/// A pack of pairs, and a kernel at their distances.
 template <typename Kernel> struct Pairs {
     Packs way;                      ///< m, from the other to the own
     Pack square, inverse, distance; ///< m2, 1/m and m; at the same place next to nothing, and its inverse very large
