@@ -365,19 +365,20 @@ public:
     template <typename Order> double go_through(const Order& order, int most)
     {
         const auto seconds_since = [](auto start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-        const int fit = blocks_that_fit<Order>(most);
-        if (fit == 0) {
+        const int all = blocks_that_fit<Order>(most);
+        if (all == 0) {
             const auto start = std::chrono::steady_clock::now();
             order(*this);
             return seconds_since(start);
         }
         Scenes& scenes = scenes_on(device_);
         constexpr int least_blocks = 8; // with fewer, scenes are slower side by side than in turn
-        const Turn turn(scenes, std::max(1, fit / least_blocks));
+        const Turn turn(scenes, std::max(1, all / least_blocks));
         const int together = turn.together();
         const auto start = std::chrono::steady_clock::now();
-        const int share = std::max(1, fit / together);
-        if (most * lanes > 4 * share * few_grid_threads)
+        const int share = std::max(1, all / together);
+        constexpr int several_rounds = 4;
+        if (most * lanes > several_rounds * share * few_grid_threads)
             start_in_grid<many_grid_threads>(order, most, share);
         else
             start_in_grid<few_grid_threads>(order, most, share);

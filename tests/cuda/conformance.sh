@@ -41,6 +41,16 @@ if [ -d "$examples" ]; then
     }
     agree "a drop" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2"
     agree "a drying" "$examples/laboratory.hygro" --experiment drying --set "experiments[4].duration_s=600"
+    # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
+    compared() { # fabrics at once, file
+        sh -c "'$cli' compare '$examples/paper/figure-13-structures.hygro' --experiment 'one drop' --set 'experiments.one drop.duration_s=0.2' \
+            --backend cuda --fidelity standard --at-once $1 --json > $2"
+    }
+    try "seven fabrics one after the other" compared 1 "$results/one"
+    try "seven fabrics side by side" compared 7 "$results/beside"
+    without_times "$results/one" > "$results/a"
+    without_times "$results/beside" > "$results/b"
+    try "they agree to the byte" cmp "$results/a" "$results/b"
     # A GPU goes on from its own state, with a part more.
     try "a part comes on" sh -c "'$cli' simulate '$examples/laboratory.hygro' --experiment 'horizontal wicking' --backend cuda --fidelity draft \
         --set fabrics[0].warp.material=polyester fabrics[0].weft.material=polyester fabrics[0].contact_angle_deg=20 \
