@@ -26,4 +26,15 @@ HL_FN double equilibrium_height(double surface_tension, double contact_angle, do
     return capillary_pressure(surface_tension, contact_angle, pore_radius) / (density * gravity_acceleration);
 }
 
+/// Cosine of the angle that a drop shows on a fabric whose yarns cover so much of it, with air between them (Cassie and Baxter 1944).
+HL_FN double cosine_on_fabric(double contact_angle, double cover) { return cover * (1.0 + std::cos(contact_angle)) - 1.0; }
+
+/// Area under a drop over its volume to the power 2/3: a spherical cap of that angle's cosine, which is over -1 and below 1.
+HL_FN double base_of_drop(double cosine)
+{
+    const double sine2 = 1.0 - cosine * cosine;
+    const double height = (2.0 - 3.0 * cosine + cosine * cosine * cosine) / (3.0 * sine2 * std::sqrt(sine2)); // mean, in radii of the base
+    return std::cbrt(pi / (height * height));
+}
+
 } // namespace hygroloom

@@ -38,6 +38,8 @@ struct Bounds {
     double smallest_angle = 180;    // degrees, of contact
     double suction = 0;             // its cosine; 0: no yarn wicks
     double uptake = 0;              // m3/s: see SceneCounts
+    double pores = 0;               // m: see SceneCounts
+    double cover = 0;               // share of the area under yarns
     LiquidAt liquid{};
     bool wicks = false;
 };
@@ -89,6 +91,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
 {
     Bounds b;
     b.finest = textile.thickness;
+    b.cover = textile.quantities.cover_factor;
     b.drops = falling_drops(experiment).size();
     const Climate air = hardest_climate(experiment);
     const double temperature = kelvin_from_celsius(air.temperature_c);
@@ -123,6 +126,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
         b.smallest_angle = std::min(b.smallest_angle, type.contact_angle * 180.0 / pi);
         b.wicks = b.wicks || wicks;
         if (wicks) b.suction = std::max(b.suction, std::cos(type.contact_angle));
+        if (wicks) b.pores += along * pores / density;
         b.uptake += along * pores / density / type.tortuosity *
                     saturated_liquid_diffusivity(b.liquid.surface_tension, type.contact_angle, type.pore_radius, b.liquid.viscosity);
         return wicks ? along * pores : 0.0;
@@ -423,6 +427,9 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
         counts.wet_share *= std::min(1.0, experiment.duration_s / experiment.feed_s);
     counts.suction = b.suction;
     counts.uptake = b.uptake;
+    counts.pores = b.pores;
+    constexpr double farthest = 0.98; // from a right angle: a drop's base is neither a point nor without end
+    counts.drop_base = base_of_drop(std::clamp(cosine_on_fabric(b.smallest_angle * pi / 180.0, b.cover), -farthest, farthest));
     counts.capillarity = b.liquid.surface_tension / b.liquid.density;
     counts.viscosity = b.liquid.viscosity / b.liquid.density;
     return counts;

@@ -43,6 +43,8 @@ SceneCounts counts_from_json(const Json& json)
             json.at("wet_share"),
             json.at("suction"),
             json.value("uptake_m3_s", 0.0),
+            json.value("pores_m", 0.0),
+            json.value("drop_base", 0.0),
             json.value("capillarity_m3_s2", 0.0),
             json.value("viscosity_m2_s", 0.0)};
 }
@@ -100,6 +102,8 @@ std::string plan_json(const ModelPlan& plan)
           {"wet_share", plan.counts.wet_share},
           {"suction", plan.counts.suction},
           {"uptake_m3_s", plan.counts.uptake},
+          {"pores_m", plan.counts.pores},
+          {"drop_base", plan.counts.drop_base},
           {"capillarity_m3_s2", plan.counts.capillarity},
           {"viscosity_m2_s", plan.counts.viscosity}}},
         {"expected",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Wetting and wicking against hand-worked numbers and limits.
 #include "core/physics/water.h"
+#include "core/physics/wetting.h"
 #include "core/physics/wicking.h"
 
 #include <QTest>
@@ -27,6 +28,16 @@ private Q_SLOTS:
         QVERIFY(adhesion_tension(tension, radian_from_degree(90.1)) < 0);
         QVERIFY(within(work_of_adhesion(tension, 0), 2 * tension, 1e-12));
         QVERIFY(std::abs(work_of_adhesion(tension, pi)) < 1e-15);
+    }
+    void aDropStandsOnWhatItsAngleAndTheCoverLeaveIt()
+    {
+        QVERIFY(within(cosine_on_fabric(radian_from_degree(35), 1), std::cos(radian_from_degree(35)), 1e-12));
+        QVERIFY(within(cosine_on_fabric(pi / 2, 0.5), -0.5, 1e-12)); // half of it stands on air
+        QVERIFY(within(base_of_drop(0), pi / std::cbrt(4.0 * pi * pi / 9.0), 1e-12)); // half a ball: pi r2 and 2/3 pi r3
+        // A flat cap is nearly a paraboloid of a slope of its angle: pi r2 and pi r3 angle / 4.
+        constexpr double angle = 0.05;
+        QVERIFY(within(base_of_drop(std::cos(angle)), pi / std::pow(pi * angle / 4.0, 2.0 / 3.0), 1e-3));
+        QVERIFY(within(base_of_drop(-0.98), pi * (1 - 0.98 * 0.98) / std::pow(4.0 / 3.0 * pi, 2.0 / 3.0), 1e-3)); // nearly a ball
     }
     void bundlePoresFollowFibreAndPacking()
     {

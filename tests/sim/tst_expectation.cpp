@@ -228,7 +228,8 @@ private Q_SLOTS:
             }
         }
     }
-    // No constant was fitted to them; what is counted of a sticky drop was added after the syrup was seen to be off.
+    // To flax, fine cotton and steep viscose nothing was fitted; of the others' drops steps and particles, but no times, are among those that
+    // the count is calibrated on.
     void scenesThatWereNotFittedToAreForetoldWithinHalf_data()
     {
         QTest::addColumn<QString>("file");
@@ -252,7 +253,6 @@ private Q_SLOTS:
             worst = std::max({worst, time, 1 / time});
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
-        QEXPECT_FAIL("small-droplet-on-twill.json", "known miss: of a drop on an open twill more particles are left, for longer", Continue);
         QVERIFY(worst < 1.5);
     }
 };
