@@ -4,8 +4,14 @@
 #include "gpu/cuda_backend.h"
 #include "gpu/cuda_executor.cuh"
 
+#include <cstdlib>
+
 namespace hygroloom {
 namespace {
+
+/// Before the driver is first used, and before there are other threads: it lets streams come through as many queues as it can have. With
+/// its usual eight, what waits for one scene's kernel holds up the kernels of others.
+[[maybe_unused]] const int queues_are_asked_for = setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);
 
 class CudaBackend : public Backend {
 public:
