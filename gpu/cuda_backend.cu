@@ -9,10 +9,6 @@
 namespace hygroloom {
 namespace {
 
-/// Before the driver is first used, and before there are other threads: it lets streams come through as many queues as it can have. With
-/// its usual eight, what waits for one scene's kernel holds up the kernels of others.
-[[maybe_unused]] const int queues_are_asked_for = setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);
-
 class CudaBackend : public Backend {
 public:
     explicit CudaBackend(int device) : number_(device)
@@ -92,9 +88,11 @@ std::vector<BackendInfo> find_cuda_devices()
 
 std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
 
-std::size_t prepare_cuda_device(int device, bool threads_sleep)
+std::size_t prepare_cuda_device(int device, std::size_t scenes, bool threads_sleep)
 {
     std::size_t left = 0, all = 0;
+    constexpr std::size_t usual_queues = 8; // more take a tenth of a second to make
+    if (scenes > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
     check_cuda(cudaSetDevice(device), "choosing it");
     check_cuda(cudaSetDeviceFlags(threads_sleep ? cudaDeviceScheduleBlockingSync : cudaDeviceScheduleAuto), "asking how threads wait");
     check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");

@@ -42,59 +42,13 @@ MeasuredScene scene_from(const Json& json)
         for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
         run.seconds = p.at("wall_s");
         run.bytes = p.at("peak_bytes");
-        if (run.plan.on("liquid") && !(run.plan.counts.capillarity > 0 && run.plan.counts.drop_base > 0))
-            throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
+        const SceneCounts& counts = run.plan.counts;
+        if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0 && counts.pores > 0))
+            throw Error("It is older than the program: the liquid's capillarity, the drop's base or the pores are missing.");
         if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
         scene.runs.push_back(std::move(run));
     }
     return scene;
-}
-
-/// Of a plan's run.
-struct Steps {
-    double liquid = 0;
-    double network = 0;
-    double particles = 0; ///< of the liquid, on average
-    double segments = 0;  ///< that are visited
-};
-
-/// Of the liquid, and with how many particles. A drop moves until it rests, a few capillary times long. Then, as long as yarns drink it, it
-/// is awake for a share of the time, and where they drink slowly for some capillary times of each share of it that has gone; what has gone
-/// goes with the root of time. Where the cloth under the drop holds little, its particles shrink together and stay until the end; else they
-/// vanish one after the other.
-/// The constants are calibrated: on the steps and particles that drops of 2 to 15 ul took on 43 fabrics at draft and at standard
-/// (DECISIONS.md).
-void count_liquid(const ModelPlan& plan, Steps& steps)
-{
-    if (!plan.on("liquid")) return;
-    const SceneCounts& scene = plan.counts;
-    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
-    const double particles = std::max(1, plan.particles_per_droplet);
-    const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
-    constexpr double moving_times = 7, waking_times = 6; // capillary times
-    constexpr double usual_step = 0.85;                  // of the longest
-    constexpr double drinking = 0.68;                    // times its volume over the cloth's uptake
-    constexpr double usual_spacing = 85e-6, usual_particles = 8000;
-    constexpr double shared_pores = 0.13e-3; // m, of pores times base, where the usual particles stay until the end
-    constexpr double most_stay = 0.97;       // of the particles
-    const double spacing = std::cbrt(volume / particles);
-    const LiquidSteps longest =
-        longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
-    const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
-    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
-    const bool drunk = plan.on("wicking") && scene.uptake > 0;
-    const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
-    const double gone = drunk ? std::sqrt(drinks / until_empty) : 0; // share of the drop, in the end
-    double flows = drunk ? drinks : rest;
-    if (settle_share > 0) {
-        const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
-        flows = std::min(awake_share * drinks, gone / settle_share * waking_times * capillary_time(settle_share * volume));
-    }
-    steps.liquid = (moves + flows) / step;
-    const double under_drop = scene.drop_base * scene.pores; // m
-    const double stay = std::min(most_stay, shared_pores / std::max(1e-12, under_drop) * std::cbrt(usual_particles / particles));
-    const double flowing = 1.0 - (1.0 - stay) * gone; // share of the particles, on average
-    steps.particles = particles * scene.drops * (moves + flows * flowing) / (moves + flows);
 }
 
 /// Segments that are simulated: bundles', where yarns go in bundles.
@@ -106,19 +60,25 @@ double cells_of(const ModelPlan& plan)
 
 double frames_of(const ModelPlan& plan) { return plan.counts.duration / std::max(1e-9, plan.frame_interval); }
 
-/// Of the yarns.
-void count_network(const ModelPlan& plan, Steps& steps)
+struct NetworkCount {
+    double steps = 0;
+    double segments = 0; ///< that are visited
+};
+
+NetworkCount count_network(const ModelPlan& plan)
 {
-    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return;
-    steps.segments = cells_of(plan) * (plan.on("growth") ? plan.counts.wet_share : 1.0);
+    NetworkCount count;
+    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return count;
+    count.segments = cells_of(plan) * (plan.on("growth") ? plan.counts.wet_share : 1.0);
     constexpr double standard_error = 5e-4;
     const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
-    steps.network = frames_of(plan) * std::max(1.0, finer);
-    if (plan.on("liquid")) steps.network += plan.counts.duration / plan.knobs.network_step_limit;
+    count.steps = frames_of(plan) * std::max(1.0, finer);
+    if (plan.on("liquid")) count.steps += plan.counts.duration / plan.knobs.network_step_limit;
     // From a pool steps go with the way of the front, which goes with the root of time.
     constexpr double usual = 120; // s
     if (!plan.on("liquid") && plan.counts.type == name_of(ExperimentType::moisture_management))
-        steps.network *= std::sqrt(plan.counts.duration / usual);
+        count.steps *= std::sqrt(plan.counts.duration / usual);
+    return count;
 }
 
 /// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
@@ -206,25 +166,56 @@ const std::vector<MeasuredScene>& shipped_measurements(const std::string& backen
     return found == scenes.end() ? none : found->second;
 }
 
+LiquidCount count_liquid(const ModelPlan& plan)
+{
+    if (!plan.on("liquid")) return {};
+    const SceneCounts& scene = plan.counts;
+    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
+    const double particles = std::max(1, plan.particles_per_droplet);
+    const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
+    constexpr double usual_particles = 8000, usual_spacing = 85e-6;
+    constexpr double moving_times = 7, waking_times = 6;  // capillary times
+    constexpr double usual_step = 0.85;                   // of the longest
+    constexpr double drinking = 0.68;                     // times its volume over the cloth's uptake
+    constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
+    constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is drunk
+    const double spacing = std::cbrt(volume / particles);
+    const LiquidSteps longest =
+        longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
+    const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
+    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
+    const bool drunk = plan.on("wicking") && scene.uptake > 0;
+    const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
+    const double gone = drunk ? std::sqrt(drinks / until_empty) : 0; // share of the drop, in the end
+    double flows = drunk ? drinks : rest;
+    if (settle_share > 0) {
+        const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
+        flows = std::min(awake_share * drinks, gone / settle_share * waking_times * capillary_time(settle_share * volume));
+    }
+    const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
+    const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles), least_left, most_left);
+    const double flowing = 1.0 - (1.0 - left) * gone; // share of the particles
+    return {(moves + flows) / step, particles * scene.drops * (moves + flows * flowing) / (moves + flows)};
+}
+
 double rough_work(const ModelPlan& plan, const std::string& backend)
 {
-    Steps steps;
-    count_liquid(plan, steps);
-    count_network(plan, steps);
+    const LiquidCount liquid = count_liquid(plan);
+    const NetworkCount network = count_network(plan);
     constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
     const double frames = shown * plan.segments * frames_of(plan);
     if (backend == "cuda") {
         // Seconds on an H200: a step takes a while however little there is to do.
         constexpr double start = 0.12, liquid_step = 1.2e-4, particle = 3e-9, network_step = 2e-4, segment = 1e-9;
-        return start + frames + steps.liquid * (liquid_step + particle * steps.particles) +
-               steps.network * (network_step + segment * steps.segments);
+        return start + frames + liquid.steps * (liquid_step + particle * liquid.particles) +
+               network.steps * (network_step + segment * network.segments);
     }
     // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and step of the yarns, and to set up.
     constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.01;
     constexpr double at_cloth = 0.1; // of the work, with particles at the cloth, of which there are as many as long as the drop lasts
-    const double busy = (1.0 - at_cloth) * steps.particles + at_cloth * plan.particles_per_droplet * plan.counts.drops;
+    const double busy = (1.0 - at_cloth) * liquid.particles + at_cloth * plan.particles_per_droplet * plan.counts.drops;
     const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
-    return start + frames + steps.liquid * busy * particle * wider + steps.network * steps.segments * segment;
+    return start + frames + liquid.steps * busy * particle * wider + network.steps * network.segments * segment;
 }
 
 double rough_bytes(const ModelPlan& plan)

@@ -428,7 +428,7 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     counts.suction = b.suction;
     counts.uptake = b.uptake;
     counts.pores = b.pores;
-    constexpr double farthest = 0.98; // from a right angle: a drop's base is neither a point nor without end
+    constexpr double farthest = 0.98; // |cosine| at most: a drop's base is neither a point nor without end
     counts.drop_base = base_of_drop(std::clamp(cosine_on_fabric(b.smallest_angle * pi / 180.0, b.cover), -farthest, farthest));
     counts.capillarity = b.liquid.surface_tension / b.liquid.density;
     counts.viscosity = b.liquid.viscosity / b.liquid.density;

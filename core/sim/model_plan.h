@@ -35,7 +35,7 @@ struct SceneCounts {
     double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
     double uptake = 0;      ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity
     double pores = 0;       ///< m3/m2, of all yarns that draw liquid
-    double drop_base = 0;   ///< area that a drop stands on, over its volume to the power 2/3: see base_of_drop()
+    double drop_base = 0;   ///< area that a small drop first stands on, over its volume to the power 2/3: see base_of_drop()
     double capillarity = 0; ///< m3/s2, surface tension of the liquid over its density
     double viscosity = 0;   ///< m2/s
 };

@@ -2,6 +2,7 @@
 // What a plan expects: from the nearest measured scene, scaled; and what auto makes of it. No clock is asked here: the times compared with
 // were measured once and are kept in tests/data/tradeoff.
 #include "core/base/error.h"
+#include "core/project/project_file.h"
 #include "core/sim/expectation.h"
 #include "tests/support/drop_design.h"
 
@@ -212,10 +213,13 @@ private Q_SLOTS:
     {
         QFile shipped(HYGROLOOM_SOURCE_DIR "/resources/tradeoff/droplet-on-cotton.json");
         QVERIFY(shipped.open(QIODevice::ReadOnly));
-        std::string json = shipped.readAll().toStdString();
-        measured_scene(json, "x.json");
-        for (std::size_t at = 0; (at = json.find("capillarity_m3_s2", at)) != std::string::npos;) json[at] = 'k';
-        QVERIFY(refuses([](const std::string& text) { measured_scene(text, "x.json"); }, json.c_str()));
+        const std::string read = shipped.readAll().toStdString();
+        measured_scene(read, "x.json");
+        for (const char* name : {"capillarity_m3_s2", "drop_base", "pores_m"}) {
+            std::string json = read;
+            for (std::size_t at = 0; (at = json.find(name, at)) != std::string::npos;) json[at] = 'k';
+            QVERIFY2(refuses([](const std::string& text) { measured_scene(text, "x.json"); }, json.c_str()), name);
+        }
     }
     void wrongFilesAreNamed()
     {
@@ -228,15 +232,93 @@ private Q_SLOTS:
             }
         }
     }
-    // To flax, fine cotton and steep viscose nothing was fitted; of the others' drops steps and particles, but no times, are among those that
-    // the count is calibrated on.
-    void scenesThatWereNotFittedToAreForetoldWithinHalf_data()
+    void drops_data()
+    {
+        QTest::addColumn<double>("pores");
+        QTest::addColumn<double>("base");
+        QTest::addColumn<double>("uptake");
+        QTest::addColumn<double>("duration");
+        QTest::newRow("no pores") << 0.0 << 3.0 << 0.0 << 10.0;
+        QTest::newRow("pores that draw nothing") << 1e-4 << 3.0 << 0.0 << 10.0;
+        QTest::newRow("a ball") << 1e-4 << 0.05 << 1e-9 << 10.0;
+        QTest::newRow("deep pores") << 0.1 << 40.0 << 1.0 << 10.0;
+        QTest::newRow("an instant") << 1e-4 << 3.0 << 1e-9 << 1e-9;
+        QTest::newRow("a month") << 1e-4 << 3.0 << 1e-15 << 3e6;
+    }
+    void drops()
+    {
+        QFETCH(double, pores);
+        QFETCH(double, base);
+        QFETCH(double, uptake);
+        QFETCH(double, duration);
+        for (const Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
+            ModelPlan plan = plan_of(35, fidelity);
+            plan.counts.pores = pores;
+            plan.counts.drop_base = base;
+            plan.counts.uptake = uptake;
+            plan.counts.duration = duration;
+            const LiquidCount count = count_liquid(plan);
+            QVERIFY(std::isfinite(count.steps) && count.steps > 0);
+            QVERIFY(count.particles > 0 && count.particles <= plan.particles_per_droplet * plan.counts.drops * (1 + 1e-12));
+        }
+    }
+    void whereTheClothHoldsLittleMoreParticlesAreLeft()
+    {
+        ModelPlan plan = plan_of(35);
+        const auto particles = [&](double pores, double base) {
+            plan.counts.pores = pores;
+            plan.counts.drop_base = base;
+            return count_liquid(plan).particles;
+        };
+        const double dense = particles(1.1e-4, 3.0);
+        QVERIFY(particles(0.5e-4, 3.0) > 1.3 * dense); // thin
+        QVERIFY(particles(1.1e-4, 2.0) > 1.1 * dense); // open
+        plan.particles_per_droplet /= 8;
+        QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
+    }
+    // On these the count is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are foretold.
+    void countedDropsComeOutWithinHalf()
+    {
+        const QString folder = HYGROLOOM_SOURCE_DIR "/tests/data/liquid_counts/";
+        const Design design = read_project((folder + "drops.hygro").toStdString());
+        QFile table(folder + "drops.csv");
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        table.readLine(); // titles
+        int rows = 0, within = 0;
+        double first = 0; // ratio of counted to expected for textile F
+        while (!table.atEnd()) {
+            const QStringList row = QString(table.readLine()).trimmed().split(';');
+            QCOMPARE(row.size(), 5);
+            const Fabric* fabric = find_fabric(design, row[0].toStdString());
+            const Experiment* experiment = find_experiment(design, row[1].toStdString());
+            QVERIFY2(fabric && experiment, qPrintable(row[0] + row[1]));
+            const bool standard = row[2] == "standard";
+            const LiquidCount count =
+                count_liquid(plan_model(design, *fabric, *experiment, standard ? Fidelity::standard : Fidelity::draft));
+            const double ratio = row[3].toDouble() * row[4].toDouble() / (count.steps * count.particles);
+            if (row[0] == "Textile F" && row[1] == "15 ul, 10 s") first = ratio;
+            QVERIFY(first > 0);
+            const double foretold = first / ratio;
+            within += foretold < 1.5 && foretold > 1 / 1.5;
+            ++rows;
+            if (foretold >= 1.5 || foretold <= 1 / 1.5) qInfo("%s: %.2f", qPrintable(row.join(' ')), foretold);
+        }
+        QCOMPARE(rows, 86);
+        QVERIFY2(within >= 78, qPrintable(QString::number(within)));
+    }
+    // Nothing was fitted to flax, fine cotton and steep viscose. Of the other drops, steps and particles (no times) are among those above;
+    // what a run takes to start, and a frame, was set on the drying and the humidity step.
+    void scenesThatDoNotShipAreForetoldWithinHalf_data()
     {
         QTest::addColumn<QString>("file");
         const QDir folder(HYGROLOOM_SOURCE_DIR "/tests/data/tradeoff");
-        for (const QString& name : folder.entryList({"*.json"})) QTest::newRow(qPrintable(name)) << folder.filePath(name);
+        for (QString name : folder.entryList({"*.hygro"}))
+            for (const char* end : {".json", "-cuda.json"}) {
+                const QString file = name.chopped(6) + end;
+                QTest::newRow(qPrintable(file)) << folder.filePath(file);
+            }
     }
-    void scenesThatWereNotFittedToAreForetoldWithinHalf() // a factor of 1.5 up or down
+    void scenesThatDoNotShipAreForetoldWithinHalf() // a factor of 1.5 up or down
     {
         QFETCH(QString, file);
         QFile held(file);
