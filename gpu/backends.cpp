@@ -5,6 +5,7 @@
 #include "gpu/cuda_backend.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 namespace hygroloom {
@@ -28,9 +29,9 @@ std::vector<int> chosen_gpus(const std::string& name)
 }
 
 /// How many scenes of so many bytes a GPU has room for, at least one; none, and why, if it cannot be asked.
-std::size_t room_for_scenes(int gpu, std::size_t side_by_side, bool threads_sleep, std::size_t bytes_each, std::string& reason)
+std::size_t room_for_scenes(int gpu, bool threads_sleep, std::size_t bytes_each, std::string& reason)
 try {
-    const double free = share_of_memory * static_cast<double>(prepare_cuda_device(gpu, side_by_side, threads_sleep));
+    const double free = share_of_memory * static_cast<double>(prepare_cuda_device(gpu, threads_sleep));
     return static_cast<std::size_t>(std::clamp(free / std::max(1.0, static_cast<double>(bytes_each)), 1.0, 1e6));
 } catch (const DeviceError& error) {
     reason = error.what();
@@ -66,6 +67,12 @@ std::unique_ptr<Backend> make_backend(const std::string& name)
     return gpus.empty() ? make_cpu_backend() : make_cuda_backend(gpus.front());
 }
 
+void announce_scenes(int count)
+{
+    constexpr int usual_queues = 8; // to make more takes a tenth of a second
+    if (count > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
+}
+
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each)
 {
     const std::vector<int> gpus = chosen_gpus(name);
@@ -80,7 +87,7 @@ std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int
     std::vector<std::size_t> room; // of each GPU
     std::string reason;
     for (const int gpu : gpus) {
-        room.push_back(room_for_scenes(gpu, side_by_side / gpus.size(), threads_sleep, bytes_each, reason));
+        room.push_back(room_for_scenes(gpu, threads_sleep, bytes_each, reason));
         if (asked == 0) room.back() = std::min(room.back(), most_scenes_of_a_gpu);
     }
     // In turn, so that all GPUs have about as many.

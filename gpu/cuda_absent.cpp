@@ -9,6 +9,6 @@ std::vector<BackendInfo> find_cuda_devices() { return {{"cuda", "", false, "This
 
 std::unique_ptr<Backend> make_cuda_backend(int) { throw DeviceError("This build has no CUDA."); }
 
-std::size_t prepare_cuda_device(int, std::size_t, bool) { throw DeviceError("This build has no CUDA."); }
+std::size_t prepare_cuda_device(int, bool) { throw DeviceError("This build has no CUDA."); }
 
 } // namespace hygroloom

@@ -4,8 +4,6 @@
 #include "gpu/cuda_backend.h"
 #include "gpu/cuda_executor.cuh"
 
-#include <cstdlib>
-
 namespace hygroloom {
 namespace {
 
@@ -88,11 +86,9 @@ std::vector<BackendInfo> find_cuda_devices()
 
 std::unique_ptr<Backend> make_cuda_backend(int device) { return std::make_unique<CudaBackend>(device); }
 
-std::size_t prepare_cuda_device(int device, std::size_t scenes, bool threads_sleep)
+std::size_t prepare_cuda_device(int device, bool threads_sleep)
 {
     std::size_t left = 0, all = 0;
-    constexpr std::size_t usual_queues = 8; // more take a tenth of a second to make
-    if (scenes > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
     check_cuda(cudaSetDevice(device), "choosing it");
     check_cuda(cudaSetDeviceFlags(threads_sleep ? cudaDeviceScheduleBlockingSync : cudaDeviceScheduleAuto), "asking how threads wait");
     check_cuda(cudaMemGetInfo(&left, &all), "asking for its memory");

@@ -12,9 +12,8 @@ std::vector<BackendInfo> find_cuda_devices();
 /// On the GPU of that place among find_cuda_devices(). Throws DeviceError.
 std::unique_ptr<Backend> make_cuda_backend(int device);
 
-/// Before anything else is asked of that GPU: lets so many scenes' streams come through queues of their own, as far as it goes, for scenes
-/// that share one hold each other up (unless the user has set CUDA_DEVICE_MAX_CONNECTIONS); says whether threads that wait for it sleep.
-/// Returns how many bytes are free there. Changes the environment, so no other thread may ask for that. Throws DeviceError.
-std::size_t prepare_cuda_device(int device, std::size_t scenes, bool threads_sleep);
+/// Before anything else is asked of that GPU: says whether threads that wait for it sleep, and returns how many bytes are free there.
+/// Throws DeviceError.
+std::size_t prepare_cuda_device(int device, bool threads_sleep);
 
 } // namespace hygroloom

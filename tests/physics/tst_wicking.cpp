@@ -32,7 +32,7 @@ private Q_SLOTS:
     void aDropStandsOnWhatItsAngleAndTheCoverLeaveIt()
     {
         QVERIFY(within(cosine_on_fabric(radian_from_degree(35), 1), std::cos(radian_from_degree(35)), 1e-12));
-        QVERIFY(within(cosine_on_fabric(pi / 2, 0.5), -0.5, 1e-12)); // half of it stands on air
+        QVERIFY(within(cosine_on_fabric(pi / 2, 0.5), -0.5, 1e-12));                  // half of it stands on air
         QVERIFY(within(base_of_drop(0), pi / std::cbrt(4.0 * pi * pi / 9.0), 1e-12)); // half a ball: pi r2 and 2/3 pi r3
         // A flat cap is nearly a paraboloid of a slope of its angle: pi r2 and pi r3 angle / 4.
         constexpr double angle = 0.05;
