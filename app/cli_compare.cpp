@@ -144,8 +144,8 @@ int compare(const CompareOptions& options)
     require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
-    announce_scenes(options.at_once > 0 ? options.at_once : static_cast<int>(fabrics.size()));
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
+    announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
     const FidelityChoice choice = chosen_fidelity(options, design, fabrics, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;

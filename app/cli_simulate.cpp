@@ -150,7 +150,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
 int simulate_several(const SimulateOptions& options, const Design& design, RunOptions how)
 {
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics), stems = file_stems(fabrics);
-    announce_scenes(options.at_once > 0 ? options.at_once : static_cast<int>(fabrics.size()));
+    announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
     const Experiment& experiment = chosen_experiment(design, options);
     make_folder(options.output);
     std::vector<FidelityChoice> choices;

@@ -67,10 +67,10 @@ std::unique_ptr<Backend> make_backend(const std::string& name)
     return gpus.empty() ? make_cpu_backend() : make_cuda_backend(gpus.front());
 }
 
-void announce_scenes(int count)
+void announce_scenes(int asked, int scenes)
 {
     constexpr int usual_queues = 8; // to make more takes a tenth of a second
-    if (count > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
+    if ((asked > 0 ? std::min(asked, scenes) : scenes) > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
 }
 
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each)

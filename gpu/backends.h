@@ -20,10 +20,10 @@ std::string expected_backend(const std::string& name);
 /// "auto", "cpu" or "cuda". Throws DeviceError with the reason when it is not there.
 std::unique_ptr<Backend> make_backend(const std::string& name);
 
-/// So many scenes will run side by side where there are GPUs: lets the streams of up to 16 come through queues of their own, without which
-/// they hold each other up. To be said before anything is asked of GPUs and before there are other threads, for it is said in the
-/// environment (CUDA_DEVICE_MAX_CONNECTIONS, which counts as it is where the user has set it).
-void announce_scenes(int count);
+/// That as many scenes will run side by side as make_backends() is asked for: lets the streams of up to 16 come through queues of their
+/// own, without which they hold each other up. To be said before anything is asked of GPUs and before there are other threads, for it is
+/// said in the environment (CUDA_DEVICE_MAX_CONNECTIONS, which counts as it is where the user has set it).
+void announce_scenes(int asked, int scenes);
 
 /// For scenes that run side by side, each in a thread of its own: as many backends as are asked for, or for 0 as many as pay (one scene
 /// fills a CPU, 16 a GPU), and no more than there are scenes or than the GPUs' memory holds. Throws as make_backend().

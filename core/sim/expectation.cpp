@@ -43,8 +43,8 @@ MeasuredScene scene_from(const Json& json)
         run.seconds = p.at("wall_s");
         run.bytes = p.at("peak_bytes");
         const SceneCounts& counts = run.plan.counts;
-        if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0 && counts.pores > 0))
-            throw Error("It is older than the program: the liquid's capillarity, the drop's base or the pores are missing.");
+        if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
+            throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
         if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
         scene.runs.push_back(std::move(run));
     }

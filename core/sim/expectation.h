@@ -31,7 +31,8 @@ MeasuredScene measured_scene(const std::string& json, const std::string& file);
 /// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
 
-/// What the free liquid of a run is expected to come to.
+/// What the free liquid of a run is counted to come to: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
+/// times the steps and the particles that it takes at standard).
 struct LiquidCount {
     double steps = 0;
     double particles = 0; ///< on average over the steps
@@ -40,7 +41,7 @@ struct LiquidCount {
 /// From the plan's counts and knobs; nothing where no liquid is on. A drop moves until it rests, a few capillary times long. Then, as long
 /// as yarns drink it, it is awake for a share of the time, and where they drink slowly for some capillary times of each share of it that
 /// has gone; what has gone goes with the root of time. Where the cloth under it holds little its particles shrink together, and most of
-/// them last until it is gone; else they vanish one after the other. Calibrated on what 43 drops of 2 to 15 ul were counted to take at
+/// them last until it is gone; else they vanish one after the other. Calibrated on ratios of what 43 drops of 2 to 15 ul took at
 /// draft and at standard: tests/data/liquid_counts, DECISIONS.md.
 LiquidCount count_liquid(const ModelPlan& plan);
 

@@ -30,6 +30,24 @@ class TestVerify : public QObject {
     }
 
 private Q_SLOTS:
+    void manyScenesAskForQueuesUnlessTheUserHas()
+    {
+        constexpr const char* name = "CUDA_DEVICE_MAX_CONNECTIONS";
+        const QByteArray before = qgetenv(name);
+        qunsetenv(name);
+        announce_scenes(0, 8);
+        announce_scenes(3, 20);
+        QVERIFY(!qEnvironmentVariableIsSet(name));
+        announce_scenes(0, 9);
+        QCOMPARE(qgetenv(name), QByteArray("16"));
+        qputenv(name, "4");
+        announce_scenes(20, 20);
+        QCOMPARE(qgetenv(name), QByteArray("4"));
+        if (before.isNull())
+            qunsetenv(name);
+        else
+            qputenv(name, before);
+    }
     void oneSceneFillsACpuUnlessMoreAreAskedFor()
     {
         QCOMPARE(make_backends("cpu", 0, 5, 0).size(), std::size_t(1));

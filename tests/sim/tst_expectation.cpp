@@ -215,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(shipped.open(QIODevice::ReadOnly));
         const std::string read = shipped.readAll().toStdString();
         measured_scene(read, "x.json");
-        for (const char* name : {"capillarity_m3_s2", "drop_base", "pores_m"}) {
+        for (const char* name : {"capillarity_m3_s2", "drop_base"}) {
             std::string json = read;
             for (std::size_t at = 0; (at = json.find(name, at)) != std::string::npos;) json[at] = 'k';
             QVERIFY2(refuses([](const std::string& text) { measured_scene(text, "x.json"); }, json.c_str()), name);
@@ -232,7 +232,7 @@ private Q_SLOTS:
             }
         }
     }
-    void drops_data()
+    void countsStayWithinTheirBounds_data()
     {
         QTest::addColumn<double>("pores");
         QTest::addColumn<double>("base");
@@ -245,7 +245,7 @@ private Q_SLOTS:
         QTest::newRow("an instant") << 1e-4 << 3.0 << 1e-9 << 1e-9;
         QTest::newRow("a month") << 1e-4 << 3.0 << 1e-15 << 3e6;
     }
-    void drops()
+    void countsStayWithinTheirBounds()
     {
         QFETCH(double, pores);
         QFETCH(double, base);
@@ -276,7 +276,7 @@ private Q_SLOTS:
         plan.particles_per_droplet /= 8;
         QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
     }
-    // On these the count is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are foretold.
+    // On these, counted with 1c1e975, it is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are foretold.
     void countedDropsComeOutWithinHalf()
     {
         const QString folder = HYGROLOOM_SOURCE_DIR "/tests/data/liquid_counts/";
@@ -306,8 +306,9 @@ private Q_SLOTS:
         QCOMPARE(rows, 86);
         QVERIFY2(within >= 78, qPrintable(QString::number(within)));
     }
-    // Nothing was fitted to flax, fine cotton and steep viscose. Of the other drops, steps and particles (no times) are among those above;
-    // what a run takes to start, and a frame, was set on the drying and the humidity step.
+    // Nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees. Steep viscose was seen to be off at draft, because
+    // what was left of the drop did not come to rest: the liquid was mended, not the count. Of the other drops, steps and particles (no
+    // times) are among those above; what a run takes to start, and a frame, was set on the drying and the humidity step.
     void scenesThatDoNotShipAreForetoldWithinHalf_data()
     {
         QTest::addColumn<QString>("file");

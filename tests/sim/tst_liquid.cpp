@@ -258,6 +258,30 @@ std::vector<NearestSkin> all_skins(const TextileShape& t, const Vec3& x, Real re
 class TestLiquid : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void nearlyDrunkParticlesDoNotKeepADropAwakeButADripDoes()
+    {
+        Vec3 velocity[3] = {{Real(0.1), 0, 0}, {0, 0, Real(-0.3)}, {1, 0, 0}}; // full, nearly drunk, dead
+        std::int64_t content[3] = {1000, 20, 1000};
+        std::uint8_t alive[3] = {1, 1, 0};
+        ClothField cloth[3];
+        Particles p;
+        p.velocity = velocity;
+        p.content = content;
+        p.alive = alive;
+        p.cloth = cloth;
+        p.per_quantum = Real(1e-3);
+        int largest = 0;
+        const SumSpeeds speeds{p, nullptr, &largest};
+        const auto square = [&](int i) { return static_cast<double>(speeds(i)) * SumSpeeds::quantum; };
+        for (ClothField& c : cloth) c.surface_share = Real(0.1); // at the cloth
+        QVERIFY(std::abs(square(0) - 0.01) < 1e-8);
+        QVERIFY(std::abs(square(1) - 0.02 * 0.09) < 1e-8);
+        QCOMPARE(square(2), 0.0);
+        QCOMPARE(largest, 0);
+        cloth[1].surface_share = 0; // a drip
+        square(1);
+        QVERIFY(std::abs(from_ordered_bits(largest) - 0.09f) < 1e-7f);
+    }
     void neighboursAreThoseABruteSearchFinds_data()
     {
         QTest::addColumn<int>("shift");

@@ -403,7 +403,7 @@ private:
 };
 
 /// Adds up squares of the speeds that the cloth has left, times the particles' sizes: one that is nearly drunk rattles with no force to
-/// speak of.
+/// speak of. The largest is of any particle, whatever is left of it.
 struct SumSpeeds {
     Particles p;
     std::int64_t* total; ///< quanta
@@ -414,9 +414,9 @@ struct SumSpeeds {
     {
         if (!p.alive[i]) return 0;
         constexpr float moves = 1.0F; // m2/s2, far more than at rest; without a bound the sum of many could overflow
-        const auto whole = static_cast<float>(p.size(i) * dot(p.velocity[i], p.velocity[i])), square = whole < moves ? whole : moves;
+        const auto whole = static_cast<float>(dot(p.velocity[i], p.velocity[i])), square = whole < moves ? whole : moves;
         if (p.cloth[i].surface_share <= Real(0)) atomic_max_of_all(largest, ordered_bits(square));
-        return static_cast<std::int64_t>(static_cast<double>(square) / quantum);
+        return static_cast<std::int64_t>(static_cast<double>(p.size(i)) * static_cast<double>(square) / quantum);
     }
 };
 

@@ -13,7 +13,7 @@ constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, pe
 constexpr int most_cells = 200000;               // of the grid that finds neighbours, if particles are not many more
 constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
-constexpr double resting_speed = 0.05;         // root of the mean square
+constexpr double resting_speed = 0.05;         // root of the mean square, over all particles, each times its size
 constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
 constexpr double most_hurry = 8;               // how much faster liquid creeps that was woken than it would have unasked
 constexpr int fewest_pressure_rounds = 3;
