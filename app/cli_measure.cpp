@@ -172,7 +172,7 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         return;
     }
     const Ledger& l = m.ledger;
-    fmt::print("{}, {} ({}, {}, {:.3g} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, run.wall);
+    fmt::print("{}, {} ({}, {}, {} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, rounded_text(run.wall, 3));
     row("simulated", l.time, "s");
     print_results(run, m);
     row("water delivered", 1e6 * l.water_delivered, "mg");

@@ -120,7 +120,7 @@ private:
         show(0);
         TradeoffOutcome outcome = run_apart(scene_, point.variant, cancel, show);
         if (bar_) fmt::print(stderr, "\r\033[K");
-        if (!options_.quiet) fmt::print(stderr, "{}: {:.3g} s, {}\n", about, outcome.wall, bytes_text(outcome.peak_bytes));
+        if (!options_.quiet) fmt::print(stderr, "{}: {} s, {}\n", about, rounded_text(outcome.wall, 3), bytes_text(outcome.peak_bytes));
         if (point.variant.timed) {
             point.walls.push_back(outcome.wall);
             point.peaks.push_back(outcome.peak_bytes);
@@ -177,7 +177,7 @@ void print_table(const Tradeoff& t)
     fmt::print("  {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", "time", "memory", "error", "map", "overlap");
     for (const TradeoffPoint& p : t.points) {
         fmt::print("{} {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", p.pareto ? '*' : ' ', p.variant.name,
-                   p.walls.empty() ? "-" : fmt::format("{:.3g} s", p.wall()), p.peaks.empty() ? "-" : bytes_text(p.peak()),
+                   p.walls.empty() ? "-" : rounded_text(p.wall(), 3) + " s", p.peaks.empty() ? "-" : bytes_text(p.peak()),
                    p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
                    p.errors ? percent(p.errors->overlap) : "-");
         for (const MetricError& m : p.closed_forms)
@@ -251,7 +251,7 @@ std::string measured_help()
             text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
             for (const MeasuredRun& run : scene.runs)
                 if (run.settings.empty())
-                    text += fmt::format("    {:<10} {:>8.3g} s {:>8} {:>8}\n", name_of(run.plan.fidelity), run.seconds,
+                    text += fmt::format("    {:<10} {:>8} s {:>8} {:>8}\n", name_of(run.plan.fidelity), rounded_text(run.seconds, 3),
                                         bytes_text(run.bytes), percent(run.error));
         }
     return text;

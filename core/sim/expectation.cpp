@@ -249,8 +249,8 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const bool as_set = set_alike(run.plan, plan) && !cut;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
-        fmt::format("From {} on {}, measured on {} ({}): {:.3g} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
-                    scene.fabric, scene.device, scene.date, run.seconds, plan.expected_seconds / run.seconds,
+        fmt::format("From {} on {}, measured on {} ({}): {} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
+                    scene.fabric, scene.device, scene.date, rounded_text(run.seconds, 3), plan.expected_seconds / run.seconds,
                     run.error && as_set ? " The error is that scene's against its reference."
                     : as_set            ? " Its error against the reference was not measured."
                                         : " The error with these knobs and parts was not measured.");
