@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <thread>
 
 namespace hygroloom {
@@ -70,7 +71,8 @@ std::unique_ptr<Backend> make_backend(const std::string& name)
 void announce_scenes(int asked, int scenes)
 {
     constexpr int usual_queues = 8; // to make more takes a tenth of a second
-    if ((asked > 0 ? std::min(asked, scenes) : scenes) > usual_queues) setenv("CUDA_DEVICE_MAX_CONNECTIONS", "16", 0);
+    if ((asked > 0 ? std::min(asked, scenes) : scenes) > usual_queues)
+        setenv("CUDA_DEVICE_MAX_CONNECTIONS", std::to_string(most_scenes_of_a_gpu).c_str(), 0);
 }
 
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each)

@@ -173,10 +173,10 @@ LiquidCount count_liquid(const ModelPlan& plan)
     const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
     const double particles = std::max(1, plan.particles_per_droplet);
     const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
-    constexpr double usual_particles = 8000, usual_spacing = 85e-6;
-    constexpr double moving_times = 7, waking_times = 6;  // capillary times
-    constexpr double usual_step = 0.85;                   // of the longest
-    constexpr double drinking = 0.68;                     // times its volume over the cloth's uptake
+    constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
+    constexpr double moving_times = 7, waking_times = 6;            // capillary times
+    constexpr double usual_step = 0.85;                             // of the longest
+    constexpr double drinking = 0.68;                               // times its volume over the cloth's uptake
     constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is drunk
     const double spacing = std::cbrt(volume / particles);

@@ -304,7 +304,7 @@ private Q_SLOTS:
             if (foretold >= 1.5 || foretold <= 1 / 1.5) qInfo("%s: %.2f", qPrintable(row.join(' ')), foretold);
         }
         QCOMPARE(rows, 86);
-        QVERIFY2(within >= 78, qPrintable(QString::number(within)));
+        QVERIFY2(within >= 83, qPrintable(QString::number(within)));
     }
     // Nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees. Steep viscose was seen to be off at draft, because
     // what was left of the drop did not come to rest: the liquid was mended, not the count. Of the other drops, steps and particles (no
