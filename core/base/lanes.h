@@ -128,7 +128,9 @@ inline Pack root(const Pack& values)
     return roots;
 }
 inline Pack inverse_root(const Pack& values) { return Real(1) / root(values); }
-inline Pack positive(const Pack& values) { return values > 0 ? values : Pack{}; }
+/// Zeros, but not a constant: with what GCC knows to be zero it compares and masks in two steps, in place of taking the larger.
+inline Pack zeros{};
+inline Pack positive(const Pack& values) { return values < zeros ? zeros : values; }
 
 /// Rows of four to columns of eight.
 inline Quads transposed(const Quad* const (&at)[lanes])
@@ -243,6 +245,7 @@ template <int count> struct Sums {
 template <int count> HL_FN Sums<count> sum_of(const PackSums<count>& packs)
 {
     Sums<count> sums;
+    HL_UNROLL_WHOLE
     for (int k = 0; k < count; ++k) sums.of[k] = sum_of(packs.of[k]);
     return sums;
 }

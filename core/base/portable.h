@@ -10,10 +10,12 @@
 #define HL_LANE_IS_THREAD 1
 #define HL_PRAGMA(text) _Pragma(#text)
 #define HL_UNROLL(times) HL_PRAGMA(unroll times) // of a loop whose loads are better under way together
+#define HL_UNROLL_WHOLE
 #else
 #define HL_FN inline
 #define HL_LANE_IS_THREAD 0
 #define HL_UNROLL(times)
+#define HL_UNROLL_WHOLE _Pragma("GCC unroll 16") // of a short loop that -O2 would leave, and its array in memory
 #endif
 
 // What depends on Real is compiled for both number types and stands in a namespace for each, so that both fit into one program.
