@@ -148,7 +148,12 @@ private:
     template <typename Stage> static std::int64_t sum_range(const Stage& stage, int begin, int end)
     {
 #ifdef __x86_64__
-        // Sums over packs run several times as fast with whole packs in a register, and all stages with products added unrounded.
+        // Sums over packs run several times as fast with whole packs in a register, and all stages with products added unrounded. With
+        // AVX-512 there are twice as many registers, of the same width: the results are the same.
+        if constexpr (is_wide<Stage>) {
+            static const bool has_many = __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+            if (has_many) return run_wide_with_many(stage, begin, end);
+        }
         static const bool has_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
         if (has_wide) return run_wide(stage, begin, end);
 #endif
@@ -177,6 +182,12 @@ private:
 #ifdef __x86_64__
     template <typename Stage>
     __attribute__((target("avx2,fma"), flatten, noinline)) static std::int64_t run_wide(const Stage& stage, int begin, int end)
+    {
+        return run_all(stage, begin, end);
+    }
+    template <typename Stage>
+    __attribute__((target("avx2,fma,avx512f,avx512vl,avx512dq"), flatten, noinline)) static std::int64_t
+    run_wide_with_many(const Stage& stage, int begin, int end)
     {
         return run_all(stage, begin, end);
     }
