@@ -258,7 +258,8 @@ private:
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
     Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
-    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_, near_count_, distant_count_;
+    Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_;
+    Buffer<int> near_first_, distant_first_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;
     Buffer<std::int64_t> content_, sorted_content_;
     Buffer<YarnTotals> totals_; ///< one, of this step

@@ -58,7 +58,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
     stress_.fill(0);
     stress_since_ = 0;
-    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_count_, &distant_count_}) b->resize(capacity);
+    for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_first_, &distant_first_, &near_count_, &distant_count_})
+        b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
     near_.resize(capacity * most_near);
     slope_.resize(capacity * most_near);
@@ -314,6 +315,8 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.listed_x = listed_x_.data();
     p.listed_y = listed_y_.data();
     p.listed_z = listed_z_.data();
+    p.near_first = near_first_.data();
+    p.distant_first = distant_first_.data();
     p.near_count = near_count_.data();
     p.distant_count = distant_count_.data();
     p.allowed = allowed_.data();

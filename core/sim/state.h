@@ -208,8 +208,10 @@ struct Particles {
     std::uint8_t* alive = nullptr;
     // Neighbours are listed for several steps, with a skin beyond where they count, and particles keep their order so long. Lists are
     // whole packs, filled up with the one that is far away.
-    int* near = nullptr;          ///< most_near slots each: within the support and the skin
-    int* distant = nullptr;       ///< most_distant slots each: the others
+    int* near = nullptr;          ///< room for most_near slots each: within the support and the skin
+    int* distant = nullptr;       ///< room for most_distant slots each: the others
+    int* near_first = nullptr;    ///< pack with which each begins on a CPU: close behind another, which is quicker to go through
+    int* distant_first = nullptr; ///< the same of the others
     int* near_count = nullptr;    ///< slots in use, whole packs
     int* distant_count = nullptr; ///< slots in use, whole packs
     Real* slope = nullptr;        ///< of near pairs, this step: the kernel's over SplineUnits::slope and the distance, times the size

@@ -124,8 +124,7 @@ struct Listed {
         }
         lists_.near.assign(n * most_near, 0);
         lists_.distant.assign(n * most_distant, 0);
-        lists_.near_count.assign(n, 0);
-        lists_.distant_count.assign(n, 0);
+        for (auto* numbers : {&lists_.near_first, &lists_.distant_first, &lists_.near_count, &lists_.distant_count}) numbers->assign(n, 0);
         view();
         exec.for_each("neighbours", start.read(std::size_t(grid.cells())), FindNeighbours{p, &grid, &skin});
     }
@@ -156,7 +155,7 @@ struct Listed {
 
 private:
     struct Lists {
-        std::vector<int> near, distant, near_count, distant_count;
+        std::vector<int> near, distant, near_first, distant_first, near_count, distant_count;
         std::vector<Real> at[3];
     };
     void view()
@@ -165,6 +164,8 @@ private:
         p.alive = alive_.data();
         p.near = lists_.near.data();
         p.distant = lists_.distant.data();
+        p.near_first = lists_.near_first.data();
+        p.distant_first = lists_.distant_first.data();
         p.near_count = lists_.near_count.data();
         p.distant_count = lists_.distant_count.data();
         p.listed_x = lists_.at[0].data();

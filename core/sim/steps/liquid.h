@@ -170,11 +170,29 @@ struct FindNeighbours {
     const Real* skin; ///< m, by which neighbours are listed beyond where they count
     static constexpr bool wide = true;
 
-    HL_FN void operator()(int i) const
+#if HL_LANE_IS_THREAD
+    HL_FN void operator()(int i) const { list(i, p.near + std::int64_t(i) * most_near, p.distant + std::int64_t(i) * most_distant); }
+#else
+    void operator()(int i) const { (*this)(i, i + 1); }
+    /// Lists one close behind the other. Where they begin hangs on who lists what; what they say does not.
+    void operator()(int first, int last) const
+    {
+        std::int64_t near = std::int64_t(first) * most_near, distant = std::int64_t(first) * most_distant;
+        for (int i = first; i < last; ++i) {
+            p.near_first[i] = static_cast<int>(near / lanes);
+            p.distant_first[i] = static_cast<int>(distant / lanes);
+            list(i, p.near + near, p.distant + distant);
+            near += p.near_count[i];
+            distant += p.distant_count[i];
+        }
+    }
+#endif
+
+private:
+    HL_FN void list(int i, int* near_slots, int* distant_slots) const
     {
         const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
         const Real near_reach = p.support + *skin, reach = p.reach + *skin, reach2 = reach * reach, support2 = near_reach * near_reach;
-        int *near_slots = p.near + std::int64_t(i) * most_near, *distant_slots = p.distant + std::int64_t(i) * most_distant;
         int near_count = 0, distant_count = 0;
         for_candidates({*grid, x, reach}, i, [&](const auto& wanted, const auto& j, const Pack& distance2) {
             const auto others = wanted & (distance2 < reach2);
@@ -188,8 +206,6 @@ struct FindNeighbours {
         p.near_count[i] = near_count;
         p.distant_count[i] = distant_count;
     }
-
-private:
     /// Particles side by side, from a row of cells.
     struct Run {
         int first, end;
@@ -303,17 +319,28 @@ private:
 #endif
 };
 
+/// The slots of a particle's near neighbours.
+HL_FN const int* near_of(const Particles& p, int i)
+{
+    return p.near + (HL_LANE_IS_THREAD ? std::int64_t(i) * most_near : std::int64_t(p.near_first[i]) * lanes);
+}
+HL_FN const int* distant_of(const Particles& p, int i)
+{
+    return p.distant + (HL_LANE_IS_THREAD ? std::int64_t(i) * most_distant : std::int64_t(p.distant_first[i]) * lanes);
+}
+
 /// What near pairs keep as long as a step lasts.
 HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
 
-/// Calls visit(slots) with one pack after the other of the near neighbours of i.
-template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
+/// Calls visit(slots) with one pack after the other of the near neighbours of i; with_slopes if it asks for slope_of() them.
+template <bool with_slopes = false, typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
-    const int* slots = p.near + std::int64_t(i) * most_near;
+    const int* slots = near_of(p, i);
     const int count = p.near_count[i];
+    HL_UNROLL_WHOLE
     for (int k = 0; k < usual_near; k += 64 / int(sizeof(int))) { // the next particle's
-        bring(slots + most_near + k);
-        bring(slope_of(p, slots) + most_near + k);
+        bring(slots + count + k);
+        if (with_slopes) bring(slope_of(p, slots) + count + k);
     }
     HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
@@ -322,7 +349,7 @@ template <typename F> HL_FN void for_neighbours(const Particles& p, int i, const
 /// The same with the distant neighbours of i.
 template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int i, const F& visit)
 {
-    const int* slots = p.distant + std::int64_t(i) * most_distant;
+    const int* slots = distant_of(p, i);
     const int count = p.distant_count[i];
     HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
@@ -435,7 +462,7 @@ struct FindForces {
         const Real drag = Real(10) * liquid.kinematic_viscosity * liquid.density * (near.slope / units.slope);
         Pack kernels{};
         Packs forces{}, pressed{};
-        for_neighbours(p, i, [&](const int* slots) {
+        for_neighbours<true>(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             const NearPairs pairs(place, others, units);
             const Quads motions = gather(p.motion, slots);
@@ -536,7 +563,7 @@ struct FindPressureForce {
     {
         const Quad own = p.place[i];
         Packs push{};
-        for_neighbours(p, i, [&](const int* slots) {
+        for_neighbours<true>(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             push += (own.w + others.w) * load(slope_of(p, slots)) * between(own, others);
         });
@@ -566,7 +593,7 @@ struct FindStress {
             const SurfaceForces surfaces(p, surface, pairs, units, slots);
             pulled += sizes * (surfaces.force.along * pairs.square - surfaces.force.against * dot(surfaces.tilt, pairs.way));
         };
-        for_neighbours(p, i, [&](const int* slots) {
+        for_neighbours<true>(p, i, [&](const int* slots) {
             const Quads others = gather(p.place, slots);
             const NearPairs pairs(own, others, units);
             pressed += (own.w + others.w) * load(slope_of(p, slots)) * pairs.square;
