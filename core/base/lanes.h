@@ -49,6 +49,8 @@ HL_FN Real root(Real value) { return plain_root(value); }
 HL_FN Real inverse_root(Real value) { return plain_inverse_root(value); }
 HL_FN Real inverse(Real value) { return plain_inverse(value); }
 HL_FN Real quotient(Real a, Real b) { return plain_quotient(a, b); }
+/// Root of what the inverse root is known of. A CPU has found it on the way there, and need not wait for the division.
+HL_FN Real root_beside(Real value, Real inverse_root) { return value * inverse_root; }
 #else
 template <typename T> inline T inverse(const T& value) { return Real(1) / value; }
 template <typename T> inline T quotient(const T& a, const T& b) { return a / b; }
@@ -128,6 +130,7 @@ inline Pack root(const Pack& values)
     return roots;
 }
 inline Pack inverse_root(const Pack& values) { return Real(1) / root(values); }
+inline Pack root_beside(const Pack& values, const Pack&) { return root(values); }
 /// Zeros, but not a constant: with what GCC knows to be zero it compares and masks in two steps, in place of taking the larger.
 inline Pack zeros{};
 inline Pack positive(const Pack& values) { return values < zeros ? zeros : values; }

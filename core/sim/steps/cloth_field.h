@@ -128,7 +128,7 @@ private:
             Quads b = load(bead + k);
             if (count - k < lanes) b.w *= first_lanes(count - k);
             const Packs d{x.x - b.x, x.y - b.y, x.z - b.z};
-            const Pack square = dot(d, d) + units.nothing, one_over = inverse_root(square), r = square * one_over;
+            const Pack square = dot(d, d) + units.nothing, one_over = inverse_root(square), r = root_beside(square, one_over);
             const Spline<Pack> outer(r * units.per_metre), inner(r * near.per_metre);
             const Pack factor = b.w * units.slope * outer.slope() * one_over, push = b.w * near.slope * inner.slope() * one_over;
             surface_share += b.w * units.kernel * outer.kernel();

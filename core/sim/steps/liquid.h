@@ -364,8 +364,8 @@ template <typename Kernel> struct Pairs {
     Kernel kernel;
 
     HL_FN Pairs(const Quad& own, const Quads& others, const SplineUnits& units)
-        : way(between(own, others)), square(dot(way, way) + units.nothing), inverse(inverse_root(square)), distance(square * inverse),
-          kernel(distance * units.per_metre)
+        : way(between(own, others)), square(dot(way, way) + units.nothing), inverse(inverse_root(square)),
+          distance(root_beside(square, inverse)), kernel(distance * units.per_metre)
     {
     }
 };
