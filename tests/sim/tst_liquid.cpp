@@ -410,6 +410,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(speed.z + 9.80665 * 0.03) < 0.01 * 9.80665 * 0.03);
         QVERIFY(std::hypot(speed.x, speed.y) < 1e-3);
     }
+    void nextToNoTimeMovesNothing()
+    {
+        const auto backend = make_cpu_backend();
+        const double whole = 5e-3, later = std::nextafter(whole, 1.0); // as a drop's time and a frame's may differ
+        const std::vector<Frame> frames = frames_at(*backend, drop_over_plate(5e-9, 20e-3, 0, 800), {whole, later, later + 1e-12});
+        for (const Frame& frame : frames) QVERIFY(frame.velocities == frames[0].velocities);
+        QCOMPARE(frames[1].time, later);
+    }
     void aDropInTheAirStaysRoundAndComesToRest()
     {
         const auto backend = make_cpu_backend();
