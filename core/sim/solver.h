@@ -257,7 +257,8 @@ private:
     Buffer<Quad> place_, sorted_place_, motion_, standing_, predicted_, surface_;
     Buffer<Vec3> position_, velocity_, force_, pressure_force_, wall_normal_;
     Buffer<Vec3> sorted_position_, sorted_velocity_, sorted_normal_;
-    Buffer<Real> allowed_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_, listed_y_, listed_z_;
+    Buffer<Real> allowed_, mirrored_, sorted_mirrored_, stress_, sorted_stress_, wall_distance_, sorted_distance_, slope_, listed_x_,
+        listed_y_, listed_z_;
     Buffer<int> wall_segment_, sorted_segment_, key_, order_, cell_start_, near_, distant_;
     Buffer<int> near_first_, distant_first_, near_count_, distant_count_;
     Buffer<std::uint8_t> alive_;

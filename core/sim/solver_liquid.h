@@ -56,6 +56,8 @@ template <typename Executor> void Solver<Executor>::load_liquid()
          {&position_, &velocity_, &force_, &pressure_force_, &wall_normal_, &sorted_position_, &sorted_velocity_, &sorted_normal_})
         b->resize(capacity);
     for (auto* b : {&allowed_, &wall_distance_, &sorted_distance_}) b->resize(capacity);
+    for (auto* b : {&mirrored_, &sorted_mirrored_}) b->resize(scene_.vessel ? capacity : 0);
+    mirrored_.fill(0);
     for (auto* b : {&stress_, &sorted_stress_}) b->resize(scene_.shows_pressure ? capacity : 0);
     stress_.fill(0);
     stress_since_ = 0;
@@ -244,6 +246,7 @@ template <typename Executor> void Solver<Executor>::change_sides()
     content_.swap(sorted_content_);
     cloth_from_.swap(sorted_cloth_from_);
     place_.swap(sorted_place_);
+    mirrored_.swap(sorted_mirrored_);
     stress_.swap(sorted_stress_);
 }
 
@@ -321,6 +324,7 @@ template <typename Executor> Particles Solver<Executor>::particle_views()
     p.near_count = near_count_.data();
     p.distant_count = distant_count_.data();
     p.allowed = allowed_.data();
+    p.mirrored = scene_.vessel ? mirrored_.data() : nullptr;
     p.stress = scene_.shows_pressure ? stress_.data() : nullptr;
     return p;
 }

@@ -201,6 +201,7 @@ struct Particles {
     Real* wall_distance = nullptr;  ///< to its skin, at least
     int* wall_segment = nullptr;    ///< within half a spacing, or no_wall, or vessel_wall
     Real* allowed = nullptr;        ///< kg/m3 over the rest density that this step need not correct
+    Real* mirrored = nullptr;       ///< Pa, of the liquid that a vessel's wall stands for; null: no vessel
     Real* stress = nullptr;         ///< Pa s since the last frame, mean of the normal stresses; null: nobody asks
     ClothField* cloth = nullptr;
     ClothExpansion* cloth_from = nullptr;

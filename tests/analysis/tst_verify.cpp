@@ -79,6 +79,10 @@ private Q_SLOTS:
                                     << "contact_angle_deg=30 particles=4000";
         QTest::newRow("a drop that hardly wets") << "sessile"
                                                  << "contact_angle_deg=150 particles=2000";
+        QTest::newRow("a drop at rest that hardly wets") << "liquid_rest"
+                                                         << "contact_angle_deg=120";
+        QTest::newRow("another number of particles at rest") << "liquid_rest"
+                                                             << "particles=1100";
         QTest::newRow("wide tube, wetting") << "washburn"
                                             << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
         QTest::newRow("fine tube") << "washburn"

@@ -150,6 +150,7 @@ struct Reorder {
         to.wall_segment[i] = p.wall_segment[from];
         to.content[i] = p.content[from];
         copy_together(to.cloth_from[i], p.cloth_from[from]);
+        if (p.mirrored) to.mirrored[i] = p.mirrored[from];
         if (p.stress) to.stress[i] = p.stress[from];
         to.alive[i] = key[from] != *dead_key;
         const Vec3 &x = p.position[from], &v = p.velocity[from];
@@ -432,12 +433,15 @@ struct SurfaceForces {
 };
 
 /// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
-/// A wall carries the pressure of the particle before it, as if the liquid went on behind it.
+/// A wall carries the pressure before it, as if the liquid went on behind it: see rattling_share().
 HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Vec3& push)
 {
     // The cloth only bounds the density: its own force is what does no work where the density stays.
     Vec3 a = -(p.mass / (liquid.density * liquid.density)) * push - (p.place[i].w / liquid.density) * p.cloth[i].slope;
-    if (p.at_wall(i)) a += (Real(2) * p.place[i].w / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+    if (p.at_wall(i)) {
+        const Real own = p.place[i].w, mirrored = p.mirrored[i] + rattling_share(liquid.vessel.wetting) * (own - p.mirrored[i]);
+        a += ((own + mirrored) / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+    }
     p.pressure_force[i] = a;
     const Real dt = liquid.step->dt;
     const Vec3 v = p.velocity[i] + dt * (p.force[i] + a);
@@ -510,6 +514,10 @@ struct FindForces {
                     surface_force_of_wall(surface.w, dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance, p.reach) -
                 wall_pull(wall_attraction(cosine) * liquid.surface_tension, distance, p.reach);
             a += (push / liquid.density) * p.wall_normal[i];
+        }
+        if (p.mirrored) {
+            constexpr Real per_step = Real(0.1);
+            p.mirrored[i] += (p.at_wall(i) ? per_step : Real(1)) * (p.place[i].w / kept_pressure - p.mirrored[i]);
         }
         p.force[i] = a;
         p.allowed[i] = excess > 0 ? liquid.step->kept_excess * excess : Real(0);
@@ -613,7 +621,7 @@ struct FindStress {
         Real virial = volume * (pull - pressure);
         if (p.at_wall(i)) {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
-            virial += Real(2) * own.w * slope_virial_beyond_plane(distance, p.support) +
+            virial += (own.w + p.mirrored[i]) * slope_virial_beyond_plane(distance, p.support) +
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }
