@@ -15,7 +15,7 @@
 #define HL_FN inline
 #define HL_LANE_IS_THREAD 0
 #define HL_UNROLL(times)
-#define HL_UNROLL_WHOLE _Pragma("GCC unroll 16") // of a short loop that -O2 would leave, and its array in memory
+#define HL_UNROLL_WHOLE _Pragma("GCC unroll 16") // of a short loop: -O2 would leave it, and keep what it goes through in memory
 #endif
 
 // What depends on Real is compiled for both number types and stands in a namespace for each, so that both fit into one program.

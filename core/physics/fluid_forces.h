@@ -76,8 +76,9 @@ HL_FN Real wall_share(Real cosine)
 }
 
 /// The pressure that a wall carries as if the liquid went on behind it follows that of the particle before it in ten steps; so much of what
-/// both differ by it carries at once. What a particle pushes itself off with leads to no other density and is not taken back, so that with
-/// all of it drops at rest rattle. But below 60 degrees they stick without (at 45 degrees where 30 were asked for), and it is left.
+/// both differ by it takes over at once. What a particle pushes itself off with leads to no other density and is not taken back, so that
+/// drops at rest rattle with all of it. From 60 degrees on a wall takes over nothing; below 53 all, for calm drops stick there (at 45 to 47
+/// degrees where 30 were asked for).
 HL_FN Real rattling_share(Real cosine)
 {
     constexpr Real none = Real(0.5), all = Real(0.6);

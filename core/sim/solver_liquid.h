@@ -11,7 +11,6 @@ namespace hygroloom::inline HL_PRECISION {
 constexpr double drip_distance = 5e-3;      // m below the fabric, or beside it, at which a particle counts as dripped off
 constexpr double pressure_relaxation = 0.5; // of a pressure correction; whole ones overshoot between close particles
 constexpr int most_flow_steps = 1000;       // without a look at the clock
-constexpr double no_time = 1e-6;            // of the longest step: pressure would make speeds of roundings
 
 template <typename Executor> void Solver<Executor>::load_liquid()
 {
@@ -221,7 +220,7 @@ template <typename Executor> void Solver<Executor>::release_droplets()
 /// Takes the liquid towards the moment when it meets the yarns, for about the given wall time; whether it is there.
 template <typename Executor> bool Solver<Executor>::flow(double wall_seconds)
 {
-    if (flow_.count == 0 || sync_time_ - time_ < no_time * rules_.longest_step()) return true;
+    if (flow_.count == 0 || time_ >= sync_time_) return true;
     flow_.time = time_;
     flow_.sync_time = sync_time_;
     const double budget = 0.25 * wall_seconds / std::max(1e-9, wall_per_step_);

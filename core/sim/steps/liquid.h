@@ -432,15 +432,20 @@ struct SurfaceForces {
     }
 };
 
+/// What a wall carries as if the liquid went on behind it, Pa.
+HL_FN Real wall_pressure(const Particles& p, const LiquidParameters& liquid, int i)
+{
+    return p.mirrored[i] + rattling_share(liquid.vessel.wetting) * (p.place[i].w - p.mirrored[i]);
+}
+
 /// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
-/// A wall carries the pressure before it, as if the liquid went on behind it: see rattling_share().
 HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Vec3& push)
 {
     // The cloth only bounds the density: its own force is what does no work where the density stays.
     Vec3 a = -(p.mass / (liquid.density * liquid.density)) * push - (p.place[i].w / liquid.density) * p.cloth[i].slope;
     if (p.at_wall(i)) {
-        const Real own = p.place[i].w, mirrored = p.mirrored[i] + rattling_share(liquid.vessel.wetting) * (own - p.mirrored[i]);
-        a += ((own + mirrored) / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) * p.wall_normal[i];
+        a += ((p.place[i].w + wall_pressure(p, liquid, i)) / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) *
+             p.wall_normal[i];
     }
     p.pressure_force[i] = a;
     const Real dt = liquid.step->dt;
@@ -621,7 +626,7 @@ struct FindStress {
         Real virial = volume * (pull - pressure);
         if (p.at_wall(i)) {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
-            virial += (own.w + p.mirrored[i]) * slope_virial_beyond_plane(distance, p.support) +
+            virial += (own.w + wall_pressure(p, liquid, i)) * slope_virial_beyond_plane(distance, p.support) +
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }

@@ -112,7 +112,9 @@ HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
     c.step.dt = static_cast<Real>(c.dt);
     const double kept = 1.0 - c.dt / rules.correction_time;
     c.step.kept_excess = static_cast<Real>(kept > 0 ? kept : 0.0);
-    c.step.stiffness = static_cast<Real>(rules.stiffness / (c.dt * c.dt));
+    // A sliver of a step would make speeds of roundings of the density.
+    const double shortest = 0.1 * rules.correction_time, corrected_in = c.dt > shortest ? c.dt : shortest;
+    c.step.stiffness = static_cast<Real>(rules.stiffness / (corrected_in * corrected_in));
     c.step.friction = static_cast<Real>(friction_coefficient / c.hurry);
     c.step.drag = static_cast<Real>(rules.drag * c.dt / rules.thinnest2 / c.hurry);
     c.fastest = c.largest = c.round = 0;
