@@ -149,7 +149,7 @@ private:
     {
 #ifdef __x86_64__
         // Sums over packs run several times as fast with whole packs in a register, and all stages with products added unrounded. With
-        // AVX-512 there are twice as many registers, of the same width: the results are the same.
+        // AVX-512 there are twice as many registers, of the same width for floats: the results are the same.
         if constexpr (is_wide<Stage>) {
             static const bool has_many = __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
             if (has_many) return run_wide_with_many(stage, begin, end);

@@ -521,7 +521,7 @@ struct FindForces {
             a += (push / liquid.density) * p.wall_normal[i];
         }
         if (p.mirrored) {
-            constexpr Real per_step = Real(0.1);
+            constexpr Real per_step = Real(0.1); // of what they differ by; away from walls all, to begin with when it meets one
             p.mirrored[i] += (p.at_wall(i) ? per_step : Real(1)) * (p.place[i].w / kept_pressure - p.mirrored[i]);
         }
         p.force[i] = a;
