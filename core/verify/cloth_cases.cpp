@@ -30,6 +30,23 @@ Scene cloth_with_gaps(double gap)
     return scene;
 }
 
+/// Moments of an impact from a height, in moves of a tenth of the spacing, and on until the liquid has run apart.
+std::vector<double> moments_of_impact(double height, double radius, double speed, double spacing)
+{
+    const double impact = 2.0 * (height + 2.0 * radius) / std::max(speed, 0.1);
+    std::vector<double> times;
+    const int moments = std::clamp(static_cast<int>(10.0 * impact * speed / spacing), 20, 400);
+    for (int k = 1; k <= moments; ++k) times.push_back(impact * k / moments);
+    for (int k = 1; k <= 20; ++k) times.push_back(impact + 2e-4 * k);
+    return times;
+}
+
+/// How far a place lies under the nearest skin, m.
+double under_skin(const HostCloth& cloth, const std::array<float, 3>& x, double spacing)
+{
+    return -static_cast<double>(nearest_skin(cloth.shape(), {Real(x[0]), Real(x[1]), Real(x[2])}, static_cast<Real>(spacing)).distance);
+}
+
 std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend)
 {
     const double speed = value(v, "speed_m_s"), gap = value(v, "gap_percent") / 100.0;
@@ -39,12 +56,7 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
     scene.particles_per_droplet = static_cast<int>(value(v, "particles"));
     scene.droplets = {{0, volume, {0, 0, scene.half_thickness + 1e-6 * value(v, "height_um") + radius}, speed}};
     const HostCloth cloth(scene);
-    // Through the impact in moves of a tenth of the spacing, and on until the liquid has run apart.
-    const double impact = 2.0 * (1e-6 * value(v, "height_um") + 2.0 * radius) / std::max(speed, 0.1);
-    std::vector<double> times;
-    const int moments = std::clamp(static_cast<int>(10.0 * impact * speed / spacing), 20, 400);
-    for (int k = 1; k <= moments; ++k) times.push_back(impact * k / moments);
-    for (int k = 1; k <= 20; ++k) times.push_back(impact + 2e-4 * k);
+    const std::vector<double> times = moments_of_impact(1e-6 * value(v, "height_um"), radius, speed, spacing);
     double deepest = 0;
     int through = 0;
     for (const Frame& f : frames_at(backend, scene, times)) {
@@ -52,8 +64,7 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
         for (const auto& x : f.positions) {
             // What is thrown past the edge may cling to the other face.
             if (static_cast<double>(std::max(std::abs(x[0]), std::abs(x[1]))) > 0.3 * threads * pitch) continue;
-            const NearestSkin skin = nearest_skin(cloth.shape(), {Real(x[0]), Real(x[1]), Real(x[2])}, static_cast<Real>(spacing));
-            deepest = std::max(deepest, -static_cast<double>(skin.distance) / spacing);
+            deepest = std::max(deepest, under_skin(cloth, x, spacing) / spacing);
             under += x[2] < 0;
         }
         through = std::max(through, under);
@@ -62,6 +73,38 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
     if (gap * pitch < 0.1 * spacing) // closed to these particles
         results.push_back({"particles_through", static_cast<double>(through), 0, 0, Rule::at_most});
     return results;
+}
+
+/// A drop strikes a fabric of the library, which drinks as it does: how many particles are ever seen inside yarn, and whether water is
+/// lost.
+std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
+{
+    const double volume = value(v, "volume_ul"), speed = value(v, "speed_m_s"), height = 0.2; // mm
+    const double radius = std::cbrt(3.0 * cubic_metre_from_ul(volume) / (4.0 * pi));
+    const double spacing = std::cbrt(cubic_metre_from_ul(volume) / value(v, "particles"));
+    const std::vector<double> times = moments_of_impact(1e-3 * height, radius, speed, spacing);
+    Experiment experiment = standard_experiment(ExperimentType::droplet);
+    experiment.sample_mm = {12, 12};
+    experiment.duration_s = times.back();
+    experiment.droplets.resize(1);
+    experiment.droplets[0].volume_ul = volume;
+    experiment.droplets[0].height_mm = height;
+    experiment.droplets[0].speed_m_s = speed;
+    const Design design = design_of(library_fabric(v.at("fabric").word), experiment);
+    ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::standard, {});
+    plan.particles_per_droplet = static_cast<int>(value(v, "particles"));
+    const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+    const HostCloth cloth(scene);
+    double half_way = spacing;
+    for (const ContactShape& shape : scene.shapes) half_way = std::min(half_way, 0.5 * shape.half_height);
+    int inside = 0;
+    double drift = 0;
+    for (const Frame& f : frames_at(backend, scene, times)) {
+        const auto is_inside = [&](const auto& x) { return under_skin(cloth, x, spacing) > half_way; };
+        inside = std::max(inside, static_cast<int>(std::count_if(f.positions.begin(), f.positions.end(), is_inside)));
+        drift = std::max(drift, std::abs(f.ledger.water_imbalance()) / (f.ledger.water_delivered + f.ledger.water_initial));
+    }
+    return {{"penetrated_particles", static_cast<double>(inside), 0, 0, Rule::at_most}, {"mass_drift", drift, 0, 1e-12}};
 }
 
 std::vector<VerifyResult> drop_conservation(const VerifyValues& v, Backend& backend)
@@ -98,6 +141,10 @@ std::vector<VerifyCase> cloth_cases()
           {"volume_ul", 1, 1e-3, 10, ""},
           {"height_um", 50, 10, 1e4, ""}},
          no_penetration},
+        {"impact",
+         "A drop fired at a fabric of the library: particles ever seen inside a yarn, and drift of mass.",
+         {{"volume_ul", 5, 0.01, 20, ""}, {"speed_m_s", 3, 0, 10, ""}, {"fabric", 0, 0, 0, "Textile F"}, {"particles", 2000, 10, 1e5, ""}},
+         impact},
         {"drop_conservation",
          "A drop on cotton: water in particles, yarns and air together, and pores that hold no more than they can.",
          {{"volume_ul", 2, 0.1, 20, ""},

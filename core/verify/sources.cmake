@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   verify/cloth_cases.cpp
   verify/convergence_cases.cpp
+  verify/drop_shapes.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
   verify/liquid_cases.cpp

@@ -74,15 +74,30 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("changes");
-        // The ends of the range that walls were calibrated for.
-        QTest::newRow("a flat cap") << "sessile"
-                                    << "contact_angle_deg=30 particles=4000";
-        QTest::newRow("a drop that hardly wets") << "sessile"
+        QTest::newRow("a flat cap") << "sessile_drop"
+                                    << "contact_angle_deg=45 particles=1000";
+        QTest::newRow("a heavy drop") << "sessile_drop"
+                                      << "contact_angle_deg=75 volume_ul=30 gravity=1 particles=2000";
+        QTest::newRow("a drop that hardly wets") << "sessile_drop"
                                                  << "contact_angle_deg=150 particles=2000";
+        QTest::newRow("a drop at rest that wets") << "liquid_rest"
+                                                  << "contact_angle_deg=45";
         QTest::newRow("a drop at rest that hardly wets") << "liquid_rest"
                                                          << "contact_angle_deg=120";
         QTest::newRow("another number of particles at rest") << "liquid_rest"
                                                              << "particles=1100";
+        QTest::newRow("a large warm drop swings") << "rayleigh_drop"
+                                                  << "radius_mm=2.5 temperature_c=50 particles=2000";
+        QTest::newRow("a drop swings with three lobes") << "rayleigh_drop"
+                                                        << "mode=3 particles=4000";
+        QTest::newRow("a shallow column") << "hydrostatic"
+                                          << "depth_mm=15 particles=8000";
+        QTest::newRow("a deep column") << "hydrostatic"
+                                       << "depth_mm=45 particles=4000";
+        QTest::newRow("a drop fired at a dense fabric") << "impact"
+                                                        << "fabric=Denim speed_m_s=5 volume_ul=3";
+        QTest::newRow("a drop fired at an open fabric") << "impact"
+                                                        << "fabric=C speed_m_s=1 volume_ul=8 particles=1000";
         QTest::newRow("wide tube, wetting") << "washburn"
                                             << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
         QTest::newRow("fine tube") << "washburn"
