@@ -180,10 +180,10 @@ HostBeads make_beads(const Scene& scene, double spacing, double support, double 
             return static_cast<Real>(std::sqrt(kernel * kernel + section.variance() / variance_of_kernel));
         };
         const Real wetting = static_cast<Real>(scene.yarns[k].adhesion / scene.climate.surface_tension - 1.0);
-        BeadType type{widened(support), widened(reach), wall_share(wetting), 0};
+        BeadType type{widened(support), widened(reach), bead_share(wetting), 0};
         // Of the energy along a skin only what lies outside the yarn acts on anything: half of it on a flat one.
         const double outside = std::clamp(1.0 - share_of_own_yarn(section, longest / along, type.reach), 0.5, 1.0);
-        type.pull = static_cast<Real>(static_cast<double>(wall_attraction(wetting)) * scene.climate.surface_tension / outside *
+        type.pull = static_cast<Real>(static_cast<double>(bead_attraction(wetting)) * scene.climate.surface_tension / outside *
                                       section.outline() / section.area());
         result.view.widest = std::max(result.view.widest, type.reach);
         result.types.push_back(type);

@@ -208,6 +208,7 @@ private:
     TextileShape shape();
     Beads beads();
     Vessel vessel() const;
+    double weight_step() const;
     LiquidParameters liquid();
 
     Executor exec_;

@@ -108,6 +108,17 @@ template <typename Executor> double Solver<Executor>::viscosity() const
                                   static_cast<double>(spacing_));
 }
 
+/// Rounds of pressure press liquid together that stands deep, by its depth x gravity over the square of spacing / step, and longer steps
+/// than this have a column bounce: at 0.2 by 5 % of its pressure, at 0.25 by 10 %. On cloth no drop stands as deep.
+template <typename Executor> double Solver<Executor>::weight_step() const
+{
+    double depth = 0;
+    if (scene_.vessel)
+        for (const Vec3d& place : scene_.liquid.places) depth = std::max(depth, place.z - scene_.vessel->low.z);
+    const double fall = std::sqrt(scene_.gravity * depth);
+    return fall > 0 ? 0.09 * static_cast<double>(spacing_) / fall : std::numeric_limits<double>::infinity();
+}
+
 /// What stays the same for the liquid's steps.
 template <typename Executor> void Solver<Executor>::set_rules(double spacing)
 {
@@ -120,6 +131,7 @@ template <typename Executor> void Solver<Executor>::set_rules(double spacing)
     rules_.correction_time = longest.capillary;
     rules_.capillary_dt = scene_.liquid_step_factor * longest.capillary;
     rules_.viscous_dt = scene_.liquid_step_factor * longest.viscous;
+    rules_.weight_dt = scene_.liquid_step_factor * weight_step();
     rules_.courant = scene_.liquid_step_factor * 0.4;
     rules_.steps_between_drinks = scene_.steps_between_drinks;
     rules_.stiffness = pressure_relaxation * pressure_stiffness(spacing, support_);

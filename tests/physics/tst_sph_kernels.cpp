@@ -115,15 +115,17 @@ private Q_SLOTS:
     }
     void wallsWetTheLessTheLargerTheAngle()
     {
-        Real attraction = 2, share = 2;
-        for (double degree = 0; degree <= 180; degree += 1) {
-            const Real cosine = Real(std::cos(radian_from_degree(degree)));
-            QVERIFY(wall_attraction(cosine) <= attraction && wall_attraction(cosine) > 0);
-            QVERIFY(wall_share(cosine) <= share && wall_share(cosine) >= 0 && wall_share(cosine) <= 1);
-            attraction = wall_attraction(cosine);
-            share = wall_share(cosine);
+        for (const auto& [attraction, share] : {std::pair{&wall_attraction, &wall_share}, std::pair{&bead_attraction, &bead_share}}) {
+            Real attracts = 2, counts = 2;
+            for (double degree = 0; degree <= 180; degree += 1) {
+                const Real cosine = Real(std::cos(radian_from_degree(degree)));
+                QVERIFY(attraction(cosine) <= attracts && attraction(cosine) > 0);
+                QVERIFY(share(cosine) <= counts && share(cosine) >= 0 && share(cosine) <= 1);
+                attracts = attraction(cosine);
+                counts = share(cosine);
+            }
+            QVERIFY(std::abs(share(Real(-1e-8)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees
         }
-        QVERIFY(std::abs(wall_share(Real(-1e-6)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees
     }
     void surfaceForceIsTheSlopeOfTheSurfacesEnergy()
     {

@@ -11,7 +11,7 @@ namespace hygroloom::inline HL_PRECISION {
 struct BeadType {
     Real support = 0; ///< m, of the kernel of pressure, as wide as one convolved with a bead
     Real reach = 0;   ///< m, of the surface's kernel, the same
-    Real share = 1;   ///< how much it counts as liquid for the surface: see wall_share()
+    Real share = 1;   ///< how much it counts as liquid for the surface: see bead_share()
     Real pull = 0;    ///< N/m2: energy of the wall's attraction per area of skin, times skin per volume, over the part that acts outside
 };
 
@@ -26,7 +26,7 @@ struct Beads {
 
 /// Sums over the beads near each particle, anew where it has moved by a tenth of its spacing; else by their slopes. A flat wall at the
 /// nearest skin's distance would not do: where yarns are thinner than the kernel its forces have no energy, and a drop on them heats up. A
-/// flat yarn acts as a wall does (wall_share(), wall_attraction()): its attraction's energy is as the surface kernel's integral over the
+/// flat yarn acts as a wall does (bead_share(), bead_attraction()): its attraction's energy is as the surface kernel's integral over the
 /// skin.
 struct FeelCloth {
     Particles p;

@@ -432,11 +432,8 @@ struct SurfaceForces {
     }
 };
 
-/// What a wall carries as if the liquid went on behind it, Pa.
-HL_FN Real wall_pressure(const Particles& p, const LiquidParameters& liquid, int i)
-{
-    return p.mirrored[i] + rattling_share(liquid.vessel.wetting) * (p.place[i].w - p.mirrored[i]);
-}
+/// How far from a vessel's wall the density finds a particle: see wall_recess.
+HL_FN Real wall_depth(const Particles& p, int i) { return p.wall_distance[i] + wall_recess * p.spacing; }
 
 /// A particle's acceleration by the pressure of the liquid, of which push is the sum over its neighbours, and where it comes to be with it.
 HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, const Vec3& push)
@@ -444,8 +441,7 @@ HL_FN void predict(const Particles& p, const LiquidParameters& liquid, int i, co
     // The cloth only bounds the density: its own force is what does no work where the density stays.
     Vec3 a = -(p.mass / (liquid.density * liquid.density)) * push - (p.place[i].w / liquid.density) * p.cloth[i].slope;
     if (p.at_wall(i)) {
-        a += ((p.place[i].w + wall_pressure(p, liquid, i)) / liquid.density * kernel_in_plane(p.wall_distance[i], p.support)) *
-             p.wall_normal[i];
+        a += ((p.place[i].w + p.mirrored[i]) / liquid.density * kernel_in_plane(wall_depth(p, i), p.support)) * p.wall_normal[i];
     }
     p.pressure_force[i] = a;
     const Real dt = liquid.step->dt;
@@ -512,7 +508,7 @@ struct FindForces {
         Real excess = p.mass * (motion.w * spline_kernel(Real(0), p.support) + kernel) + liquid.density * (cloth.share - Real(1));
         if (p.at_wall(i)) {
             const Real distance = p.wall_distance[i];
-            excess += liquid.density * kernel_beyond_plane(distance, p.support);
+            excess += liquid.density * kernel_beyond_plane(wall_depth(p, i), p.support);
             const Real cosine = liquid.vessel.wetting;
             const Real push =
                 wall_share(cosine) *
@@ -558,7 +554,7 @@ struct CorrectPressure {
         const Vec3 moved = Vec3{own.x, own.y, own.z} - p.position[i];
         Real density = p.mass * (own.w * spline_kernel(Real(0), p.support) + kernels) +
                        liquid.density * (p.cloth[i].share + dot(p.cloth[i].slope, moved));
-        if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(p.wall_distance[i] + dot(moved, p.wall_normal[i]), p.support); }
+        if (p.at_wall(i)) { density += liquid.density * kernel_beyond_plane(wall_depth(p, i) + dot(moved, p.wall_normal[i]), p.support); }
         const Real excess = density - liquid.density;
         p.place[i].w = positive(p.place[i].w + liquid.step->stiffness * (excess - p.allowed[i]));
         return excess > 0 ? static_cast<std::int64_t>(excess / liquid.density * Real(1e6)) : 0;
@@ -626,7 +622,7 @@ struct FindStress {
         Real virial = volume * (pull - pressure);
         if (p.at_wall(i)) {
             const Real tilt = dot(Vec3{surface.x, surface.y, surface.z}, p.wall_normal[i]), distance = p.wall_distance[i];
-            virial += (own.w + wall_pressure(p, liquid, i)) * slope_virial_beyond_plane(distance, p.support) +
+            virial += (own.w + p.mirrored[i]) * slope_virial_beyond_plane(wall_depth(p, i), p.support) +
                       wall_share(liquid.vessel.wetting) * (-surface.w * slope_virial_beyond_plane(distance, p.reach) -
                                                            tilt * curvature_virial_beyond_plane(distance, p.reach));
         }

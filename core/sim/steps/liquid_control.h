@@ -28,6 +28,7 @@ struct LiquidRules {
     double surface_tension = 0; ///< N/m
     double capillary_dt = 0;    ///< s, longest step that surface waves allow
     double viscous_dt = 0;      ///< s, the same for viscosity
+    double weight_dt = 0;       ///< s, the same for the weight of what stands in a vessel
     double courant = 0;         ///< spacings that a particle may go in a step
     double correction_time = 0; ///< s, over which what a step finds pressed together is corrected, however short the step
     int steps_between_drinks = 1;
@@ -43,7 +44,11 @@ struct LiquidRules {
         return steps > 1.0 ? steps : 1.0;
     }
     /// However slowly particles move, s.
-    HL_FN double longest_step() const { return capillary_dt < viscous_dt ? capillary_dt : viscous_dt; }
+    HL_FN double longest_step() const
+    {
+        const double flowing = capillary_dt < viscous_dt ? capillary_dt : viscous_dt;
+        return flowing < weight_dt ? flowing : weight_dt;
+    }
     /// In which a volume of liquid finds its shape, s.
     HL_FN double capillary_time(double volume) const { return std::sqrt(density * volume / surface_tension); }
     HL_FN double advective_step(double speed) const { return courant * static_cast<double>(spacing) / (speed > 1e-6 ? speed : 1e-6); }
