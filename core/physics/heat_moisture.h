@@ -27,7 +27,7 @@ HL_FN double mean_conductivity(double fibre_fraction, double fibre_conductivity,
 /// Share of the fibre surface that is wet, for evaporation (f of the corrected eq. 15).
 HL_FN double wet_share(double saturation)
 {
-    const double share = saturation / wet_area_saturation;
+    const double share = saturation * (1.0 / wet_area_saturation);
     return share < 0 ? 0.0 : share > 1 ? 1.0 : share;
 }
 
@@ -35,7 +35,7 @@ HL_FN double wet_share(double saturation)
 /// fractions or as areas of a section.
 HL_FN double phase_change_rate(double fibre, double fibre_radius, double pores)
 {
-    return pore_mass_transfer * 2.0 * fibre / (fibre_radius * pores);
+    return pore_mass_transfer * 2.0 * fibre * plain_inverse(fibre_radius * pores);
 }
 
 /// Share by which its own cooling slows what evaporates from a wet face: the psychrometer's balance of heat (W/(m2 K)) and vapour (m/s)

@@ -42,11 +42,14 @@ HL_FN double heat_of_evaporation(double temperature) { return 1e3 * (2501.0 - 2.
 HL_FN double saturation_pressure(double temperature)
 {
     const double t = celsius_from_kelvin(temperature);
-    return 611.21 * std::exp((18.678 - t / 234.5) * t / (257.14 + t));
+    return 611.21 * std::exp((18.678 - t * (1.0 / 234.5)) * t * plain_inverse(257.14 + t));
 }
 
 /// Vapour concentration over water, kg/m3 (C* of the paper).
-HL_FN double saturation_concentration(double temperature) { return saturation_pressure(temperature) / (vapour_gas_constant * temperature); }
+HL_FN double saturation_concentration(double temperature)
+{
+    return saturation_pressure(temperature) * plain_inverse(vapour_gas_constant * temperature);
+}
 
 /// The same with its slope with temperature, kg/(m3 K).
 struct Saturation {
@@ -54,8 +57,8 @@ struct Saturation {
 };
 HL_FN Saturation saturation_at(double temperature)
 {
-    const double t = celsius_from_kelvin(temperature), below = 1.0 / (257.14 + t), part = t * (1.0 / 234.5);
-    const double exponent = (18.678 - part) * t * below, inverse = 1.0 / temperature;
+    const double t = celsius_from_kelvin(temperature), below = plain_inverse(257.14 + t), part = t * (1.0 / 234.5);
+    const double exponent = (18.678 - part) * t * below, inverse = plain_inverse(temperature);
     const double concentration = 611.21 / vapour_gas_constant * std::exp(exponent) * inverse;
     return {concentration, concentration * ((18.678 - 2.0 * part - exponent) * below - inverse)};
 }

@@ -107,18 +107,49 @@ private Q_SLOTS:
     {
         for (const char* name : {"cotton", "polyester", "acrylic"}) { // fitted, and by the master curve
             const Isotherm isotherm = isotherm_of(name);
+            const RegainLaw law = regain_law(isotherm);
             for (double humidity : {0.001, 0.05, 0.3, 0.65, 0.8, 0.9}) {
-                const double regain = regain_at_reference(isotherm, humidity);
-                if (regain >= isotherm.saturation_regain) continue;
-                QVERIFY(std::abs(humidity_at_reference(isotherm, regain) - humidity) < 1e-9);
+                const WithSlope regain = regain_at_reference(law, isotherm.saturation_regain, humidity);
+                QCOMPARE(regain.value, regain_at_reference(isotherm, humidity));
+                if (regain.value >= isotherm.saturation_regain) continue;
+                const WithSlope back = humidity_at_reference(law, regain.value);
+                QVERIFY(std::abs(back.value - humidity) < 1e-9);
                 const double slope =
                     (regain_at_reference(isotherm, humidity + 1e-6) - regain_at_reference(isotherm, humidity - 1e-6)) / 2e-6;
-                QVERIFY(std::abs(regain_slope_at_reference(isotherm, humidity, regain) - slope) < 1e-5 * slope);
+                QVERIFY(std::abs(regain.slope - slope) < 1e-5 * slope);
+                QVERIFY(std::abs(back.slope - 1 / slope) < 1e-5 / slope);
             }
-            QCOMPARE(humidity_at_reference(isotherm, 0), 0.0);
-            QVERIFY(humidity_at_reference(isotherm, 10) <= 1.0);
+            QCOMPARE(humidity_at_reference(law, 0).value, 0.0);
+            QVERIFY(humidity_at_reference(law, 10).value <= 1.0);
         }
         QVERIFY(std::abs(sorption_heat_at(0.4).slope - (heat_of_sorption(0.4 + 1e-6) - heat_of_sorption(0.4 - 1e-6)) / 2e-6) < 1.0);
+    }
+    void regainIsGuggenheimAndersonDeBoersOrTheMasterCurves() // as printed
+    {
+        const Isotherm cotton = isotherm_of("cotton"), master{0.071, 0.3, 0, 0, 0};
+        for (double a : {0.0, 1e-6, 0.1, 0.5, 0.9, 0.99}) {
+            const double ka = cotton.gab_k * a;
+            const double gab = cotton.monolayer_regain * cotton.gab_c * ka / ((1 - ka) * (1 - ka + cotton.gab_c * ka));
+            QVERIFY(std::abs(regain_at_reference(cotton, a) - std::min(gab, cotton.saturation_regain)) <= 1e-14 * gab);
+            const double lotens = 0.578 * 0.071 * a * (1 / (a + 0.321) + 1 / (1.262 - a));
+            QVERIFY(std::abs(regain_at_reference(master, a) - lotens) <= 1e-14 * lotens);
+        }
+    }
+    void referenceHumidityHoldsTheSameWater() // ln r + q(r) shift = ln a
+    {
+        for (double celsius : {-10.0, 5.0, 20.0, 29.0, 35.0, 60.0, 90.0})
+            for (double a : {1e-9, 1e-3, 0.2, 0.65, 0.95, 0.9999}) {
+                const double shift = isotherm_shift(273.15 + celsius);
+                for (double guess : {0.0, -0.9 * shift * heat_of_sorption(a), 5.0}) {
+                    const ReferenceHumidity r = reference_humidity(a, shift, guess);
+                    QVERIFY2(std::abs(std::log(r.humidity / a) + heat_of_sorption(r.humidity) * shift) < 1e-9,
+                             qPrintable(QString("%1 C, %2").arg(celsius).arg(a)));
+                    QVERIFY(std::abs(r.ratio * a - r.humidity) <= 1e-14 * a);
+                    QVERIFY(r.humidity > 0 && r.humidity <= 1);
+                }
+            }
+        QCOMPARE(reference_humidity(0.0, 1e-7, 0.0).humidity, 0.0);
+        QCOMPARE(reference_humidity(1.0, -1e-7, 0.0).humidity, 1.0);
     }
     void twoStageDiffusionIsNeverNegativeAndNeverJumps()
     {

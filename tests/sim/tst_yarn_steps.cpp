@@ -331,9 +331,9 @@ private Q_SLOTS:
                     n.vapour[0] = 0.5 * climate.vapour * pore_air(n.pores[0], n.liquid[0], climate.density);
                     const ExchangeInSegment stage{n.views(), climate, 8e-8, dt, true, true, true};
                     n.work2[0] = climate.vapour; // foreseen
-                    double base[largest_shell_count], response[largest_shell_count];
+                    ExchangeInSegment::ShellRows rows;
                     const double air = pore_air(n.pores[0], n.liquid[0], climate.density);
-                    const ExchangeInSegment::Start start = stage.start_of(0, yarn, air, base, response);
+                    const ExchangeInSegment::Start start = stage.start_of(0, yarn, air, rows);
                     ExchangeInSegment::Warm found = stage.at_warmth(0);
                     ExchangeInSegment::Outcome fast{};
                     ++tried;

@@ -105,13 +105,21 @@ struct ExchangeInSegment {
 
     /// What one trial of temperature and pore vapour leads to.
     struct Outcome {
-        double pore_vapour, evaporated, bound, from_liquid, to_air;
-        double reference = 0; ///< humidity at 20 C that the fibre's skin is in equilibrium with
-        double skin = 0;      ///< its regain
+        double pore_vapour = 0, evaporated = 0, bound = 0, from_liquid = 0, to_air = 0;
+        double skin = 0, skin_slope = 0; ///< regain of the fibre's skin, and how it rises with its reference humidity
+        ReferenceHumidity reference;     ///< that the skin is in equilibrium with
+        double heat = 0;                 ///< J per kg of what fibres take from liquid, see sorbing()
     };
     /// The fibre's answer to this step: bound water at the end = base + slope x equilibrium regain at its skin.
     struct Fibre {
         double dry_mass, bound, base, slope;
+        double per_mass; ///< 1 / dry_mass
+        RegainLaw law;
+    };
+    /// Shells at the step's end, from the skin inwards: each is known + follows x the regain of the next one outwards, which over the
+    /// last one is the skin's.
+    struct ShellRows {
+        double known[largest_shell_count], follows[largest_shell_count];
     };
     /// What a segment brings to all trials.
     struct Start {
@@ -122,7 +130,8 @@ struct ExchangeInSegment {
         double wet;                    ///< share of the pores
         double room;                   ///< kg, for more liquid
         double capacity;               ///< J/K
-        double evaporating;            ///< m3 of pore vapour that all the fibres' surface brings to saturation in the step
+        double condensing;             ///< m3 of pore vapour that all the fibres' surface brings to saturation in the step
+        double evaporating;            ///< m3, the same of the surface's wet share
         double to_air;                 ///< m3, through the face
         double to_air_heat;            ///< J/K
     };
@@ -130,6 +139,7 @@ struct ExchangeInSegment {
     struct Warm {
         double warmth, temperature, shift; ///< see isotherm_shift()
         Saturation saturated;
+        double per_saturation; ///< m3/kg
     };
 
     HL_FN void operator()(int index) const
@@ -140,157 +150,166 @@ struct ExchangeInSegment {
         if (at_rest(i, yarn, air)) return;
         if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
 
-        double base[largest_shell_count], response[largest_shell_count];
-        const Start start = start_of(i, yarn, air, base, response);
+        ShellRows rows;
+        const Start start = start_of(i, yarn, air, rows);
         Warm now = at_warmth(start.warmth);
         Outcome outcome;
         if (!vapour || !newton(start, i, now, outcome)) {
             now = at_warmth(heat ? find_warmth(start) : start.warmth);
             outcome = pore_balance(start, now);
+            outcome.heat = sorbing(start, outcome.bound).value;
         }
-        accept(i, start, base, response, now, outcome);
+        accept(i, start, rows, now, outcome);
         if (vapour && sorption) s.uptake[i] = uptake(start, now, outcome);
     }
 
-    HL_FN Start start_of(int i, const YarnParameters& yarn, double air, double* base, double* response) const
+    HL_FN Start start_of(int i, const YarnParameters& yarn, double air, ShellRows& rows) const
     {
-        const Fibre fibre = prepare_fibre(i, yarn, base, response);
-        const double full = climate.density * s.pores[i];
+        const Fibre fibre = prepare_fibre(i, yarn, rows);
+        const double full = climate.density * s.pores[i], wet = s.liquid[i] * plain_inverse(full);
+        const double condensing = s.pores[i] * phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area) * dt;
         return {yarn,
                 fibre,
                 s.liquid[i],
                 s.vapour[i],
                 s.warmth[i],
                 air,
-                s.liquid[i] / full,
+                wet,
                 full - s.liquid[i],
                 heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound),
-                s.pores[i] * phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area) * dt,
+                condensing,
+                condensing * wet_share(wet),
                 dt * climate.mass_transfer * face_area,
                 dt * climate.heat_transfer * face_area};
     }
     HL_FN Warm at_warmth(double warmth) const
     {
         const double temperature = climate.temperature + warmth;
-        return {warmth, temperature, isotherm_shift(temperature), saturation_at(temperature)};
+        const Saturation saturated = saturation_at(temperature);
+        return {warmth, temperature, isotherm_shift(temperature), saturated, plain_inverse(saturated.concentration)};
     }
 
     /// With the warmth it brings, which makes fibres take less.
     HL_FN double uptake(const Start& start, const Warm& now, const Outcome& o) const
     {
-        const double taken = fmax_(0.0, bound_response(start, now, o).to_vapour);
+        const double taken = fmax_(0.0, start.fibre.slope * skin_response(start, now, o).to_vapour);
         if (!heat) return taken;
-        const double humidity = fmin_(1.0, o.pore_vapour / now.saturated.concentration);
+        const double humidity = fmin_(1.0, o.pore_vapour * now.per_saturation);
         const double less_per_kelvin = taken * humidity * now.saturated.slope; // kg/K
-        return taken / (1.0 + less_per_kelvin * heat_of_evaporation(now.temperature) / (start.capacity + start.to_air_heat));
+        return taken * near_inverse(1.0 + less_per_kelvin * heat_of_evaporation(now.temperature) *
+                                              near_inverse(start.capacity + start.to_air_heat));
     }
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
-        const double background = climate.vapour;
-        const double off = s.vapour[i] / air - background;
+        const double off = s.vapour[i] - climate.vapour * air, little = 1e-8 * (climate.vapour + 1e-6) * air;
         const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
-        return s.liquid[i] <= 0 && s.vapour[i] >= 0 && warmer < 1e-7 && warmer > -1e-7 && off < 1e-8 * (background + 1e-6) &&
-               off > -1e-8 * (background + 1e-6) && skin < 1e-9 && skin > -1e-9;
+        return s.liquid[i] <= 0 && s.vapour[i] >= 0 && warmer < 1e-7 && warmer > -1e-7 && off < little && off > -little && skin < 1e-9 &&
+               skin > -1e-9;
     }
 
-    /// Implicit Euler on shells (see Shells) with the skin held at a regain: two right-hand sides, one elimination.
-    HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, double* base, double* response) const
+    /// Implicit Euler on shells (see Shells) with the skin held at a regain, eliminated from the middle outwards.
+    HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, ShellRows& rows) const
     {
         const int n = s.shells;
         const double* regain = s.regain + i * n;
-        Fibre fibre{s.length[i] * yarn.fibre_area * yarn.fibre_density, 0, 0, 0};
-        fibre.bound = bound_water(s, yarn, i);
+        const double dry_mass = s.length[i] * yarn.fibre_area * yarn.fibre_density;
+        Fibre fibre{dry_mass, 0, 0, 0, plain_inverse(dry_mass), regain_law(yarn.isotherm)};
         if (!sorption) {
-            fibre.base = fibre.bound;
+            fibre.base = fibre.bound = bound_water(s, yarn, i);
             return fibre;
         }
         const double temperature = climate.temperature + s.warmth[i];
-        const double scale = dt / (yarn.fibre_radius * yarn.fibre_radius);
+        const double scale = dt * plain_inverse(yarn.fibre_radius * yarn.fibre_radius);
         const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
         const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
-        const Shells shells(n);
-        double upper[largest_shell_count];
-        double inner = 0; // conductance of the shell's inner face
+        ShellWalk walk = from_the_middle(n);
+        double bound = 0, base = 0, slope = 0; // base + slope x the shell's regain: what it and those within hold at the end
+        double inner = 0, known = 0, follows = 0;
+        double here = regain[0];
         for (int k = 0; k < n; ++k) {
             const bool skin = k == n - 1;
-            const double at_face = skin ? regain[k] : 0.5 * (regain[k] + regain[k + 1]);
-            const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, at_face, temperature);
-            const double face = shells.start(k + 1), between = 0.5 * ((skin ? face : shells.start(k + 2)) - shells.start(k));
-            const double outer = scale * diffusivity * 2.0 * face / between, share = shells.share(k);
-            const double lower = -inner;
-            const double pivot = 1.0 / (share + inner + outer - (k > 0 ? lower * upper[k - 1] : 0.0));
-            upper[k] = skin ? 0.0 : -outer * pivot;
-            base[k] = (share * regain[k] - (k > 0 ? lower * base[k - 1] : 0.0)) * pivot;
-            response[k] = ((skin ? outer : 0.0) - (k > 0 ? lower * response[k - 1] : 0.0)) * pivot;
+            const double next = skin ? here : regain[k + 1];
+            const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, 0.5 * (here + next), temperature);
+            const double share = walk.outwards();
+            // Conductance of the outer face: 2 x its radius over the distance of the shells' middles, or of the last one's from the skin.
+            const double outer = scale * diffusivity * (skin ? 4.0 * n * n : (1.0 - walk.square) * plain_inverse(walk.width * walk.left));
+            const double pivot = plain_inverse(share + inner - inner * follows + outer);
+            base += slope * known; // of the shell before
+            slope = share + slope * follows;
+            known = (share * here + inner * known) * pivot;
+            follows = outer * pivot;
+            rows.known[k] = known;
+            rows.follows[k] = follows;
+            bound += share * here;
             inner = outer;
+            here = next;
         }
-        for (int k = n - 2; k >= 0; --k) {
-            base[k] -= upper[k] * base[k + 1];
-            response[k] -= upper[k] * response[k + 1];
-        }
-        for (int k = 0; k < n; ++k) {
-            fibre.base += base[k] * shells.share(k);
-            fibre.slope += response[k] * shells.share(k);
-        }
-        fibre.base *= fibre.dry_mass;
-        fibre.slope *= fibre.dry_mass;
+        fibre.bound = bound * dry_mass;
+        fibre.base = (base + slope * known) * dry_mass;
+        fibre.slope = slope * follows * dry_mass;
         return fibre;
     }
 
     /// Humidity that the fibre's skin sees: its wet share sees liquid, the rest the pore's vapour.
-    HL_FN static double skin_humidity(double wet, double pore_vapour, double saturated)
+    HL_FN static double skin_humidity(const Start& start, const Warm& now, double pore_vapour)
     {
-        return wet + (1.0 - wet) * fmin_(1.0, pore_vapour / saturated);
+        return start.wet + (1.0 - start.wet) * fmin_(1.0, pore_vapour * now.per_saturation);
     }
     HL_FN static double fmin_(double a, double b) { return a < b ? a : b; }
     HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
 
-    /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; near: the reference humidity of a trial like it, or 0.
+    /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; near: the rise of the reference humidity of a trial like
+    /// it, or 0.
     HL_FN Outcome try_vapour(const Start& start, const Warm& now, double pore_vapour, double near) const
     {
         const Fibre& fibre = start.fibre;
-        Outcome o{pore_vapour, 0, fibre.base, 0, 0};
-        const double saturated = now.saturated.concentration;
+        Outcome o;
+        o.pore_vapour = pore_vapour;
+        o.bound = fibre.base;
         if (sorption) {
             const Isotherm& isotherm = start.yarn.isotherm;
-            const double humidity = skin_humidity(start.wet, pore_vapour, saturated);
-            o.reference = isotherm.shifts ? reference_humidity(humidity, now.shift, near) : humidity;
-            o.skin = regain_at_reference(isotherm, o.reference);
+            o.reference.humidity = skin_humidity(start, now, pore_vapour);
+            if (isotherm.shifts) o.reference = reference_humidity(o.reference.humidity, now.shift, near);
+            const WithSlope skin = regain_at_reference(fibre.law, isotherm.saturation_regain, o.reference.humidity);
+            o.skin = skin.value;
+            o.skin_slope = skin.slope;
             o.bound = fibre.base + fibre.slope * o.skin;
         }
-        const double taken = o.bound - fibre.bound;
-        o.from_liquid = fmax_(fmin_(vapour ? start.wet * taken : taken, start.liquid), -start.room);
         if (vapour) {
-            const double excess = saturated - pore_vapour;
-            const double share = excess > 0 ? wet_share(start.wet) : 1.0;
-            o.evaporated = fmax_(fmin_(start.evaporating * share * excess, start.liquid - o.from_liquid), -start.room - o.from_liquid);
+            const double excess = now.saturated.concentration - pore_vapour;
+            o.evaporated = (excess > 0 ? start.evaporating : start.condensing) * excess;
             o.to_air = start.to_air * (pore_vapour - climate.vapour);
         }
+        limit(start, o);
         return o;
     }
+    /// Fibres take the wet share of what they take from liquid; liquid gives what there is, and takes what there is room for.
+    HL_FN void limit(const Start& start, Outcome& o) const
+    {
+        const double taken = o.bound - start.fibre.bound;
+        o.from_liquid = fmax_(fmin_(vapour ? start.wet * taken : taken, start.liquid), -start.room);
+        if (vapour) o.evaporated = fmax_(fmin_(o.evaporated, start.liquid - o.from_liquid), -start.room - o.from_liquid);
+    }
 
-    /// How the water that fibres hold at the step's end answers to more pore vapour (m3) and to warmth (kg/K).
-    struct BoundResponse {
+    /// How the regain of the fibres' skin at the step's end answers to more pore vapour (m3/kg) and to warmth (1/K).
+    struct Response {
         double to_vapour = 0, to_warmth = 0;
     };
-    HL_FN BoundResponse bound_response(const Start& start, const Warm& now, const Outcome& o) const
+    HL_FN Response skin_response(const Start& start, const Warm& now, const Outcome& o) const
     {
-        const auto [saturated, saturated_slope] = now.saturated;
-        const Isotherm& isotherm = start.yarn.isotherm;
-        const double answer = start.fibre.slope * regain_slope_at_reference(isotherm, o.reference, o.skin);
-        const double per_saturation = 1.0 / saturated;
-        if (o.reference <= 0) return {answer * per_saturation, 0};
-        const SorptionHeat held = sorption_heat_at(o.reference);
         // d ln humidity = d ln reference x stiffness + heat of sorption x d shift
-        const double stiffness = 1.0 + o.reference * held.slope * (isotherm.shifts ? now.shift : 0.0);
-        const double per_share = answer * o.reference / stiffness;
-        const double seen = skin_humidity(start.wet, o.pore_vapour, saturated);
-        const double per_vapour = o.pore_vapour < saturated ? per_share * (1.0 - start.wet) / seen * per_saturation : 0.0;
-        BoundResponse response{per_vapour, -per_vapour * o.pore_vapour * per_saturation * saturated_slope};
-        if (isotherm.shifts)
-            response.to_warmth -= per_share * held.heat * (water_molar_mass / gas_constant) / (now.temperature * now.temperature);
+        const double shift = start.yarn.isotherm.shifts ? now.shift : 0.0;
+        const double loose = near_inverse(1.0 + o.reference.humidity * o.reference.held.slope * shift);
+        const bool open = o.pore_vapour < now.saturated.concentration;
+        const double to_humidity = open ? o.skin_slope * o.reference.ratio * loose * (1.0 - start.wet) : 0.0;
+        const double to_vapour = to_humidity * now.per_saturation;
+        Response response{to_vapour, -to_vapour * o.pore_vapour * now.per_saturation * now.saturated.slope};
+        if (start.yarn.isotherm.shifts) {
+            const double shift_slope = (water_molar_mass / gas_constant) * near_inverse(now.temperature * now.temperature);
+            response.to_warmth -= o.skin_slope * o.reference.humidity * loose * o.reference.held.heat * shift_slope;
+        }
         return response;
     }
 
@@ -301,7 +320,7 @@ struct ExchangeInSegment {
 
     HL_FN Outcome pore_balance(const Start& start, const Warm& now) const
     {
-        const double air = start.air, met = start.vapour / air;
+        const double air = start.air, met = start.vapour * plain_inverse(air);
         if (!vapour) return try_vapour(start, now, met, 0.0);
         // Rising in the trial: more vapour means less evaporation, more sorption, more loss.
         double low = 0, high = fmax_(now.saturated.concentration, fmax_(climate.vapour, met)) * 1.0001;
@@ -318,7 +337,7 @@ struct ExchangeInSegment {
         for (int round = 0; round < 80 && high - low > 1e-14 * high; ++round) { // Illinois
             double trial = (low * high_missing - high * low_missing) / (high_missing - low_missing);
             if (!(trial > low && trial < high)) trial = 0.5 * (low + high);
-            o = try_vapour(start, now, trial, o.reference);
+            o = try_vapour(start, now, trial, o.reference.rise);
             const double m = missing(start, o);
             if (m > -1e-9 * air * high && m < 1e-9 * air * high) break;
             if (m > 0) {
@@ -336,82 +355,119 @@ struct ExchangeInSegment {
         return o;
     }
 
-    /// The fibre's own humidity half-way through the step: what the heat of the water it took goes by.
-    HL_FN static double half_way(const Start& start, const Outcome& o)
+    /// Heat that fibres give off for a kg that they take from liquid, at their own humidity half-way through the step, J/kg; its slope with
+    /// the water that they hold at the end, J/kg2.
+    HL_FN WithSlope sorbing(const Start& start, double bound) const
     {
-        return humidity_at_reference(start.yarn.isotherm, 0.5 * (start.fibre.bound + o.bound) / start.fibre.dry_mass);
+        const double middle = 0.5 * start.fibre.per_mass;
+        const WithSlope humidity = humidity_at_reference(start.fibre.law, middle * (start.fibre.bound + bound));
+        const SorptionHeat held = sorption_heat_at(humidity.value);
+        return {start.yarn.sorption_heat_scale * held.heat, start.yarn.sorption_heat_scale * held.slope * humidity.slope * middle};
     }
 
-    /// Heat released by the outcome, J; held: half_way().
-    HL_FN double phase_heat(const Start& start, const Outcome& o, double held, double temperature) const
+    /// Heat released by the outcome, J.
+    HL_FN double phase_heat(const Start& start, const Outcome& o, double temperature) const
     {
         const double taken = o.bound - start.fibre.bound;
-        return taken * start.yarn.sorption_heat_scale * heat_of_sorption(held) +
-               heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
+        return taken * o.heat + heat_of_evaporation(temperature) * (taken - o.from_liquid - o.evaporated);
     }
-    HL_FN double surplus(const Start& start, const Outcome& o, double held, const Warm& now) const
+    HL_FN double surplus(const Start& start, const Outcome& o, const Warm& now) const
     {
         return start.capacity * (now.warmth - start.warmth) + start.to_air_heat * (now.warmth - climate.air_warmth) -
-               phase_heat(start, o, held, now.temperature);
+               phase_heat(start, o, now.temperature);
     }
     /// Heat that is left over where the pores are balanced at a warmth, J.
     HL_FN double surplus_at(const Start& start, double warmth) const
     {
         const Warm now = at_warmth(warmth);
-        const Outcome o = pore_balance(start, now);
-        return surplus(start, o, half_way(start, o), now);
+        Outcome o = pore_balance(start, now);
+        o.heat = sorbing(start, o.bound).value;
+        return surplus(start, o, now);
+    }
+
+    /// The pore vapour at which half of the liquid evaporates, or half of the room is condensed into.
+    HL_FN static double half_way(const Start& start, double saturated, bool evaporating)
+    {
+        if (evaporating && start.evaporating > 0) return fmax_(0.0, saturated - 0.5 * start.liquid * near_inverse(start.evaporating));
+        return evaporating ? saturated : saturated + 0.5 * fmax_(0.0, start.room) * near_inverse(start.condensing);
+    }
+    /// Where Newton's rounds begin: at the vapour that was foreseen. But where there is liquid enough to saturate pore, fibres and air from
+    /// there, not so far from saturation that more than half of it would evaporate; nor that more than half of the room would be filled.
+    HL_FN double first_vapour(const Start& start, int i, double saturated) const
+    {
+        const double foreseen = fmax_(0.0, s.work2[i]), excess = saturated - foreseen;
+        const bool lasts = start.liquid > (start.air + start.to_air + s.uptake[i]) * excess;
+        if (excess > 0 ? lasts && start.evaporating * excess > 0.5 * start.liquid : -start.condensing * excess > 0.5 * start.room)
+            return half_way(start, saturated, excess > 0);
+        return foreseen;
     }
 
     /// Pore vapour and warmth together by Newton's rounds, from the vapour that was foreseen; false when they do not close in, which kinks
-    /// can cause, and the bracketed searches are to do it. What is left open is 1e-8 of the pore's vapour at saturation, and 1e-8 K.
+    /// can cause, and the bracketed searches are to do it. Ends where 1e-8 of the pore's vapour at saturation and 1e-8 K are left open, or
+    /// with a round that leaves less than 1e-6 of saturation: as rounds shrink at least as the last one did, and go on as their square.
     HL_FN bool newton(const Start& start, int i, Warm& now, Outcome& o) const
     {
-        double pore = fmax_(0.0, s.work2[i]);
-        double near = 0;
+        double pore = first_vapour(start, i, now.saturated.concentration);
+        double near = 0, before = 0;
         for (int round = 0; round < 12; ++round) {
             const auto [saturated, saturated_slope] = now.saturated;
             o = try_vapour(start, now, pore, near);
-            near = o.reference;
-            const double held = heat && sorption ? half_way(start, o) : 0.0;
+            near = o.reference.rise;
+            const WithSlope heat_taken = heat && sorption ? sorbing(start, o.bound) : WithSlope{0, 0};
+            o.heat = heat_taken.value;
             const double mass = missing(start, o);
-            const double joules = heat ? surplus(start, o, held, now) : 0.0;
-            const double little = saturated * (1e-8 * start.air + 1e-13 * start.evaporating);
+            const double joules = heat ? surplus(start, o, now) : 0.0;
+            const double little = saturated * (1e-8 * start.air + 1e-13 * start.condensing);
             if (mass > -little && mass < little && joules > -1e-8 * start.capacity && joules < 1e-8 * start.capacity) return true;
 
-            const BoundResponse bound = sorption ? bound_response(start, now, o) : BoundResponse{};
-            const double bound_p = bound.to_vapour, bound_t = bound.to_warmth;
+            const Response skin = sorption ? skin_response(start, now, o) : Response{};
+            const double bound_p = start.fibre.slope * skin.to_vapour, bound_t = start.fibre.slope * skin.to_warmth;
             const bool drinks = o.from_liquid < start.liquid && o.from_liquid > -start.room;
             const double liquid_p = drinks ? start.wet * bound_p : 0.0, liquid_t = drinks ? start.wet * bound_t : 0.0;
             const bool dries = o.evaporated < start.liquid - o.from_liquid && o.evaporated > -start.room - o.from_liquid;
-            const double share = start.evaporating * (saturated > pore ? wet_share(start.wet) : 1.0);
+            const double share = saturated > pore ? start.evaporating : start.condensing;
             const double vapour_p = dries ? -share : -liquid_p, vapour_t = dries ? share * saturated_slope : -liquid_t;
 
             const double mass_p = start.air - vapour_p + start.to_air + bound_p - liquid_p;
             double step_p = 0, step_t = 0;
             if (heat) {
                 const double latent = heat_of_evaporation(now.temperature), taken = o.bound - start.fibre.bound;
-                const SorptionHeat sorbed = sorption_heat_at(held);
-                double sorbing = sorbed.heat;
-                const double rise =
-                    regain_slope_at_reference(start.yarn.isotherm, held, 0.5 * (start.fibre.bound + o.bound) / start.fibre.dry_mass);
-                if (rise > 0) sorbing += 0.5 * taken * sorbed.slope / (start.fibre.dry_mass * rise);
-                sorbing *= start.yarn.sorption_heat_scale;
+                const double given = o.heat + taken * heat_taken.slope;
                 const double mass_t = -vapour_t + bound_t - liquid_t;
-                const double joules_p = -sorbing * bound_p - latent * (bound_p - liquid_p - vapour_p);
-                const double joules_t = start.capacity + start.to_air_heat - sorbing * bound_t - latent * (bound_t - liquid_t - vapour_t) +
+                const double joules_p = -given * bound_p - latent * (bound_p - liquid_p - vapour_p);
+                const double joules_t = start.capacity + start.to_air_heat - given * bound_t - latent * (bound_t - liquid_t - vapour_t) +
                                         2361.0 * (taken - o.from_liquid - o.evaporated); // the latent heat falls with temperature
                 const double determinant = mass_p * joules_t - mass_t * joules_p;
                 if (!(determinant > 0)) return false;
-                const double scale = 1.0 / determinant;
+                const double scale = near_inverse(determinant);
                 step_p = (mass * joules_t - mass_t * joules) * scale;
                 step_t = (mass_p * joules - mass * joules_p) * scale;
             } else {
-                step_p = mass / mass_p;
+                step_p = mass * near_inverse(mass_p);
             }
-            if (step_t > 5.0) step_t = 5.0;
-            if (step_t < -5.0) step_t = -5.0;
-            pore = pore - step_p > 0 ? pore - step_p : 0.1 * pore;
-            if (heat) now = at_warmth(now.warmth - step_t);
+            const double size = (std::abs(step_p) + saturated_slope * std::abs(step_t)) * now.per_saturation;
+            if (size * size < 1e-6 * before) {
+                const double skin_step = skin.to_vapour * step_p + skin.to_warmth * step_t;
+                const double bound_step = start.fibre.slope * skin_step;
+                o.pore_vapour = fmax_(0.0, pore - step_p);
+                o.skin = fmax_(0.0, fmin_(o.skin - skin_step, start.yarn.isotherm.saturation_regain));
+                if (sorption) o.bound = start.fibre.base + start.fibre.slope * o.skin;
+                o.heat -= heat_taken.slope * bound_step;
+                o.evaporated -= vapour_p * step_p + vapour_t * step_t;
+                o.to_air = start.to_air * (o.pore_vapour - climate.vapour);
+                limit(start, o);
+                now.warmth -= step_t;
+                now.temperature -= step_t;
+                now.saturated.concentration -= saturated_slope * step_t;
+                return true;
+            }
+            before = size;
+            const double most = 5.0 * near_inverse(fmax_(5.0, std::abs(step_t)));
+            pore = pore - most * step_p > 0 ? pore - most * step_p : 0.1 * pore;
+            if (heat) now = at_warmth(now.warmth - most * step_t);
+            // Not from where all the liquid evaporates, or all the room is filled, past where part of it does.
+            const bool was_under = saturated > o.pore_vapour, is_under = now.saturated.concentration > pore;
+            if (!dries && was_under != is_under) pore = half_way(start, now.saturated.concentration, was_under);
         }
         return false;
     }
@@ -459,45 +515,60 @@ struct ExchangeInSegment {
         return trial;
     }
 
+    /// Saturation at a warmth that is mostly the trial's own, kg/m3: by its slope where that is right to 1e-9.
+    HL_FN double saturated_near(const Warm& now, double warmth) const
+    {
+        const double further = warmth - now.warmth;
+        if (std::abs(further) < 5e-4) return now.saturated.concentration + further * now.saturated.slope;
+        return saturation_concentration(climate.temperature + warmth);
+    }
+
     /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
-    HL_FN void accept(int i, const Start& start, const double* base, const double* response, const Warm& now, const Outcome& o) const
+    HL_FN void accept(int i, const Start& start, const ShellRows& rows, const Warm& now, const Outcome& o) const
     {
         const Fibre& fibre = start.fibre;
         const double capacity = start.capacity, temperature = now.temperature;
+        Outcome final = o;
         double taken = 0;
         if (sorption) {
             // A yarn that holds neither liquid nor vapour enough gives its fibres what there is.
-            const double offered = fmax_(0.0, s.liquid[i] + (vapour ? s.vapour[i] + fmax_(0.0, -o.to_air) : 0.0));
+            const double offered = fmax_(0.0, start.liquid + (vapour ? start.vapour + fmax_(0.0, -o.to_air) : 0.0));
             const double wanted = o.bound - fibre.bound;
             const double share = wanted > offered ? offered / wanted : 1.0;
-            for (int k = 0; k < s.shells; ++k) {
+            ShellWalk walk = from_the_skin(s.shells);
+            double outer = o.skin;
+            for (int k = s.shells - 1; k >= 0; --k) {
                 double& regain = s.regain[i * s.shells + k];
-                regain += share * (base[k] + response[k] * o.skin - regain);
+                const double before = regain;
+                outer = rows.known[k] + rows.follows[k] * outer;
+                regain += share * (outer - before);
+                taken += walk.inwards() * (regain - before);
             }
-            taken = bound_water(s, start.yarn, i) - fibre.bound;
+            taken *= fibre.dry_mass;
+            if (share < 1.0) final.heat = sorbing(start, fibre.bound + taken).value;
         }
-        double from_liquid = fmin_(o.from_liquid, s.liquid[i]);
-        double evaporated = vapour ? fmin_(o.evaporated, s.liquid[i] - from_liquid) : 0.0;
-        double pore = s.vapour[i] + evaporated - o.to_air - (taken - from_liquid);
+        double from_liquid = fmin_(o.from_liquid, start.liquid);
+        double evaporated = vapour ? fmin_(o.evaporated, start.liquid - from_liquid) : 0.0;
+        double pore = start.vapour + evaporated - o.to_air - (taken - from_liquid);
         if (pore < 0) {                          // rounding, or a fibre that drank the pore dry: the liquid makes up for it
             constexpr double most_cooling = 3.0; // K
             const double bearable = heat ? capacity * most_cooling / heat_of_evaporation(temperature) : -pore;
-            const double made_up = fmin_(fmin_(-pore, bearable), s.liquid[i] - from_liquid - evaporated);
+            const double made_up = fmin_(fmin_(-pore, bearable), start.liquid - from_liquid - evaporated);
             evaporated += made_up;
             pore += made_up;
         }
         double to_air = o.to_air + (pore < 0 ? pore : 0.0); // the air gives the rest
         if (pore < 0) pore = 0;
-        Outcome final = o;
         final.bound = fibre.bound + taken;
         final.from_liquid = from_liquid;
         final.evaporated = evaporated;
-        double released = heat ? phase_heat(start, final, half_way(start, final), temperature) : 0.0;
+        double released = heat ? phase_heat(start, final, temperature) : 0.0;
         const double lost = heat ? start.to_air_heat * (now.warmth - climate.air_warmth) : 0.0;
-        double reached = s.warmth[i] + (released - lost) / capacity;
+        const double per_capacity = plain_inverse(capacity);
+        double reached = start.warmth + (released - lost) * per_capacity;
         // What the air that is left cannot hold condenses, or leaves where there is no room for it.
-        const double left = s.liquid[i] - from_liquid - evaporated;
-        const double holds = saturation_concentration(climate.temperature + reached) * pore_air(s.pores[i], left, climate.density);
+        const double left = start.liquid - from_liquid - evaporated;
+        const double holds = saturated_near(now, reached) * pore_air(s.pores[i], left, climate.density);
         if (vapour && pore > holds) {
             const double condensed = fmax_(0.0, fmin_(pore - holds, climate.density * s.pores[i] - left));
             evaporated -= condensed;
@@ -506,10 +577,10 @@ struct ExchangeInSegment {
             if (heat) {
                 const double more = heat_of_evaporation(temperature) * condensed;
                 released += more;
-                reached += more / capacity;
+                reached += more * per_capacity;
             }
         }
-        s.liquid[i] = fmax_(0.0, s.liquid[i] - from_liquid - evaporated);
+        s.liquid[i] = fmax_(0.0, start.liquid - from_liquid - evaporated);
         s.vapour[i] = pore;
         s.evaporated[i] += to_air;
         if (!heat) return;

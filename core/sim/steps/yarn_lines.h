@@ -159,12 +159,36 @@ struct Shells {
     }
 };
 
+/// Goes through a fibre's shells one after the other.
+struct ShellWalk {
+    double width, left;          ///< left: how far the skin still is, before shells are drawn to it, of the radius
+    double square = left * left; ///< in radii of the fibre, as it is drawn
+
+    /// Over the next shell towards the skin; its share of the fibre's section.
+    HL_FN double outwards()
+    {
+        const double inner = square;
+        left -= width;
+        square = left * left;
+        return (inner - square) * (2.0 - inner - square);
+    }
+    HL_FN double inwards()
+    {
+        const double outer = square;
+        left += width;
+        square = left * left;
+        return (square - outer) * (2.0 - square - outer);
+    }
+};
+HL_FN ShellWalk from_the_middle(int shells) { return {1.0 / shells, 1.0}; }
+HL_FN ShellWalk from_the_skin(int shells) { return {1.0 / shells, 0.0}; }
+
 /// Water bound in a segment's fibres, kg.
 HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segment)
 {
-    const Shells shells(s.shells);
+    ShellWalk walk = from_the_middle(s.shells);
     double regain = 0;
-    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * shells.share(k);
+    for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * walk.outwards();
     return regain * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
 }
 
@@ -235,7 +259,7 @@ struct ConductAlongYarn {
 /// Volume of air in a segment's pores, m3; never quite none, so that a full yarn's vapour has a concentration.
 HL_FN double pore_air(double pores, double liquid, double density)
 {
-    const double air = pores - liquid / density;
+    const double air = pores - liquid * plain_inverse(density);
     return air > 1e-3 * pores ? air : 1e-3 * pores;
 }
 
