@@ -84,6 +84,13 @@ HL_FN double isotherm_shift(double temperature)
     return (water_molar_mass / gas_constant) * (1.0 / isotherm_temperature - plain_inverse(temperature));
 }
 
+/// e^x; of little x by its series, to 1e-14.
+HL_FN double exp_of_little(double x)
+{
+    if (std::abs(x) > 0.03) return std::exp(x);
+    return 1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120 + x * (1.0 / 720))))));
+}
+
 /// The humidity at 20 C that holds the same water as a humidity does where isotherms are shifted.
 struct ReferenceHumidity {
     double humidity = 0;
@@ -103,7 +110,7 @@ HL_FN ReferenceHumidity reference_humidity(double humidity, double shift, double
     r.rise = rise > low && rise < high ? rise : 0.0;
     double moved = 0;
     for (int round = 0; round < 60; ++round) {
-        r.ratio = std::exp(r.rise);
+        r.ratio = exp_of_little(r.rise);
         r.humidity = a * r.ratio < 1.0 ? a * r.ratio : 1.0;
         r.held = sorption_heat_at(r.humidity);
         const double excess = r.rise + r.held.heat * shift;

@@ -180,8 +180,8 @@ struct ShellWalk {
         return (square - outer) * (2.0 - square - outer);
     }
 };
-HL_FN ShellWalk from_the_middle(int shells) { return {1.0 / shells, 1.0}; }
-HL_FN ShellWalk from_the_skin(int shells) { return {1.0 / shells, 0.0}; }
+HL_FN ShellWalk from_the_middle(int shells) { return {plain_inverse(static_cast<double>(shells)), 1.0}; }
+HL_FN ShellWalk from_the_skin(int shells) { return {plain_inverse(static_cast<double>(shells)), 0.0}; }
 
 /// Water bound in a segment's fibres, kg.
 HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segment)
