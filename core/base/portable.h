@@ -108,7 +108,7 @@ HL_FN void atomic_min(int* target, int value)
 #endif
 }
 
-/// Reciprocal and square root of doubles that are neither tiny nor huge, the root's not 0; on a GPU to some 2^-52 of them, without the
+/// Reciprocal and square root of doubles that are neither tiny nor huge; on a GPU to some 2^-52 of them, without the
 /// branch for the others and the last rounding, which take half of the time.
 HL_FN double plain_inverse(double value)
 {
@@ -126,8 +126,8 @@ HL_FN double plain_root(double value)
 #ifdef __CUDA_ARCH__
     double inverse;
     asm("rsqrt.approx.ftz.f64 %0, %1;" : "=d"(inverse) : "d"(value));
-    const double close = value * inverse, error = __fma_rn(-close, inverse, 1.0);
-    return __fma_rn(close, error * __fma_rn(0.375, error, 0.5), close);
+    const double close = value > 0 ? value * inverse : 0.0, error = __fma_rn(-close, inverse, 1.0);
+    return value > 0 ? __fma_rn(close, error * __fma_rn(0.375, error, 0.5), close) : 0.0;
 #else
     return std::sqrt(value);
 #endif
