@@ -226,7 +226,7 @@ struct Particles {
     HL_FN bool at_wall(int i) const { return wall_segment[i] == vessel_wall; }
 };
 
-constexpr int usual_near = 64; // at most, at rest and with a skin
+constexpr int usual_near = 64, usual_distant = 112; // at most, at rest and with a skin
 /// Slots for at least so many neighbours, in whole packs, with room for one pack that may be empty.
 constexpr int slots_for(int neighbours) { return (neighbours / lanes + 1) * lanes; }
 constexpr int most_near = slots_for(120), most_distant = slots_for(152); // at rest 33 and 80 without a skin

@@ -333,15 +333,18 @@ HL_FN const int* distant_of(const Particles& p, int i)
 /// What near pairs keep as long as a step lasts.
 HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
 
+/// Lists lie one close behind the other, and memory is asked for so many slots beyond the own: for those of the next three particles or so.
+constexpr int slots_ahead = 128, slots_per_line = 64 / int(sizeof(int));
+
 /// Calls visit(slots) with one pack after the other of the near neighbours of i; with_slopes if it asks for slope_of() them.
 template <bool with_slopes = false, typename F> HL_FN void for_neighbours(const Particles& p, int i, const F& visit)
 {
     const int* slots = near_of(p, i);
     const int count = p.near_count[i];
     HL_UNROLL_WHOLE
-    for (int k = 0; k < usual_near; k += 64 / int(sizeof(int))) { // the next particle's
-        bring(slots + count + k);
-        if (with_slopes) bring(slope_of(p, slots) + count + k);
+    for (int k = 0; k < usual_near; k += slots_per_line) {
+        bring(slots + count + slots_ahead + k);
+        if (with_slopes) bring(slope_of(p, slots) + count + slots_ahead + k);
     }
     HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
@@ -352,6 +355,8 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
 {
     const int* slots = distant_of(p, i);
     const int count = p.distant_count[i];
+    HL_UNROLL_WHOLE
+    for (int k = 0; k < usual_distant; k += slots_per_line) bring(slots + count + slots_ahead + k);
     HL_UNROLL(4)
     for (int k = 0; k < count; k += lanes) visit(slots + k);
 }
