@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What a step of the free liquid costs: a drop in the air, and the same drop lying on textile F of the paper.
+// What a step of the free liquid costs: a drop in the air, and the same drop lying on textile F of the paper; and how that grows with the
+// number of particles.
 #include "core/sim/cpu_executor.h"
 #include "core/sim/solver.h"
 #include "tests/benchmarks/scenes.h"
@@ -43,6 +44,48 @@ BENCHMARK(liquid_step)
     ->Args({8000, 10, 1})
     ->Args({64000, 10, 0})
     ->Args({8000, 0, 0})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// The same number of steps after its release for drops of any number of particles (argument): smaller particles take smaller steps and
+/// relax within fewer seconds. So soon every step lists neighbours, without a skin, of all drops alike. Listing is the share of s/particle
+/// that is spent on it, the rest is what a step costs that lists nothing, on these lists.
+void liquid_step_after_release(benchmark::State& state)
+{
+    const auto particles = static_cast<double>(state.range(0));
+    Solver<CpuExecutor> solver;
+    solver.load(drop_scene(static_cast<int>(state.range(0)), 10));
+    const double burst = 2e-4 * std::sqrt(8000 / particles); // s, five steps
+    double time = 0;
+    while (solver.liquid_steps() < 40) time = solver.advance(time + burst, 1e9);
+    solver.time_stages();
+    const long steps = solver.liquid_steps(), listings = solver.listings();
+    for (auto _ : state) {
+        const long before = solver.liquid_steps();
+        const auto start = std::chrono::steady_clock::now();
+        for (const double end = time + burst; time < end - 1e-9 * burst;) time = solver.advance(end, 1e9);
+        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        state.SetIterationTime(wall / static_cast<double>(std::max(1L, solver.liquid_steps() - before)));
+    }
+    const auto all = static_cast<double>(std::max(1L, solver.liquid_steps() - steps));
+    double listing = 0, rest = 0;
+    for (const StageTime& stage : solver.executor().stage_times()) {
+        const bool lists = stage.name == "find box" || stage.name == "find cell" || stage.name == "sort" || stage.name == "reorder" ||
+                           stage.name == "neighbours";
+        (lists ? listing : rest) += stage.seconds / (all * particles);
+    }
+    state.counters["listings"] = static_cast<double>(solver.listings() - listings) / all;
+    state.counters["listing"] = listing;
+    state.counters["rest"] = rest;
+    state.counters["s/particle"] = listing + rest;
+}
+BENCHMARK(liquid_step_after_release)
+    ->ArgName("particles")
+    ->Arg(1000)
+    ->Arg(8000)
+    ->Arg(64000)
+    ->Arg(1000000)
+    ->Iterations(5)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
