@@ -136,7 +136,7 @@ HL_FN ReferenceHumidity reference_humidity(double humidity, double shift, double
 /// regain.
 HL_FN WithSlope humidity_at_reference(const RegainLaw& law, double regain)
 {
-    if (regain <= 0) return {0, law.b0 / law.scale};
+    if (regain <= 0) return {0, law.scale > 0 ? law.b0 / law.scale : 0.0};
     // b2 w a2 + (b1 w - scale) a + b0 w = 0, whose root between 0 and 1 is asked for.
     const double b0 = law.b0 * regain, b1 = law.b1 * regain - law.scale, b2 = law.b2 * regain;
     const double inside = b1 * b1 - 4.0 * b2 * b0, root = plain_root(inside > 1e-30 ? inside : 1e-30);

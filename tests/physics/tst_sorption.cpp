@@ -23,6 +23,17 @@ Isotherm isotherm_of(const char* name)
 class TestSorption : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void fibresThatTakeUpNothingHaveNoSlope()
+    {
+        Isotherm nothing;
+        nothing.standard_regain = nothing.saturation_regain = 0;
+        const RegainLaw law = regain_law(nothing);
+        for (double regain : {0.0, 1e-12}) {
+            const WithSlope humidity = humidity_at_reference(law, regain);
+            QVERIFY(std::isfinite(humidity.value) && std::isfinite(humidity.slope));
+        }
+        QCOMPARE(regain_at_reference(nothing, 0.7), 0.0);
+    }
     void masterCurvePassesItsTable_data()
     {
         QTest::addColumn<double>("humidity");

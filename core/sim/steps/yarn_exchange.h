@@ -209,7 +209,7 @@ struct ExchangeInSegment {
                skin > -1e-9;
     }
 
-    /// Implicit Euler on shells (see Shells) with the skin held at a regain, eliminated from the middle outwards.
+    /// Implicit Euler on shells (see ShellWalk) with the skin held at a regain, eliminated from the middle outwards.
     HL_FN Fibre prepare_fibre(int i, const YarnParameters& yarn, ShellRows& rows) const
     {
         const int n = s.shells;
@@ -404,11 +404,12 @@ struct ExchangeInSegment {
 
     /// Pore vapour and warmth together by Newton's rounds, from the vapour that was foreseen; false when they do not close in, which kinks
     /// can cause, and the bracketed searches are to do it. Ends where 1e-8 of the pore's vapour at saturation and 1e-8 K are left open, or
-    /// with a round that leaves less than 1e-6 of saturation: as rounds shrink at least as the last one did, and go on as their square.
+    /// with a round that leaves less than some 1e-5 of saturation: as rounds on one side of all kinks go on as the square of the last one.
     HL_FN bool newton(const Start& start, int i, Warm& now, Outcome& o) const
     {
         double pore = first_vapour(start, i, now.saturated.concentration);
         double near = 0, before = 0;
+        int side_before = -1;
         for (int round = 0; round < 12; ++round) {
             const auto [saturated, saturated_slope] = now.saturated;
             o = try_vapour(start, now, pore, near);
@@ -446,7 +447,9 @@ struct ExchangeInSegment {
                 step_p = mass * near_inverse(mass_p);
             }
             const double size = (std::abs(step_p) + saturated_slope * std::abs(step_t)) * now.per_saturation;
-            if (size * size < 1e-6 * before) {
+            const int side = (dries ? 1 : 0) + (drinks ? 2 : 0) + (saturated > pore ? 4 : 0); // of the kinks
+            const bool stays = side == side_before && (saturated - saturated_slope * step_t > pore - step_p) == (saturated > pore);
+            if (stays && size * size < 1e-6 * fmin_(before, 1.0)) {
                 const double skin_step = skin.to_vapour * step_p + skin.to_warmth * step_t;
                 const double bound_step = start.fibre.slope * skin_step;
                 o.pore_vapour = fmax_(0.0, pore - step_p);
@@ -462,6 +465,7 @@ struct ExchangeInSegment {
                 return true;
             }
             before = size;
+            side_before = side;
             const double most = 5.0 * near_inverse(fmax_(5.0, std::abs(step_t)));
             pore = pore - most * step_p > 0 ? pore - most * step_p : 0.1 * pore;
             if (heat) now = at_warmth(now.warmth - most * step_t);

@@ -141,25 +141,7 @@ HL_FN double heat_capacity(const YarnParameters& yarn, double length, double wat
     return length * yarn.fibre_area * yarn.fibre_density * yarn.fibre_specific_heat + water * water_specific_heat;
 }
 
-/// Shells that divide a fibre: thinner towards the skin, where water enters first.
-struct Shells {
-    double width; ///< of a shell, before they are drawn to the skin
-    HL_FN explicit Shells(int count) : width(1.0 / count) {}
-    /// Radius over the fibre's at which shell k begins.
-    HL_FN double start(int k) const
-    {
-        const double inwards = 1.0 - k * width;
-        return 1.0 - inwards * inwards;
-    }
-    /// Of the fibre's section, in shell k.
-    HL_FN double share(int k) const
-    {
-        const double inner = start(k), outer = start(k + 1);
-        return (outer - inner) * (outer + inner);
-    }
-};
-
-/// Goes through a fibre's shells one after the other.
+/// Goes one after the other through the shells that divide a fibre: thinner towards the skin, where water enters first.
 struct ShellWalk {
     double width, left;          ///< left: how far the skin still is, before shells are drawn to it, of the radius
     double square = left * left; ///< in radii of the fibre, as it is drawn
