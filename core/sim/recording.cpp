@@ -127,6 +127,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
     {
         const h5::Handle provenance = h5::create_group(file, "provenance");
         h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + HYGROLOOM_VERSION);
+        h5::write_text(provenance.get(), "version", HYGROLOOM_VERSION);
         h5::write_text(provenance.get(), "commit", HYGROLOOM_COMMIT);
         h5::write_text(provenance.get(), "fabric", run.fabric);
         h5::write_text(provenance.get(), "experiment", run.experiment);
@@ -206,6 +207,7 @@ void RecordingWriter::finish(double wall)
 {
     const h5::Quiet quiet;
     h5::write_number(file_->file.get(), "wall_s", wall);
+    h5::write_number(h5::open_group(file_->file.get(), "provenance").get(), "wall_s", wall);
     file_->ledger.reset();
     file_->file.reset();
 }
