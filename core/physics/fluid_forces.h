@@ -78,8 +78,8 @@ HL_FN Real wall_share(Real cosine)
 }
 
 /// Of a spacing: so far behind a vessel's face begins the liquid that it counts as in the density. Without it the first layer keeps off
-/// the face, liquid inside is pressed together by what it lacks at its sides, and particles at rest rattle. A calibration on the
-/// pressure in boxes of 1 000 to 8 000 particles, 10 to 40 mm deep (0.04, 0.06, 0.08 and 0.1 spacings: at most 7, 5, 3 and 1.5 % too high).
+/// the face, liquid inside is pressed together by what it lacks at its sides, and particles at rest rattle. A calibration on pressures
+/// in boxes of 2 000 and 8 000 particles, 10 to 40 mm deep, and on the speeds of drops at rest; see DECISIONS.md.
 constexpr Real wall_recess = Real(0.1);
 
 /// The same of yarns' beads, which touch otherwise: a calibration on plates without recess and 1 000 to 16 000 particles.

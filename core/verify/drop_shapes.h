@@ -16,7 +16,7 @@ struct DropOnPlate {
 };
 
 /// By the curvature of its top, 1/m, the angle in rad from 0 to pi, and weight: density x gravity / surface tension, 1/m2, 0 for a cap of a
-/// ball. Relative error below 1e-7.
+/// ball. Relative error below 1e-6.
 DropOnPlate drop_of_top(double top_curvature, double contact_angle, double weight);
 
 /// By its volume.

@@ -62,9 +62,13 @@ std::vector<Frame> frames_at(Backend& backend, const Scene& scene, const std::ve
 
 const Material& library_material(const std::string& name)
 {
-    const Material* material = find_library_material(name);
-    if (!material) throw Error("There is no material \"" + name + "\" in the library.");
-    return *material;
+    static const std::map<std::string, std::string> usual{{"nylon", "nylon 6.6"}, {"linen", "flax"}, {"rayon", "viscose"}};
+    const auto known = usual.find(name);
+    const Material* material = find_library_material(known == usual.end() ? name : known->second);
+    if (material) return *material;
+    std::string names;
+    for (const Material& one : material_library()) names += (names.empty() ? "" : ", ") + one.name;
+    throw Error("There is no material \"" + name + "\" in the library; there are: " + names + ".");
 }
 
 const Fabric& library_fabric(const std::string& name)

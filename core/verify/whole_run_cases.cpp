@@ -23,9 +23,12 @@ ExperimentType experiment_type(const std::string& word)
 }
 
 /// A laboratory's experiment on a sample of a few millimetres, long enough for a part of it.
-Experiment small_experiment(ExperimentType type, double volume, double duration)
+Experiment small_experiment(const VerifyValues& v)
 {
+    const ExperimentType type = experiment_type(v.at("experiment").word);
+    const double volume = v.at("volume_ul").value, duration = v.at("duration_s").value;
     Experiment experiment = standard_experiment(type);
+    experiment.climate.temperature_c = v.at("temperature_c").value;
     experiment.sample_mm = {12, 12};
     if (type == ExperimentType::vertical_wicking) experiment.sample_mm = {4, 30};
     experiment.immersion_mm = 5;
@@ -60,8 +63,7 @@ SmallRun run_small(const VerifyValues& v, Backend& backend)
 {
     Fabric fabric = library_fabric(v.at("fabric").word);
     if (v.at("contact_angle_deg").value >= 0) fabric.contact_angle_deg = v.at("contact_angle_deg").value;
-    const ExperimentType type = experiment_type(v.at("experiment").word);
-    const Design design = design_of(fabric, small_experiment(type, v.at("volume_ul").value, v.at("duration_s").value));
+    const Design design = design_of(fabric, small_experiment(v));
     RunOptions options;
     options.fidelity = Fidelity::draft;
     options.forced = {{"vapour", true}, {"heat", true}, {"sorption", true}};
@@ -221,8 +223,7 @@ std::vector<VerifyResult> experiments_agree(const VerifyValues& v, Backend& back
 std::vector<VerifyResult> goes_on_on_cpu(const VerifyValues& v, Backend& backend)
 {
     const double duration = v.at("duration_s").value;
-    const Design design = design_of(library_fabric(v.at("fabric").word),
-                                    small_experiment(experiment_type(v.at("experiment").word), v.at("volume_ul").value, duration));
+    const Design design = design_of(library_fabric(v.at("fabric").word), small_experiment(v));
     const Experiment& experiment = design.experiments[0];
     const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"vapour", true}, {"heat", true}});
     const Textile textile = textile_of_run(design, design.fabrics[0], experiment, plan.region);
@@ -251,11 +252,9 @@ std::vector<VerifyResult> goes_on_on_cpu(const VerifyValues& v, Backend& backend
 
 std::vector<VerifyCase> whole_run_cases()
 {
-    const std::vector<VerifyParameter> small_run{{"experiment", 0, 0, 0, "droplet"},
-                                                 {"fabric", 0, 0, 0, "Textile F"},
-                                                 {"duration_s", 1, 1e-3, 1e4, ""},
-                                                 {"volume_ul", 3, 1e-3, 100, ""},
-                                                 {"contact_angle_deg", -1, -1, 180, ""}};
+    const std::vector<VerifyParameter> small_run{{"experiment", 0, 0, 0, "droplet"}, {"fabric", 0, 0, 0, "Textile F"},
+                                                 {"duration_s", 1, 1e-3, 1e4, ""},   {"volume_ul", 3, 1e-3, 100, ""},
+                                                 {"temperature_c", 20, -10, 60, ""}, {"contact_angle_deg", -1, -1, 180, ""}};
     return {
         {"conservation",
          "An experiment on a small sample with all physics: drift of mass over the water there is, of energy over the heat exchanged. A "

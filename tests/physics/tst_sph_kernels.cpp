@@ -124,7 +124,7 @@ private Q_SLOTS:
                 attracts = attraction(cosine);
                 counts = share(cosine);
             }
-            QVERIFY(std::abs(share(Real(-1e-8)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees
+            QVERIFY(std::abs(share(Real(-1e-8)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees, where a vessel's falls with the root
         }
     }
     void surfaceForceIsTheSlopeOfTheSurfacesEnergy()
