@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -99,7 +100,7 @@ std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
     plan.particles_per_droplet = static_cast<int>(value(v, "particles"));
     const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
     const HostCloth cloth(scene);
-    double half_way = spacing;
+    double half_way = std::numeric_limits<double>::infinity();
     for (const ContactShape& shape : scene.shapes) half_way = std::min(half_way, 0.5 * shape.half_height);
     int inside = 0;
     double drift = 0;

@@ -96,6 +96,10 @@ private Q_SLOTS:
                                        << "depth_mm=45 particles=4000";
         QTest::newRow("a drop fired at a dense fabric") << "impact"
                                                         << "fabric=Denim speed_m_s=5 volume_ul=3";
+        QTest::newRow("a large warm drop that hardly wets") << "sessile_drop"
+                                                            << "contact_angle_deg=140 temperature_c=50 volume_ul=12 particles=2000";
+        QTest::newRow("a drop fired at steep yarns") << "impact"
+                                                     << "fabric=B speed_m_s=5";
         QTest::newRow("a drop fired at an open fabric") << "impact"
                                                         << "fabric=C speed_m_s=1 volume_ul=8 particles=1000";
         QTest::newRow("wide tube, wetting") << "washburn"
