@@ -333,7 +333,8 @@ HL_FN const int* distant_of(const Particles& p, int i)
 /// What near pairs keep as long as a step lasts.
 HL_FN Real* slope_of(const Particles& p, const int* slots) { return p.slope + (slots - p.near); }
 
-/// Lists lie one close behind the other, and memory is asked for so many slots beyond the own: for near neighbours those of the next three particles, for distant ones of the next.
+/// Lists lie one close behind the other, and memory is asked for so many slots beyond the own: for near neighbours those of the next three
+/// particles, for distant ones of the next.
 constexpr int slots_ahead = 128, slots_per_line = 64 / int(sizeof(int));
 
 /// Calls visit(slots) with one pack after the other of the near neighbours of i; with_slopes if it asks for slope_of() them.
