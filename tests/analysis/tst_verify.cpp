@@ -201,6 +201,10 @@ private Q_SLOTS:
                                             << "temperature_c=60 relative_humidity=0";
         QTest::newRow("chilly") << "wet_bulb"
                                 << "temperature_c=10 relative_humidity=0.5";
+        QTest::newRow("in the frost") << "wet_bulb"
+                                      << "temperature_c=-10 relative_humidity=0.3";
+        QTest::newRow("drying in saturated air") << "drying_rate"
+                                                 << "relative_humidity=1";
         QTest::newRow("no evaporation") << "wet_bulb"
                                         << "relative_humidity=1";
         QTest::newRow("drying in a storm") << "drying_rate"
