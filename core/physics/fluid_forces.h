@@ -82,7 +82,8 @@ HL_FN Real wall_share(Real cosine)
 /// in boxes of 2 000 and 8 000 particles, 10 to 40 mm deep, and on the speeds of drops at rest; see DECISIONS.md.
 constexpr Real wall_recess = Real(0.1);
 
-/// The same of yarns' beads, which touch otherwise: a calibration on plates without recess and 1 000 to 16 000 particles.
+/// Attraction and share of yarns' beads, which touch otherwise: a calibration on plates without recess and 1 000 to 16 000 particles,
+/// the attraction since scaled with the surface's energy. No case measures angles on yarns.
 HL_FN Real bead_attraction(Real cosine)
 {
     constexpr Real at_all = Real(0.0536);

@@ -31,6 +31,9 @@ Scene cloth_with_gaps(double gap)
     return scene;
 }
 
+/// Of all water there ever was.
+double water_drift(const Ledger& ledger) { return std::abs(ledger.water_imbalance()) / (ledger.water_delivered + ledger.water_initial); }
+
 /// A NaN is not forgotten.
 double larger_or_nan(double a, double b) { return b > a || std::isnan(b) ? b : a; }
 
@@ -45,9 +48,10 @@ std::vector<double> moments_of_impact(double height, double radius, double speed
     return times;
 }
 
-/// How far a place lies under the nearest skin, m.
+/// How far a place lies under the nearest skin, m; NaN where there is no such place.
 double under_skin(const HostCloth& cloth, const std::array<float, 3>& x, double spacing)
 {
+    if (!std::isfinite(x[0] + x[1] + x[2])) return std::numeric_limits<double>::quiet_NaN();
     return -static_cast<double>(nearest_skin(cloth.shape(), {Real(x[0]), Real(x[1]), Real(x[2])}, static_cast<Real>(spacing)).distance);
 }
 
@@ -79,8 +83,9 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
     return results;
 }
 
-/// A drop strikes a fabric of the library, which drinks as it does: how many particles are ever seen inside yarn, and whether water is
-/// lost.
+/// A drop strikes a fabric of the library, which drinks as it does: how many particles are ever seen deeper in a yarn than half-way to its
+/// middle, where those must be that pass through it, or nowhere, and whether water is lost. In wedges between yarns particles stand up to a
+/// quarter of their spacing under a skin (see MeetYarns); where yarns climb steeply (textiles A and B) up to 1.3 spacings at 5 m/s.
 std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
 {
     const double volume = value(v, "volume_ul"), speed = value(v, "speed_m_s"), height = 0.2; // mm
@@ -105,9 +110,9 @@ std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
     int inside = 0;
     double drift = 0;
     for (const Frame& f : frames_at(backend, scene, times)) {
-        const auto is_inside = [&](const auto& x) { return !(under_skin(cloth, x, spacing) <= half_way); }; // or nowhere
+        const auto is_inside = [&](const auto& x) { return !(under_skin(cloth, x, spacing) <= half_way); };
         inside = std::max(inside, static_cast<int>(std::count_if(f.positions.begin(), f.positions.end(), is_inside)));
-        drift = larger_or_nan(drift, std::abs(f.ledger.water_imbalance()) / (f.ledger.water_delivered + f.ledger.water_initial));
+        drift = larger_or_nan(drift, water_drift(f.ledger));
     }
     return {{"penetrated_particles", static_cast<double>(inside), 0, 0, Rule::at_most}, {"mass_drift", drift, 0, 1e-12}};
 }
@@ -126,7 +131,7 @@ std::vector<VerifyResult> drop_conservation(const VerifyValues& v, Backend& back
     for (int k = 1; k <= 40; ++k) times.push_back(duration * k / 40.0);
     double imbalance = 0, fullest = 0;
     for (const Frame& f : frames_at(backend, scene, times)) {
-        imbalance = larger_or_nan(imbalance, std::abs(f.ledger.water_imbalance()) / (f.ledger.water_delivered + f.ledger.water_initial));
+        imbalance = larger_or_nan(imbalance, water_drift(f.ledger));
         for (float s : f.saturation) fullest = std::max(fullest, static_cast<double>(s));
     }
     return {{"water_imbalance", imbalance, 0, 1e-12},

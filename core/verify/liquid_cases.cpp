@@ -238,6 +238,7 @@ std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
     for (const Frame& f : frames_at(backend, scene, times)) values.push_back(deflection(f, mode));
     const Swing swing = fit_swing(times, values, 1.0 / period);
     const double viscous = radius * radius * water.density / ((mode - 1.0) * (2.0 * mode + 1.0) * water.viscosity);
+    // A fifth of the damping time: none is published.
     VerifyResult frequency{"frequency_hz", swing.frequency, 1.0 / period, 0.08 / period};
     if (mode > 3) frequency = known_miss(frequency, "Its waves are few spacings long.");
     return {frequency,
