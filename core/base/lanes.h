@@ -24,6 +24,14 @@ HL_FN const Quad* at_slot(const Quad* first, int slot)
     return reinterpret_cast<const Quad*>(reinterpret_cast<const char*>(first) + slot);
 }
 
+// A list's packs lie between those of the elements that a warp works on beside it, so that the warp reads them together.
+/// Of the list of an element; all have room for so many, whole packs.
+HL_FN std::int64_t begin_of_list(int element, int room)
+{
+    return std::int64_t(element / elements_beside) * elements_beside * room + element % elements_beside * lanes;
+}
+HL_FN int place_in_list(int number) { return (number & -lanes) * elements_beside + (number & (lanes - 1)); }
+
 /// Copies for all threads that share an element, each a part of it.
 template <typename T> HL_FN void copy_together(T& to, const T& from)
 {
@@ -99,11 +107,11 @@ HL_FN void store(Real* at, Pack pack) { at[own_lane()] = pack; }
 HL_FN bool lanes_below(int count) { return own_lane() < count; }
 HL_FN bool lanes_but(int lane) { return own_lane() != lane; }
 HL_FN Pack first_lanes(int count) { return own_lane() < count ? Real(1) : Real(0); }
-/// Writes the slots of the lanes wanted, side by side, and says how many; none where there is no room.
-HL_FN int list_lanes(bool wanted, int own, int* slots, bool has_room)
+/// Writes the slots of the lanes wanted to a list behind those that it has, and says how many; none where there is no room.
+HL_FN int list_lanes(bool wanted, int own, int* list, int count, bool has_room)
 {
     const unsigned set = lanes_where(wanted && has_room), before = (1u << own_lane()) - 1;
-    if (wanted && has_room) slots[bits_in(set & before)] = slot_of(own);
+    if (wanted && has_room) list[place_in_list(count + bits_in(set & before))] = slot_of(own);
     return bits_in(set);
 }
 
@@ -227,12 +235,13 @@ struct LaneTable {
 };
 inline constexpr LaneTable lane_table;
 
-/// Writes the slot of first + lane for each wanted lane, side by side, and says how many; a whole pack of slots is written to.
-inline int list_lanes(const Mask& wanted, int first, int* slots, bool has_room)
+/// Writes the slot of first + lane for each wanted lane to a list behind those that it has, and says how many; a whole pack of slots is
+/// written to.
+inline int list_lanes(const Mask& wanted, int first, int* list, int count, bool has_room)
 {
     if (!has_room) return 0;
     const unsigned set = bits_of(wanted);
-    *reinterpret_cast<LooseSlots*>(slots) = slot_of(first) + lane_table.slots[set];
+    *reinterpret_cast<LooseSlots*>(list + count) = slot_of(first) + lane_table.slots[set];
     return lane_table.count[set];
 }
 

@@ -63,9 +63,10 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     for (auto* b : {&wall_segment_, &sorted_segment_, &key_, &order_, &near_first_, &distant_first_, &near_count_, &distant_count_})
         b->resize(capacity);
     for (auto* b : {&content_, &sorted_content_}) b->resize(capacity);
-    near_.resize(capacity * most_near);
-    slope_.resize(capacity * most_near);
-    distant_.resize(capacity * most_distant);
+    const std::size_t lists = (capacity + elements_beside - 1) / elements_beside * elements_beside;
+    near_.resize(lists * most_near);
+    slope_.resize(lists * most_near);
+    distant_.resize(lists * most_distant);
     for (auto* b : {&listed_x_, &listed_y_, &listed_z_}) b->resize(capacity + lanes);
     drinks_ = std::any_of(scene_.yarns.begin(), scene_.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
     cloth_.resize(capacity);
@@ -268,10 +269,12 @@ template <typename Executor> LiquidFlow Solver<Executor>::liquid_flow()
     LiquidFlow flow;
     flow.control = control_.data();
     flow.rules = rules_;
-    flow.sides[0] = particle_views();
+    flow.particles = particle_views();
     change_sides();
-    flow.sides[1] = particle_views();
+    const Particles other = particle_views();
     change_sides();
+    flow.sorted = {other.position,     other.velocity, other.place,  other.wall_normal, other.wall_distance,
+                   other.wall_segment, other.mirrored, other.stress, other.cloth_from,  other.content};
     flow.textile = shape();
     flow.beads = beads();
     flow.liquid = liquid();

@@ -226,6 +226,36 @@ struct Particles {
     HL_FN bool at_wall(int i) const { return wall_segment[i] == vessel_wall; }
 };
 
+/// Where sorting brings particles in another order.
+struct SortedParticles {
+    Vec3* position = nullptr;
+    Vec3* velocity = nullptr;
+    Quad* place = nullptr;
+    Vec3* wall_normal = nullptr;
+    Real* wall_distance = nullptr;
+    int* wall_segment = nullptr;
+    Real* mirrored = nullptr;
+    Real* stress = nullptr;
+    ClothExpansion* cloth_from = nullptr;
+    std::int64_t* content = nullptr;
+
+    /// The particles there; what has no order between steps is the same.
+    HL_FN Particles of(Particles p) const
+    {
+        p.position = position;
+        p.velocity = velocity;
+        p.place = place;
+        p.wall_normal = wall_normal;
+        p.wall_distance = wall_distance;
+        p.wall_segment = wall_segment;
+        p.mirrored = mirrored;
+        p.stress = stress;
+        p.cloth_from = cloth_from;
+        p.content = content;
+        return p;
+    }
+};
+
 constexpr int usual_near = 64, usual_distant = 112; // at most, at rest and with a skin
 /// Slots for at least so many neighbours, in whole packs, with room for one pack that may be empty.
 constexpr int slots_for(int neighbours) { return (neighbours / lanes + 1) * lanes; }

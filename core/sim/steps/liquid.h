@@ -172,7 +172,7 @@ struct FindNeighbours {
     static constexpr bool wide = true;
 
 #if HL_LANE_IS_THREAD
-    HL_FN void operator()(int i) const { list(i, p.near + std::int64_t(i) * most_near, p.distant + std::int64_t(i) * most_distant); }
+    HL_FN void operator()(int i) const { list(i, p.near + begin_of_list(i, most_near), p.distant + begin_of_list(i, most_distant)); }
 #else
     void operator()(int i) const { (*this)(i, i + 1); }
     /// Lists one close behind the other. Where they begin hangs on who lists what; what they say does not.
@@ -198,12 +198,12 @@ private:
         for_candidates({*grid, x, reach}, i, [&](const auto& wanted, const auto& j, const Pack& distance2) {
             const auto others = wanted & (distance2 < reach2);
             // What there is no room for is left out, which only happens where many are pressed together.
-            near_count += list_lanes(others & (distance2 < support2), j, near_slots + near_count, near_count <= most_near - lanes);
+            near_count += list_lanes(others & (distance2 < support2), j, near_slots, near_count, near_count <= most_near - lanes);
             distant_count +=
-                list_lanes(others & (distance2 >= support2), j, distant_slots + distant_count, distant_count <= most_distant - lanes);
+                list_lanes(others & (distance2 >= support2), j, distant_slots, distant_count, distant_count <= most_distant - lanes);
         });
-        for (; near_count % lanes != 0; ++near_count) near_slots[near_count] = slot_of(p.room);
-        for (; distant_count % lanes != 0; ++distant_count) distant_slots[distant_count] = slot_of(p.room);
+        for (; near_count % lanes != 0; ++near_count) near_slots[place_in_list(near_count)] = slot_of(p.room);
+        for (; distant_count % lanes != 0; ++distant_count) distant_slots[place_in_list(distant_count)] = slot_of(p.room);
         p.near_count[i] = near_count;
         p.distant_count[i] = distant_count;
     }
@@ -323,11 +323,11 @@ private:
 /// The slots of a particle's near neighbours.
 HL_FN const int* near_of(const Particles& p, int i)
 {
-    return p.near + (HL_LANE_IS_THREAD ? std::int64_t(i) * most_near : std::int64_t(p.near_first[i]) * lanes);
+    return p.near + (HL_LANE_IS_THREAD ? begin_of_list(i, most_near) : std::int64_t(p.near_first[i]) * lanes);
 }
 HL_FN const int* distant_of(const Particles& p, int i)
 {
-    return p.distant + (HL_LANE_IS_THREAD ? std::int64_t(i) * most_distant : std::int64_t(p.distant_first[i]) * lanes);
+    return p.distant + (HL_LANE_IS_THREAD ? begin_of_list(i, most_distant) : std::int64_t(p.distant_first[i]) * lanes);
 }
 
 /// What near pairs keep as long as a step lasts.
@@ -348,7 +348,7 @@ template <bool with_slopes = false, typename F> HL_FN void for_neighbours(const 
         if (with_slopes) bring(slope_of(p, slots) + count + slots_ahead + k);
     }
     HL_UNROLL(4)
-    for (int k = 0; k < count; k += lanes) visit(slots + k);
+    for (int k = 0; k < count; k += lanes) visit(slots + k * elements_beside);
 }
 
 /// The same with the distant neighbours of i.
@@ -359,7 +359,7 @@ template <typename F> HL_FN void for_distant_neighbours(const Particles& p, int 
     HL_UNROLL_WHOLE
     for (int k = 0; k < usual_distant; k += slots_per_line) bring(slots + count + slots_ahead + k);
     HL_UNROLL(4)
-    for (int k = 0; k < count; k += lanes) visit(slots + k);
+    for (int k = 0; k < count; k += lanes) visit(slots + k * elements_beside);
 }
 
 HL_FN Packs between(const Quad& own, const Quads& others) { return {own.x - others.x, own.y - others.y, own.z - others.z}; }

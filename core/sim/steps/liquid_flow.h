@@ -16,7 +16,8 @@ namespace hygroloom::inline HL_PRECISION {
 struct LiquidFlow {
     LiquidControl* control = nullptr;
     LiquidRules rules;
-    Particles sides[2]; ///< the same but for what sorting brings into another order
+    Particles particles;    ///< on side 0
+    SortedParticles sorted; ///< on side 1
     TextileShape textile;
     Beads beads;
     LiquidParameters liquid;
@@ -35,16 +36,17 @@ struct LiquidFlow {
         int side = 0;
         executor.for_each("begin flow", 1, BeginFlow{control, rules});
         executor.loop(&control->goes, [&] { step(executor, side); });
-        if (drinks) executor.when(&control->drains, [&] { give_to_segments(executor, sides[side], Nothing{}); });
+        if (drinks) executor.when(&control->drains, [&] { give_to_segments(executor, on(side), Nothing{}); });
     }
 
 private:
-    HL_FN Counted all_particles() const { return {&control->count, sides[0].room}; }
+    HL_FN Particles on(int side) const { return side == 0 ? particles : sorted.of(particles); }
+    HL_FN Counted all_particles() const { return {&control->count, particles.room}; }
 
     template <typename Executor> HL_FN void step(Executor& executor, int& side) const
     {
         list_neighbours(executor, side);
-        const Particles& p = sides[side];
+        const Particles p = on(side);
         executor.for_each("cloth, surface", all_particles(), InTurn<FeelCloth, FindSurface>{{p, textile, beads}, {p, liquid}});
         executor.for_each("forces", all_particles(), FindForces{p, liquid});
         correct_pressure(executor, p);
@@ -69,16 +71,16 @@ private:
     /// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
     template <typename Executor> HL_FN void list_neighbours(Executor& executor, int& side) const
     {
-        const Particles& p = sides[side];
+        const Particles p = on(side);
         executor.when(&control->begins, [&] {
             executor.for_each("begin step", all_particles(), BeginStep{p, Real(1), control->moved, &control->dead});
         });
         executor.for_each("farthest moved", all_particles(), FindFarthestMoved{p, control->moved, &control->farthest},
                           DecideListing{control, rules});
         executor.when(&control->lists, [&] {
-            sort_particles(executor, p, sides[1 - side]);
+            sort_particles(executor, p, on(1 - side));
             side = 1 - side;
-            executor.for_each("neighbours", all_particles(), FindNeighbours{sides[side], &control->grid, &control->skin});
+            executor.for_each("neighbours", all_particles(), FindNeighbours{on(side), &control->grid, &control->skin});
         });
     }
     template <typename Executor> HL_FN void sort_particles(Executor& executor, const Particles& from, const Particles& to) const
