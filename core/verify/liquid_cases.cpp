@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The free liquid: drops that swing, rest and fall, against closed forms.
-#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/physics/fluid_forces.h"
 #include "core/sim/droplet.h"
@@ -219,7 +218,6 @@ std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
 {
     const double radius = 1e-3 * value(v, "radius_mm");
     const int mode = static_cast<int>(value(v, "mode"));
-    if (mode != value(v, "mode")) throw Error("mode: Must be 2, 3 or 4.");
     Scene scene = ball(particles_of(v), radius, temperature_of(v));
     const ClimateParameters& water = scene.climate;
     const auto rate_of = [&](int l) {
@@ -444,27 +442,27 @@ std::vector<VerifyResult> impact_spread(const VerifyValues& v, Backend& backend)
 
 std::vector<VerifyCase> liquid_cases()
 {
-    const VerifyParameter particles{"particles", 1000, 200, 1e6, ""};
+    const VerifyParameter particles = whole_number("particles", 1000, 200, 1e6);
     const VerifyParameter radius{"radius_mm", 1, 0.1, 10, ""};
     const VerifyParameter volume{"volume_ul", 5, 0.01, 1000, ""};
     const VerifyParameter temperature{"temperature_c", 20, -10, 60, ""};
-    const VerifyParameter many{"particles", 8000, 200, 1e6, ""};
+    const VerifyParameter many = whole_number("particles", 8000, 200, 1e6);
     return {
         {"rayleigh_drop",
          "A drop swings: frequency and damping time.",
-         {radius, {"mode", 2, 2, 4, ""}, particles, {"amplitude", 0.05, 0.005, 0.3, ""}, temperature},
+         {radius, whole_number("mode", 2, 2, 4), particles, {"amplitude", 0.05, 0.005, 0.3, ""}, temperature},
          rayleigh_drop},
         {"laplace_pressure",
          "Pressure in a drop at rest and in one of twice its radius.",
-         {radius, many, {"starts", 1, 1, 100, ""}, temperature},
+         {radius, many, whole_number("starts", 1, 1, 100), temperature},
          laplace_pressure},
         {"sessile_drop",
          "A drop on a smooth plate, whose wall is calibrated on 5 ul without gravity, settles to a cap, with gravity to Young and "
          "Laplace's shape; it is given twelve capillary times unless time_s says otherwise.",
          {volume,
           {"contact_angle_deg", 90, 20, 160, ""},
-          {"particles", 4000, 200, 1e6, ""},
-          {"gravity", 0, 0, 1, ""},
+          whole_number("particles", 4000, 200, 1e6),
+          on_or_off("gravity", false),
           {"off_by", 0.3, 0, 1, ""},
           {"time_s", 0, 0, 10, ""},
           temperature},
@@ -479,7 +477,7 @@ std::vector<VerifyCase> liquid_cases()
          falling_drop},
         {"hydrostatic",
          "A column of water in a box: pressure by depth.",
-         {{"depth_mm", 20, 1, 100, ""}, {"particles", 8000, 1000, 1e5, ""}, temperature},
+         {{"depth_mm", 20, 1, 100, ""}, whole_number("particles", 8000, 1000, 1e5), temperature},
          hydrostatic},
         {"impact_spread",
          "A drop strikes a plate that it hardly wets: how far it spreads.",

@@ -265,7 +265,7 @@ std::vector<VerifyCase> measured_fibre_cases()
         {"measured_n1",
          "Heats of wetting of dry fibres, to saturation and to 65 % relative humidity. With calibrated=1 the library's heats, which were "
          "scaled to this table; with 0 the law of sorption heats alone.",
-         {{"calibrated", 1, 0, 1, ""}},
+         {on_or_off("calibrated", true)},
          heats_of_wetting,
          "Morton and Hearle, Physical Properties of Textile Fibres, section 8.3, table 8.1",
          ""},

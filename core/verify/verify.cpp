@@ -11,6 +11,27 @@
 #include <cmath>
 
 namespace hygroloom {
+namespace {
+
+/// What a parameter may be, in words.
+std::string range_in_words(const VerifyParameter& p)
+{
+    if (p.whole && p.smallest == 0 && p.largest == 1) return "0 or 1";
+    return fmt::format("a {}number from {:g} to {:g}", p.whole ? "whole " : "", p.smallest, p.largest);
+}
+
+/// The number that a text gives for a parameter. Throws Error with what it may be.
+double number_for(const VerifyParameter& p, const std::string& text)
+{
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool allowed = error == std::errc() && end == text.data() + text.size() && value >= p.smallest && value <= p.largest;
+    if (!allowed || (p.whole && value != std::floor(value)))
+        throw Error(fmt::format("{}: must be {}; \"{}\" was given.", p.name, range_in_words(p), text));
+    return value;
+}
+
+} // namespace
 
 bool VerifyReport::pass() const
 {
@@ -63,16 +84,10 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
             for (const VerifyParameter& p : found->parameters) names += (names.empty() ? "" : ", ") + p.name;
             throw Error(fmt::format("The case {} has no parameter \"{}\"; it has: {}.", name, key, names));
         }
-        if (!parameter->word.empty()) {
+        if (parameter->word.empty())
+            parameter->value = number_for(*parameter, text);
+        else
             parameter->word = text;
-            continue;
-        }
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size() || !(value >= parameter->smallest && value <= parameter->largest))
-            throw Error(fmt::format("{}: must be a number from {:g} to {:g}; \"{}\" was given.", key, parameter->smallest,
-                                    parameter->largest, text));
-        parameter->value = value;
     }
     VerifyValues values;
     for (const VerifyParameter& p : report.parameters) values[p.name] = p;

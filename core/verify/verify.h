@@ -18,8 +18,15 @@ struct VerifyParameter {
     double value = 0;
     double smallest = 0;
     double largest = 0;
-    std::string word; ///< not empty: the parameter is a word
+    std::string word;   ///< not empty: the parameter is a word
+    bool whole = false; ///< only whole numbers count; from 0 to 1: a switch
 };
+
+inline VerifyParameter whole_number(const std::string& name, double value, double smallest, double largest)
+{
+    return {name, value, smallest, largest, "", true};
+}
+inline VerifyParameter on_or_off(const std::string& name, bool on) { return whole_number(name, on, 0, 1); }
 
 /// How a computed value is held against the expected one.
 enum class Rule { near, at_most, at_least };

@@ -315,6 +315,24 @@ private Q_SLOTS:
         QTest::newRow("nan") << "washburn"
                              << "radius_um"
                              << "nan";
+        QTest::newRow("half a start") << "laplace_pressure"
+                                      << "starts"
+                                      << "1.5";
+        QTest::newRow("half a particle") << "hydrostatic"
+                                         << "particles"
+                                         << "8000.5";
+        QTest::newRow("between two modes") << "rayleigh_drop"
+                                           << "mode"
+                                           << "2.5";
+        QTest::newRow("half a switch") << "sessile_drop"
+                                       << "gravity"
+                                       << "0.5";
+        QTest::newRow("a little radiation") << "wet_bulb"
+                                            << "radiation"
+                                            << "0.1";
+        QTest::newRow("half a shell") << "crank_cylinder"
+                                      << "shells"
+                                      << "4.5";
         QTest::newRow("a spot more than full") << "barenblatt"
                                                << "time_s"
                                                << "0.01";
@@ -335,6 +353,39 @@ private Q_SLOTS:
         QFETCH(QString, value);
         const auto backend = make_cpu_backend();
         QVERIFY_EXCEPTION_THROWN(run_verify_case(name.toStdString(), {{key.toStdString(), value.toStdString()}}, *backend), Error);
+    }
+    void aRefusalSaysWhatIsAllowed_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("number") << "washburn"
+                                << "radius_um"
+                                << "0"
+                                << "radius_um: must be a number from 0.01 to 1000; \"0\" was given.";
+        QTest::newRow("whole number") << "laplace_pressure"
+                                      << "starts"
+                                      << "1.5"
+                                      << "starts: must be a whole number from 1 to 100; \"1.5\" was given.";
+        QTest::newRow("switch") << "drop_conservation"
+                                << "swelling"
+                                << "0.5"
+                                << "swelling: must be 0 or 1; \"0.5\" was given.";
+    }
+    void aRefusalSaysWhatIsAllowed()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, key);
+        QFETCH(QString, value);
+        QFETCH(QString, sentence);
+        const auto backend = make_cpu_backend();
+        try {
+            run_verify_case(name.toStdString(), {{key.toStdString(), value.toStdString()}}, *backend);
+            QFAIL("This was not refused.");
+        } catch (const Error& error) {
+            QCOMPARE(QString(error.what()), sentence);
+        }
     }
 };
 
