@@ -36,6 +36,11 @@ Json report_json(const VerifyReport& report)
     Json results = Json::array();
     for (const VerifyResult& r : report.results) {
         Json result{{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}};
+        if (!r.parts.empty()) result["computed"] = result["expected"] = Json::object();
+        for (const VerifyPart& p : r.parts) {
+            result["computed"][p.name] = p.computed;
+            result["expected"][p.name] = p.expected;
+        }
         if (r.rule != Rule::near) result["rule"] = r.rule == Rule::at_most ? "at_most" : "at_least";
         if (!r.known_miss.empty()) result["known_miss"] = r.known_miss;
         results.push_back(result);
@@ -52,12 +57,26 @@ const char* word_for(const VerifyReport& report, const VerifyResult& r)
     return !r.known_miss.empty() ? "miss" : report.source.empty() ? "FAIL" : "MISS";
 }
 
+void print_parts(const VerifyReport& report, const VerifyResult& r)
+{
+    std::string computed, expected;
+    for (const VerifyPart& p : r.parts) {
+        computed += fmt::format(" {}", p.computed);
+        expected += fmt::format(" {}", p.expected);
+    }
+    fmt::print("  {:<4} {:<24} computed{}  expected{}\n", word_for(report, r), r.name, computed, expected);
+}
+
 void print_report(const VerifyReport& report)
 {
     fmt::print("{} ({:.2f} s)\n", report.name, report.wall);
     if (!report.source.empty()) fmt::print("  measured (compared, not a proof): {}\n", report.source);
     if (!report.not_applicable.empty()) fmt::print("  not applicable: {}\n", report.not_applicable);
     for (const VerifyResult& r : report.results) {
+        if (!r.parts.empty()) {
+            print_parts(report, r);
+            continue;
+        }
         const char* rule = r.rule == Rule::near ? "expected" : r.rule == Rule::at_most ? "at most" : "at least";
         fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
                    r.expected, r.tolerance);

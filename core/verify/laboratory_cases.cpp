@@ -36,10 +36,8 @@ std::vector<VerifyResult> management_indices_case(const VerifyValues& v, Backend
     const ManagementGrades g = management_grades(m);
     const double ommc = published_capability(m.bottom.absorption_rate, m.one_way_transport, m.bottom.spreading_speed);
     const auto wetting = [](double time) { return time >= 120 ? 1 : time >= 20 ? 2 : time >= 5 ? 3 : time >= 3 ? 4 : 5; };
-    std::vector<VerifyResult> results{{"ommc", m.ommc, ommc, 1e-12}};
-    const auto add = [&](const char* name, int computed, int expected) {
-        results.push_back({std::string("grade_") + name, static_cast<double>(computed), static_cast<double>(expected), 0});
-    };
+    VerifyResult grades{"grades"};
+    const auto add = [&](const char* name, int computed, int expected) { grades.parts.push_back({name, computed, expected}); };
     add("wetting_time_top", g.wetting_time_top, wetting(*m.top.wetting_time));
     add("wetting_time_bottom", g.wetting_time_bottom, wetting(*m.bottom.wetting_time));
     add("absorption_rate_top", g.absorption_rate_top, published_grade(m.top.absorption_rate, 10, 30, 50, 100));
@@ -50,6 +48,9 @@ std::vector<VerifyResult> management_indices_case(const VerifyValues& v, Backend
     add("spreading_speed_bottom", g.spreading_speed_bottom, published_grade(m.bottom.spreading_speed, 1, 2, 3, 4));
     add("one_way_transport", g.one_way_transport, published_grade(m.one_way_transport, -50, 100, 200, 400));
     add("ommc", g.ommc, published_grade(ommc, 0.2, 0.4, 0.6, 0.8));
+    std::vector<VerifyResult> results{{"ommc", m.ommc, ommc, 1e-12}, grades};
+    for (const VerifyPart& p : grades.parts)
+        results.push_back({"grade_" + p.name, static_cast<double>(p.computed), static_cast<double>(p.expected), 0});
     return results;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/sim/backend.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -31,15 +32,24 @@ inline VerifyParameter on_or_off(const std::string& name, bool on) { return whol
 /// How a computed value is held against the expected one.
 enum class Rule { near, at_most, at_least };
 
+/// One whole number of a result that has several, such as a grade.
+struct VerifyPart {
+    std::string name;
+    int computed = 0;
+    int expected = 0;
+};
+
 struct VerifyResult {
     std::string name;
     double computed = 0;
     double expected = 0;
     double tolerance = 0; ///< of the difference, in the result's unit
     Rule rule = Rule::near;
-    std::string known_miss = {}; ///< why it is known not to hold; empty: it is held to hold
-    bool pass() const            ///< a NaN never passes
+    std::string known_miss = {};        ///< why it is known not to hold; empty: it is held to hold
+    std::vector<VerifyPart> parts = {}; ///< not empty: the result is these, each of which must be as expected
+    bool pass() const                   ///< a NaN never passes
     {
+        if (!parts.empty()) return std::ranges::all_of(parts, [](const VerifyPart& p) { return p.computed == p.expected; });
         if (rule == Rule::at_most) return computed <= expected + tolerance;
         if (rule == Rule::at_least) return computed >= expected - tolerance;
         return std::abs(computed - expected) <= tolerance;

@@ -294,6 +294,11 @@ private Q_SLOTS:
         QVERIFY(!report.pass() && report.as_expected());
         report.results[0].computed = std::nan("");
         QVERIFY(!report.as_expected());
+        VerifyResult grades{"grades"};
+        grades.parts = {{"top", 3, 3}, {"bottom", 4, 4}};
+        QVERIFY(grades.pass());
+        grades.parts[1].computed = 5;
+        QVERIFY(!grades.pass());
     }
     void wrongQuestionsAreAnsweredWithASentence_data()
     {

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <map>
 
 class TestCommandLine : public QObject {
     Q_OBJECT
@@ -20,7 +21,8 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "compare", "tradeoff"}) {
+        for (const char* verb :
+             {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "compare", "tradeoff", "verify"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
@@ -254,6 +256,27 @@ private Q_SLOTS:
         QCOMPARE(hurried["fidelity"].toString(), QString("draft"));
         QVERIFY(hurried["fidelity_reason"].toString().startsWith("No fidelity is expected to take at most 0.001 s"));
         QVERIFY(!plan("--error", "5%")["fidelity_reason"].toString().isEmpty());
+    }
+    void verifyAnswersWithGradesAsTheMetricsHaveThem()
+    {
+        // Yao et al.'s example: each index over its range, weighed, is 0.633; grades by the table of AATCC 195.
+        const Answer answer = run_cli({"verify", "management_indices", "--json", "--backend", "cpu", "--set",
+                                       "absorption_rate_bottom_pct_s=55", "one_way_transport_pct=250", "spreading_speed_bottom_mm_s=3.1",
+                                       "wetting_time_top_s=120", "wetting_time_bottom_s=2.9"});
+        QCOMPARE(answer.code, 0);
+        std::map<QString, QJsonObject> results;
+        for (const QJsonValue& result : answer.json()["results"].toArray()) results[result["name"].toString()] = result.toObject();
+        QVERIFY(qAbs(results["ommc"]["computed"].toDouble() - 0.6333) < 1e-4);
+        QVERIFY(results["grades"]["pass"].toBool());
+        const QJsonObject grades = results["grades"]["computed"].toObject();
+        QCOMPARE(results["grades"]["expected"].toObject(), grades);
+        QCOMPARE(grades.size(), 10);
+        for (const auto& [name, grade] :
+             {std::pair("wetting_time_top", 1), std::pair("wetting_time_bottom", 5), std::pair("absorption_rate_bottom", 4),
+              std::pair("one_way_transport", 4), std::pair("spreading_speed_bottom", 4), std::pair("ommc", 4)}) {
+            QCOMPARE(grades[name].toInt(), grade);
+            QCOMPARE(results[QString("grade_") + name]["computed"].toInt(), grade);
+        }
     }
     void devicesListTheCpuFirst()
     {
