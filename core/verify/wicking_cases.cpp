@@ -20,10 +20,15 @@ double value(const VerifyValues& values, const char* name) { return values.at(na
 /// A front so sharp that the yarn fills like a tube: D = D0 s^p with D0 / (p + 1) kept and p large.
 constexpr double tube_exponent = 1999;
 
-/// How far liquid has run at times/64, /16, /4 and 1 into a yarn that hangs in it; mobility = x^2 / 2t of the ideal front.
-std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time)
+/// x^2 / 2t of the ideal front in a level tube, m2/s: the diffusivity that a run gives pores of that radius, without its share of 1/5.
+double tube_mobility(double temperature, double contact_angle, double radius)
 {
-    const double farthest = std::sqrt(2.0 * mobility * time);
+    return 5.0 * saturated_liquid_diffusivity(water_surface_tension(temperature), contact_angle, radius, water_viscosity(temperature));
+}
+
+/// How far liquid has run at times/64, /16, /4 and 1 into a yarn that hangs in it; mobility = x^2 / 2t of the ideal front.
+std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time, double farthest)
+{
     constexpr int cells = 1200;
     Scene scene = bare_scene(1, cells, 1.2 * farthest / cells, temperature);
     scene.wicking = true;
@@ -37,7 +42,7 @@ std::vector<double> front_distances(Backend& backend, double temperature, double
     for (const Frame& frame : frames_at(backend, scene, {time / 64, time / 16, time / 4, time})) {
         // The water that ran in, as length of full tube from the middle of the fed segment.
         const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0);
-        distances.push_back(held / capacity + 0.5 * scene.length[0]);
+        distances.push_back(held > 0 ? held / capacity + 0.5 * scene.length[0] : 0.0);
     }
     return distances;
 }
@@ -68,7 +73,7 @@ struct StandingTube {
         scene = bare_scene(1, cells, cell, temperature);
         scene.wicking = true;
         const double suction = capillary_pressure(scene.climate.surface_tension, contact_angle, radius);
-        const double mobility = radius * radius / 8.0 * suction / scene.climate.viscosity;
+        const double mobility = tube_mobility(temperature, contact_angle, radius);
         const PoreFlow flow = pore_flow(mobility * (tube_exponent + 1), tube_exponent, suction, scene.climate.density);
         scene.yarns[0].exponent = flow.exponent;
         scene.yarns[0].liquid_diffusivity = flow.diffusivity;
@@ -78,11 +83,12 @@ struct StandingTube {
         scene.fed[0] = 1;
         scene.network_step = step;
     }
-    /// The liquid in it as length of full tube above the middle of the cell that hangs in the liquid.
+    /// The liquid in it as length of full tube above the middle of the cell that hangs in the liquid; 0 when none has risen.
     double height(const Frame& frame) const
     {
         const double capacity = scene.climate.density * scene.yarns[0].pore_area;
-        return std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.picks, 0.0) / capacity + 0.5 * cell;
+        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.picks, 0.0);
+        return held > 0 ? held / capacity + 0.5 * cell : 0.0;
     }
 };
 
@@ -93,16 +99,23 @@ double rising_time(double radius, double equilibrium, double viscosity, double d
            (-height - equilibrium * std::log1p(-height / equilibrium));
 }
 
-double equilibrium_for(const VerifyValues& v, double temperature)
+/// Above the liquid outside (Jurin).
+double equilibrium_for(const VerifyValues& v, double temperature, double contact_angle_deg)
 {
-    return equilibrium_height(water_surface_tension(temperature), radian_from_degree(value(v, "contact_angle_deg")),
+    return equilibrium_height(water_surface_tension(temperature), radian_from_degree(contact_angle_deg),
                               metre_from_um(value(v, "radius_um")), water_density(temperature));
 }
+
+/// From 90 degrees on water does not get into a tube by itself.
+bool wets(const VerifyValues& v) { return value(v, "contact_angle_deg") < 90; }
 
 std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
-    const double height = metre_from_mm(value(v, "height_mm")), highest = equilibrium_for(v, temperature);
+    const double height = metre_from_mm(value(v, "height_mm")), angle = value(v, "contact_angle_deg");
+    if (!wets(v))
+        throw Error(fmt::format("contact_angle_deg: At {:g} degrees the liquid does not rise to any height; give less than 90.", angle));
+    const double highest = equilibrium_for(v, temperature, angle);
     if (height >= 0.98 * highest)
         throw Error(
             fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
@@ -110,8 +123,7 @@ std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backe
     constexpr int moments = 150;
     std::vector<double> times;
     for (int i = 1; i <= moments; ++i) times.push_back(1.5 * expected * i / moments);
-    const StandingTube tube(temperature, radius, radian_from_degree(value(v, "contact_angle_deg")), std::min(1.4 * height, 1.05 * highest),
-                            expected / 2000);
+    const StandingTube tube(temperature, radius, radian_from_degree(angle), std::min(1.4 * height, 1.05 * highest), expected / 2000);
     double before = 0, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
     for (const Frame& frame : frames_at(backend, tube.scene, times)) {
         const double now = tube.height(frame);
@@ -128,10 +140,11 @@ std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backe
 std::vector<VerifyResult> jurin(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
-    const double expected = equilibrium_for(v, temperature);
+    const double angle = value(v, "contact_angle_deg"), expected = wets(v) ? equilibrium_for(v, temperature, angle) : 0.0;
+    const double extent = wets(v) ? expected : equilibrium_for(v, temperature, 0); // of a tube as long as it could have risen
     const double slowness =
-        8.0 * water_viscosity(temperature) * expected / (water_density(temperature) * gravity_acceleration * radius * radius);
-    const StandingTube tube(temperature, radius, radian_from_degree(value(v, "contact_angle_deg")), 1.2 * expected, 0.02 * slowness);
+        8.0 * water_viscosity(temperature) * extent / (water_density(temperature) * gravity_acceleration * radius * radius);
+    const StandingTube tube(temperature, radius, radian_from_degree(angle), 1.2 * extent, 0.02 * slowness);
     const Frame frame = frames_at(backend, tube.scene, {12.0 * slowness}).back();
     return {{"height_mm", 1e3 * tube.height(frame), 1e3 * expected, 0.01 * 1e3 * expected}};
 }
@@ -177,19 +190,26 @@ std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
     const double radius = metre_from_um(value(v, "radius_um")), time = value(v, "time_s");
-    const double tension = adhesion_tension(water_surface_tension(temperature), radian_from_degree(value(v, "contact_angle_deg")));
-    const double mobility = tension * radius / (4.0 * water_viscosity(temperature)); // R^2/8 x 2 gamma cos / R / mu
-    const std::vector<double> distances = front_distances(backend, temperature, mobility, time);
-    const double expected = 1e3 * std::sqrt(tension * radius * time / (2.0 * water_viscosity(temperature)));
-    return {{"distance_mm", 1e3 * distances.back(), expected, 0.02 * expected}, {"exponent", front_exponent(distances), 0.5, 0.02}};
+    const double angle = radian_from_degree(value(v, "contact_angle_deg"));
+    const auto front = [&](double contact_angle) { // Lucas and Washburn, m
+        return std::sqrt(adhesion_tension(water_surface_tension(temperature), contact_angle) * radius * time /
+                         (2.0 * water_viscosity(temperature)));
+    };
+    const double expected = wets(v) ? front(angle) : 0.0;
+    const double extent = wets(v) ? expected : front(0);
+    const std::vector<double> distances = front_distances(backend, temperature, tube_mobility(temperature, angle, radius), time, extent);
+    std::vector<VerifyResult> results{{"distance_mm", 1e3 * distances.back(), 1e3 * expected, 0.02 * 1e3 * expected}};
+    if (wets(v)) results.push_back({"exponent", front_exponent(distances), 0.5, 0.02}); // what stands still has none
+    return results;
 }
 
 std::vector<VerifyResult> darcy_strip(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
     const double mobility = value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * value(v, "porosity"));
-    const double time = value(v, "time_s"), expected = 1e3 * std::sqrt(2.0 * mobility * time);
-    return {{"distance_mm", 1e3 * front_distances(backend, temperature, mobility, time).back(), expected, 0.02 * expected}};
+    const double time = value(v, "time_s"), expected = std::sqrt(2.0 * mobility * time);
+    const double distance = front_distances(backend, temperature, mobility, time, expected).back();
+    return {{"distance_mm", 1e3 * distance, 1e3 * expected, 0.02 * 1e3 * expected}};
 }
 
 /// Barenblatt's spreading of a finite drop on a plane: s(r, t) with front and centre.
@@ -255,8 +275,9 @@ std::vector<VerifyCase> wicking_cases()
     const VerifyParameter temperature{"temperature_c", 20, 0, 90, ""};
     return {
         {"washburn",
-         "A horizontal tube draws water in: distance against Lucas and Washburn, and the exponent of time.",
-         {{"radius_um", 10, 1e-2, 1e3, ""}, {"contact_angle_deg", 60, 0, 89, ""}, {"time_s", 5, 1e-3, 1e5, ""}, temperature},
+         "A horizontal tube draws water in: distance against Lucas and Washburn, and the exponent of time. From 90 degrees on it draws "
+         "nothing in, which has no exponent.",
+         {{"radius_um", 10, 1e-2, 1e3, ""}, {"contact_angle_deg", 60, 0, 180, ""}, {"time_s", 5, 1e-3, 1e5, ""}, temperature},
          washburn},
         {"darcy_strip",
          "A strip draws water in under a given suction: distance against Darcy with a sharp front.",
@@ -268,11 +289,11 @@ std::vector<VerifyCase> wicking_cases()
          darcy_strip},
         {"washburn_gravity",
          "An upright tube draws water up: time to a height against Washburn with gravity.",
-         {{"radius_um", 50, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, {"height_mm", 50, 1e-2, 1e4, ""}, temperature},
+         {{"radius_um", 50, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 180, ""}, {"height_mm", 50, 1e-2, 1e4, ""}, temperature},
          washburn_gravity},
         {"jurin",
-         "An upright tube left long in water: the height of the column.",
-         {{"radius_um", 100, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 89, ""}, temperature},
+         "An upright tube left long in water: the height of the column, which is nothing from 90 degrees on.",
+         {{"radius_um", 100, 1, 1e3, ""}, {"contact_angle_deg", 0, 0, 180, ""}, temperature},
          jurin},
         {"radial_wicking",
          "A plane draws water from a round source under a given suction: time for the front to reach a radius.",

@@ -130,6 +130,10 @@ private Q_SLOTS:
                                    << "material=silk temperature_c=-5 relative_humidity=0.5";
         QTest::newRow("hot polyester") << "regain"
                                        << "material=polyester temperature_c=55";
+        QTest::newRow("hardly wetting at all") << "washburn"
+                                               << "contact_angle_deg=89.99";
+        QTest::newRow("a column that hardly rises") << "jurin"
+                                                    << "contact_angle_deg=89.99";
         QTest::newRow("upright, fine") << "washburn_gravity"
                                        << "radius_um=100 contact_angle_deg=40 height_mm=70";
         QTest::newRow("column in a fine tube") << "jurin"
@@ -275,6 +279,24 @@ private Q_SLOTS:
             values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
         check("conservation", values, "cpu");
     }
+    void whatDoesNotWetATubeDoesNotGetIntoIt_data()
+    {
+        QTest::addColumn<QString>("angle");
+        for (const char* angle : {"90", "90.1", "120", "180"}) QTest::addRow("%s degrees", angle) << angle;
+    }
+    void whatDoesNotWetATubeDoesNotGetIntoIt()
+    {
+        QFETCH(QString, angle);
+        const auto backend = make_cpu_backend();
+        for (const auto& [name, result] : {std::pair("washburn", "distance_mm"), std::pair("jurin", "height_mm")}) {
+            const VerifyReport report = run_verify_case(name, {{"contact_angle_deg", angle.toStdString()}}, *backend);
+            QVERIFY(report.pass());
+            QCOMPARE(report.results.size(), std::size_t(1));
+            QCOMPARE(report.results[0].name, std::string(result));
+            QCOMPARE(report.results[0].computed, 0.0);
+            QCOMPARE(report.results[0].expected, 0.0);
+        }
+    }
     void aWordStandsForMoreThanOneCase()
     {
         QCOMPARE(verify_names("").size(), verify_cases().size());
@@ -313,7 +335,10 @@ private Q_SLOTS:
                                            << "1";
         QTest::newRow("out of range") << "washburn"
                                       << "contact_angle_deg"
-                                      << "120";
+                                      << "181";
+        QTest::newRow("time to a height that is never reached") << "washburn_gravity"
+                                                                << "contact_angle_deg"
+                                                                << "90";
         QTest::newRow("no number") << "washburn"
                                    << "radius_um"
                                    << "ten";
