@@ -47,6 +47,9 @@ std::string reason(const std::string& message)
     return text;
 }
 
+/// A value as it stands, cut where it is long.
+std::string shortened(const std::string& text) { return text.size() > 60 ? cut_text(text, 57) + "..." : text; }
+
 /// Levenshtein's distance, one row at a time.
 std::size_t distance(const std::string& a, const std::string& b)
 {
@@ -68,51 +71,79 @@ std::size_t distance(const std::string& a, const std::string& b)
 /// for each of its elements.
 class Watch : public nlohmann::json_sax<ProjectJson> {
 public:
-    explicit Watch(const std::string& name) : name_(name) {}
-    bool start_object(std::size_t) override { return deeper(); }
-    bool start_array(std::size_t) override { return deeper(); }
+    Watch(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+    bool start_object(std::size_t) override { return deeper(false); }
+    bool start_array(std::size_t) override { return deeper(true); }
     bool end_object() override { return shallower(); }
     bool end_array() override { return shallower(); }
     bool key(std::string& key) override
     {
-        if (keys_.back().size() > most_keys)
+        Level& level = levels_.back();
+        if (level.keys.size() > most_keys)
             throw FileError(fmt::format("{}: An object has more than {} keys; this is no project.", name_, most_keys));
-        if (!keys_.back().insert(key).second)
+        if (!level.keys.insert(key).second)
             throw FileError(fmt::format("{}: The key {} stands twice in one object; leave one.", name_, in_words(key)));
+        level.key = key;
         return true;
     }
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(std::int64_t) override { return true; }
-    bool number_unsigned(std::uint64_t) override { return true; }
-    bool number_float(double, const std::string&) override { return true; }
-    bool string(std::string&) override { return true; }
-    bool binary(nlohmann::json::binary_t&) override { return true; }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; } // parse() tells of it
+    bool null() override { return passed(); }
+    bool boolean(bool) override { return passed(); }
+    bool number_integer(std::int64_t) override { return passed(); }
+    bool number_unsigned(std::uint64_t) override { return passed(); }
+    bool number_float(double, const std::string&) override { return passed(); }
+    bool string(std::string&) override { return passed(); }
+    bool binary(nlohmann::json::binary_t&) override { return passed(); }
+    /// Of all but numbers parse() tells.
+    bool parse_error(std::size_t end, const std::string& token, const nlohmann::json::exception& failure) override
+    {
+        if (dynamic_cast<const nlohmann::json::out_of_range*>(&failure) == nullptr || token.size() > end) return false;
+        const std::size_t begin = end - token.size();
+        throw NumberTooLarge(fmt::format("{}: {}: {}: The number {} is beyond those that there are, up to {:.2g}.", name_,
+                                         line_and_column(text_, begin + 1), path(), shortened(token), std::numeric_limits<double>::max()),
+                             path(), begin, end);
+    }
 
 private:
-    bool deeper()
+    struct Level {
+        bool list = false;
+        std::set<std::string> keys;
+        std::string key;         ///< the last
+        std::size_t members = 0; ///< of a list, so far
+    };
+    bool deeper(bool list)
     {
-        if (keys_.size() >= deepest)
+        if (levels_.size() >= deepest)
             throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name_, deepest));
-        keys_.emplace_back();
+        levels_.push_back({list, {}, {}, 0});
         return true;
     }
     bool shallower()
     {
-        keys_.pop_back();
+        levels_.pop_back();
+        return passed();
+    }
+    bool passed()
+    {
+        if (!levels_.empty()) ++levels_.back().members;
         return true;
     }
+    std::string path() const
+    {
+        std::string path;
+        for (const Level& level : levels_) path += level.list ? fmt::format("[{}]", level.members) : (path.empty() ? "" : ".") + level.key;
+        return path.empty() ? "the project" : path;
+    }
 
+    std::string_view text_;
     const std::string& name_;
-    std::vector<std::set<std::string>> keys_;
+    std::vector<Level> levels_;
 };
 
 } // namespace
 
 ProjectJson parse_json(std::string_view text, const std::string& name)
 {
-    Watch watch(name);
+    Watch watch(text, name);
     try {
         ProjectJson::sax_parse(text, &watch);
         return ProjectJson::parse(text);
@@ -128,9 +159,7 @@ std::string in_words(const ProjectJson& value)
 {
     if (value.is_object()) return "an object";
     if (value.is_array()) return fmt::format("a list of {}", value.size());
-    std::string text = value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace);
-    if (text.size() > 60) { text = cut_text(text, 57) + "..."; }
-    return text;
+    return shortened(value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace));
 }
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words)

@@ -12,7 +12,18 @@
 
 namespace hygroloom {
 
-/// Parses text; refuses bad UTF-8, duplicate keys and nesting deeper than 32. Throws FileError with name, line and column or path.
+/// A number beyond those that there are, and where it stands.
+struct NumberTooLarge : FileError {
+    NumberTooLarge(const std::string& sentence, std::string field, std::size_t first, std::size_t last)
+        : FileError(sentence), path(std::move(field)), begin(first), end(last)
+    {
+    }
+    std::string path;       ///< of the field
+    std::size_t begin, end; ///< bytes of the text
+};
+
+/// Parses text; refuses bad UTF-8, duplicate keys, nesting deeper than 32 and numbers too large. Throws FileError with name, line and
+/// column or path.
 ProjectJson parse_json(std::string_view text, const std::string& name);
 
 /// A JSON value in words, shortened: `"abc"`, `12`, `an object`.

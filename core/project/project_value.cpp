@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 
 namespace hygroloom {
 
@@ -106,11 +107,13 @@ private:
     ProjectJson* at_;
 };
 
-ProjectJson value_from(const std::string& text, const ProjectJson* old)
+ProjectJson value_from(const std::string& path, const std::string& text, const ProjectJson* old)
 {
     ProjectJson value;
     try {
         value = parse_json(text, {});
+    } catch (const NumberTooLarge&) {
+        refuse(path, fmt::format("This must be a number up to {:.2g}; given is {}.", std::numeric_limits<double>::max(), text));
     } catch (const FileError&) {
         return text; // a bare word
     }
@@ -139,7 +142,7 @@ Design with_value(const Design& design, const std::string& path, const std::stri
     const std::string key = walk.walk();
     ProjectJson& holder = walk.here();
     if (key.empty()) {
-        holder = value_from(value, &holder);
+        holder = value_from(path, value, &holder);
     } else if (value == "null") {
         holder.erase(key); // back to what the program derives
     } else {
@@ -148,7 +151,7 @@ Design with_value(const Design& design, const std::string& path, const std::stri
                 if (key != given) holder.erase(given);
         }
         const auto old = holder.find(key);
-        ProjectJson fresh = value_from(value, old == holder.end() ? nullptr : &*old);
+        ProjectJson fresh = value_from(path, value, old == holder.end() ? nullptr : &*old);
         if (fresh.is_string() && has_decimal_comma(value) && (old == holder.end() || !old->is_string()))
             refuse(path, fmt::format("Numbers are written with a decimal point: {}.", std::string(value).replace(value.find(','), 1, ".")));
         if (fresh.is_string() && old != holder.end() && old->is_number())

@@ -211,7 +211,17 @@ private Q_SLOTS:
         row("comma too many", replaced(good, "0.2,", "0.2,,"), "line 10, column 28");
         row("two documents", good + "{}", "not valid JSON");
         row("not utf-8", replaced(good, "Textile F", "Textile \xff"), "line 7, column");
-        row("a number too large", replaced(good, "0.635", "1e999"), "This is not valid JSON: number overflow parsing '1e999'.");
+        row("a number too large", replaced(good, "0.635", "1e400"),
+            "line 27, column 23: fabrics[0].thickness_mm: The number 1e400 is beyond those that there are, up to 1.8e+308. "
+            "The thickness of a fabric must be from 0.01 to 50 mm.");
+        row("a coordinate too large", replaced(good, "[0.0, 0.0]", "[0.0, -1e400]"),
+            "experiments[0].droplets[0].at_mm[1]: The number -1e400 is beyond those that there are, up to 1.8e+308. "
+            "The droplet must land on the sample, from -10 to 10 mm along the warp.");
+        row("two numbers too large", replaced(replaced(good, "0.635", "1e400"), "\"diameter_mm\": 0.2", "\"diameter_mm\": 1e400"),
+            "fabrics[0].warp.diameter_mm: The number 1e400 is beyond those that there are, up to 1.8e+308.");
+        row("a count too large", replaced(good, "\"fibres_per_yarn\": 30", "\"fibres_per_yarn\": 1e400"),
+            "fabrics[0].warp.fibres_per_yarn: The number 1e400 is beyond");
+        row("nothing but a number too large", "1e400", "the project: The number 1e400 is beyond");
         row("NaN", replaced(good, "0.635", "NaN"), "line");
         row("a list", "[1, 2]", "must be an object");
         row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""),
@@ -432,7 +442,7 @@ private Q_SLOTS:
         QVERIFY(says("fabrics[0].wrap.diameter_mm", "1", "did you mean \"warp\""));
         QVERIFY(says("fabrics[0].ends_per_cm", "many", "must be a number"));
         QVERIFY(says("fabrics[0].ends_per_cm", "nan", "must be a number"));
-        QVERIFY(says("fabrics[0].ends_per_cm", "1e999", "must be a number"));
+        QVERIFY(says("fabrics[0].ends_per_cm", "1e400", "must be a number up to 1.8e+308; given is 1e400"));
         QVERIFY(says("fabrics[0].ends_per_cm.x", "1", "plain value"));
         QVERIFY(says("fabrics[0].ends_per_cm", "null", "missing"));
         QVERIFY(says("fabrics[0].weave.pattern", "twil", "Forms:"));
