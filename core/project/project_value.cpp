@@ -15,6 +15,18 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& sentence) { throw Error(fmt::format("{}: {}", path, sentence)); }
 
+/// How much of a text is a name, and not the beginning of a longer one: its length there; 0: the text goes on otherwise. Blanks may stand
+/// after a backslash, as a shell wants them.
+std::size_t length_of_name(std::string_view text, const std::string& name)
+{
+    std::string quoted;
+    for (char letter : name) quoted += letter == ' ' ? std::string("\\ ") : std::string(1, letter);
+    for (const std::string& form : {name, quoted})
+        if (text.starts_with(form) && (text.size() == form.size() || text[form.size()] == '.' || text[form.size()] == '['))
+            return form.size();
+    return 0;
+}
+
 /// Walks down a path, one piece at a time: keys, [numbers], and names of list members, which may hold dots and spaces.
 class PathWalk {
 public:
@@ -87,12 +99,10 @@ private:
             if (!member.is_object() || !member.contains("name")) continue;
             const std::string name = member.at("name").get<std::string>();
             known += (known.empty() ? "\"" : ", \"") + name + "\"";
-            const bool fits = bracketed ? text == name
-                                        : text.substr(0, name.size()) == name &&
-                                              (text.size() == name.size() || text[name.size()] == '.' || text[name.size()] == '[');
-            if (fits && (best == at_->size() || name.size() > longest)) {
+            const std::size_t length = length_of_name(text, name);
+            if (length > longest && (!bracketed || length == text.size())) {
                 best = i;
-                longest = name.size();
+                longest = length;
             }
         }
         if (best == at_->size())

@@ -409,6 +409,8 @@ private Q_SLOTS:
         QCOMPARE(*with_value(design, "fabrics[0].contact_angle_deg", "60").fabrics[0].contact_angle_deg, 60.0);
         QCOMPARE(with_value(design, "experiments.one drop.duration_s", "5").experiments[0].duration_s, 5.0);
         QCOMPARE(with_value(design, "experiments[one drop].duration_s", "5").experiments[0].duration_s, 5.0);
+        QCOMPARE(with_value(design, "experiments.one\\ drop.duration_s", "5").experiments[0].duration_s, 5.0); // quoted twice
+        QCOMPARE(with_value(design, "experiments[one\\ drop].duration_s", "5").experiments[0].duration_s, 5.0);
         QCOMPARE(with_value(design, "fabrics.Textile F.weave.pattern", "twill 2/1 S").fabrics[0].weave.pattern(),
                  std::string("twill 2/1 S"));
         QCOMPARE(with_value(design, "fabrics.satin.weave.pattern", "plain").fabrics[1].weave, Weave());
@@ -443,6 +445,7 @@ private Q_SLOTS:
         QVERIFY(says("fabrics[0].ends_per_cm", "many", "must be a number"));
         QVERIFY(says("fabrics[0].ends_per_cm", "nan", "must be a number"));
         QVERIFY(says("fabrics[0].ends_per_cm", "1e400", "must be a number up to 1.8e+308; given is 1e400"));
+        QVERIFY(says("experiments.one\\ drap.duration_s", "1", "There are: \"one drop\""));
         QVERIFY(says("fabrics[0].ends_per_cm.x", "1", "plain value"));
         QVERIFY(says("fabrics[0].ends_per_cm", "null", "missing"));
         QVERIFY(says("fabrics[0].weave.pattern", "twil", "Forms:"));
