@@ -78,6 +78,9 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
     number("specific_heat_j_kgk", material.specific_heat_j_kgk);
     object.read("heat_of_wetting_j_g", material.heat_of_wetting_j_g);
+    if (object.find("sorption_heat_j_g") && object.find("heat_of_wetting_j_g"))
+        object.refuse("sorption_heat_j_g", "This is another name of heat_of_wetting_j_g; give one of them.");
+    object.read("sorption_heat_j_g", material.heat_of_wetting_j_g);
     object.finish();
     return material;
 }

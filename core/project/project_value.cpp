@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -142,6 +143,17 @@ bool has_decimal_comma(const std::string& text)
     return failure == std::errc() && end == pointed.data() + pointed.size();
 }
 
+/// Of keys that say the same, one replaces the others.
+void erase_others(ProjectJson& holder, const std::string& key)
+{
+    const std::vector<std::vector<std::string>> alike{{"pattern", "rows", "draft"}, {"heat_of_wetting_j_g", "sorption_heat_j_g"}};
+    for (const std::vector<std::string>& keys : alike) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) continue;
+        for (const std::string& other : keys)
+            if (other != key) holder.erase(other);
+    }
+}
+
 } // namespace
 
 Design with_value(const Design& design, const std::string& path, const std::string& value)
@@ -151,15 +163,12 @@ Design with_value(const Design& design, const std::string& path, const std::stri
     PathWalk walk(project, path);
     const std::string key = walk.walk();
     ProjectJson& holder = walk.here();
+    if (!key.empty()) erase_others(holder, key);
     if (key.empty()) {
         holder = value_from(path, value, &holder);
     } else if (value == "null") {
         holder.erase(key); // back to what the program derives
     } else {
-        if (key == "pattern" || key == "rows" || key == "draft") { // one replaces the other
-            for (const char* given : {"pattern", "rows", "draft"})
-                if (key != given) holder.erase(given);
-        }
         const auto old = holder.find(key);
         ProjectJson fresh = value_from(path, value, old == holder.end() ? nullptr : &*old);
         if (fresh.is_string() && has_decimal_comma(value) && (old == holder.end() || !old->is_string()))

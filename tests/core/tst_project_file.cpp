@@ -179,6 +179,13 @@ private Q_SLOTS:
             QVERIFY2(has(schema, "\"" + key + "\": {"), key.c_str());
         }
     }
+    void theHeatOfWettingHasTwoNames()
+    {
+        const std::string text = format_project(rich()), key = "\"heat_of_wetting_j_g\": 12.5", other = "\"sorption_heat_j_g\": 12.5";
+        QVERIFY(parse_project(replaced(text, key, other), "text") == rich());
+        const std::string both = message_of([&] { parse_project(replaced(text, key, key + ", " + other), "text"); });
+        QVERIFY2(has(both, "materials[1].sorption_heat_j_g: This is another name of heat_of_wetting_j_g"), both.c_str());
+    }
     void rowsDrawTheWeaveWithTheLastPickOnTop()
     {
         const std::string text = replaced(bytes_of(examples + "textile-F.hygro"), "\"pattern\": \"plain\"", "\"rows\": [\"001\", \"110\"]");
@@ -411,6 +418,8 @@ private Q_SLOTS:
         QCOMPARE(with_value(design, "experiments[one drop].duration_s", "5").experiments[0].duration_s, 5.0);
         QCOMPARE(with_value(design, "experiments.one\\ drop.duration_s", "5").experiments[0].duration_s, 5.0); // quoted twice
         QCOMPARE(with_value(design, "experiments[one\\ drop].duration_s", "5").experiments[0].duration_s, 5.0);
+        QCOMPARE(with_value(design, "materials.free.sorption_heat_j_g", "30").materials[1].heat_of_wetting_j_g, 30.0);
+        QCOMPARE(with_value(design, "materials.free.sorption_heat_j_g", "null").materials[1].heat_of_wetting_j_g, 0.0);
         QCOMPARE(with_value(design, "fabrics.Textile F.weave.pattern", "twill 2/1 S").fabrics[0].weave.pattern(),
                  std::string("twill 2/1 S"));
         QCOMPARE(with_value(design, "fabrics.satin.weave.pattern", "plain").fabrics[1].weave, Weave());
