@@ -179,6 +179,24 @@ private Q_SLOTS:
             QVERIFY2(has(schema, "\"" + key + "\": {"), key.c_str());
         }
     }
+    void theSchemaAsksForWhatTheReaderAsksFor()
+    {
+        const ProjectJson schema =
+            ProjectJson::parse(bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/schema/hygroloom-project-1.schema.json"));
+        const ProjectJson& experiment = schema.at("$defs").at("experiment");
+        QVERIFY(experiment.at("if").at("properties").at("type").at("const") == "droplet");
+        std::vector<std::string> asked = experiment.at("required");
+        for (const auto& key : experiment.at("then").at("required")) asked.push_back(key);
+        QVERIFY(asked.size() >= 4);
+        const ProjectJson good = json_from_design(read_project(examples + "textile-F.hygro"));
+        for (const auto& [key, value] : good.at("experiments").at(0).items()) {
+            ProjectJson without = good;
+            without["experiments"][0].erase(key);
+            const std::string message = message_of([&] { parse_project(text_from_json(without), "text"); });
+            const bool needed = std::find(asked.begin(), asked.end(), key) != asked.end();
+            QVERIFY2(has(message, "The key \"" + key + "\" is missing.") == needed && message.empty() != needed, key.c_str());
+        }
+    }
     void theHeatOfWettingHasTwoNames()
     {
         const std::string text = format_project(rich()), key = "\"heat_of_wetting_j_g\": 12.5", other = "\"sorption_heat_j_g\": 12.5";
