@@ -149,12 +149,14 @@ private:
     {
 #ifdef __x86_64__
         // Sums over packs run several times as fast with whole packs in a register, and all stages with products added unrounded. With
-        // AVX-512 there are twice as many registers, of the same width for floats: the results are the same.
+        // AVX-512 there are twice as many registers, of the same width for floats: the results are the same. Asked for are all of a
+        // target's flags, which the processor may have one without another, and the system may keep from programs.
+        static const bool has_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
         if constexpr (is_wide<Stage>) {
-            static const bool has_many = __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+            static const bool has_many =
+                has_wide && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
             if (has_many) return run_wide_with_many(stage, begin, end);
         }
-        static const bool has_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
         if (has_wide) return run_wide(stage, begin, end);
 #endif
         return run_all(stage, begin, end);
