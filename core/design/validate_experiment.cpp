@@ -60,7 +60,20 @@ void validate_overlaps(const Experiment& experiment, const std::string& where, I
         }
 }
 
-void validate_droplets(const Experiment& experiment, const std::string& where, IssueList& list)
+/// What falls is counted in quanta of which 64 bits hold half a kilogram.
+void validate_fallen(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list)
+{
+    constexpr double most_g = 499;
+    const Liquid* liquid = find_liquid(design, experiment.liquid);
+    double volume_ul = 0;
+    for (const Droplet& drop : experiment.droplets) volume_ul += drop.volume_ul;
+    if (liquid && volume_ul * 1e-6 * liquid->density_kg_m3 > most_g)
+        list.error(
+            "too_much_liquid", where + ".droplets",
+            fmt::format("All drops together may have up to {} g; given are {:.4g}.", most_g, volume_ul * 1e-6 * liquid->density_kg_m3));
+}
+
+void validate_droplets(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list)
 {
     const int before = list.errors();
     if (experiment.droplets.empty())
@@ -72,6 +85,7 @@ void validate_droplets(const Experiment& experiment, const std::string& where, I
     }
     for (std::size_t i = 0; i < experiment.droplets.size(); ++i)
         validate_droplet(experiment, experiment.droplets[i], fmt::format("{}.droplets[{}]", where, i), list);
+    if (list.errors() == before) validate_fallen(design, experiment, where, list);
     if (list.errors() == before) validate_overlaps(experiment, where, list);
 }
 
@@ -122,10 +136,10 @@ void validate_climates(const Experiment& experiment, const std::string& where, I
 }
 
 /// What only some types have.
-void validate_type(const Experiment& e, const std::string& where, IssueList& list)
+void validate_type(const Design& design, const Experiment& e, const std::string& where, IssueList& list)
 {
     switch (e.type) {
-    case ExperimentType::droplet: validate_droplets(e, where, list); break;
+    case ExperimentType::droplet: validate_droplets(design, e, where, list); break;
     case ExperimentType::moisture_management: validate_feed(e, where, list); [[fallthrough]];
     case ExperimentType::horizontal_wicking: list.range(where + ".volume_ul", "volume of liquid", e.volume_ul, 1e-3, 1e5, "ul"); break;
     case ExperimentType::vertical_wicking:
@@ -165,7 +179,7 @@ void validate_experiment(const Design& design, const Experiment& experiment, con
     if (!(std::isfinite(experiment.duration_s) && experiment.duration_s > 0 && experiment.duration_s <= 86400))
         list.error("range", where + ".duration_s",
                    fmt::format("The duration must be more than 0 and at most 86400 s; given is {}.", experiment.duration_s));
-    validate_type(experiment, where, list);
+    validate_type(design, experiment, where, list);
 }
 
 } // namespace hygroloom

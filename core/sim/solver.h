@@ -27,12 +27,28 @@ namespace hygroloom::inline HL_PRECISION {
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 
+/// Quanta of water that may add up to more than 64 bits hold, which is half a kilogram.
+struct ManyQuanta {
+    static constexpr std::int64_t quarter = std::int64_t(1) << 62; ///< of a kilogram
+    std::int64_t quarters = 0, rest = 0;
+
+    void add(std::int64_t more) ///< up to a quarter at once
+    {
+        rest += more;
+        if (rest < quarter) return;
+        rest -= quarter;
+        ++quarters;
+    }
+    double mass() const { return 0.25 * static_cast<double>(quarters) + static_cast<double>(rest) * water_quantum; } ///< kg
+};
+
 /// What a frame and its ledger are made from: numbers of one moment, and the arrays as they were then (see Executor::Snapshot).
 struct Stock {
-    double time = 0;                        ///< s
-    double delivered = 0;                   ///< kg, but for what is supplied
-    std::int64_t standing = 0, dripped = 0; ///< quanta, in pools and fallen or run off
-    double stressed = 0;                    ///< s for which stresses were summed
+    double time = 0;           ///< s
+    double delivered = 0;      ///< kg, but for what is supplied
+    std::int64_t standing = 0; ///< quanta, in pools
+    double dripped = 0;        ///< kg, fallen or run off
+    double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
     // Segments: kg, m3, regain of each shell, and K and J over the climate's temperature.
     std::span<const double> liquid, vapour, warmth, bound, stored, pores, supplied, evaporated, released, lost, regain;
@@ -73,7 +89,7 @@ public:
         rules_ = {};
         delivered_ = 0;
         pool_.assign(scene.pools.size(), 0);
-        pumped_ = ran_off_ = 0;
+        pumped_ = ran_off_ = {};
         load_segments();
         load_liquid();
         const Stock stock = take_stock();
@@ -167,7 +183,13 @@ private:
     }
     /// Whether free liquid may soon come to the yarns: not while it sleeps on cloth that does not drink.
     bool drops_about() const { return flow_.count > 0 && !(flow_.asleep && !drinks_); }
-    double step_limit() const { return drops_about() || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step; }
+    double step_limit() const
+    {
+        const double longest = drops_about() || scene_.calm_network_step <= 0 ? scene_.network_step : scene_.calm_network_step;
+        return scene_.sweat > 0 ? std::min(longest, most_sweat / sweat_rate()) : longest;
+    }
+    static constexpr double most_sweat = 0.2; ///< kg in a step, whose quanta are counted; see ManyQuanta
+    double sweat_rate() const { return scene_.sweat * scene_.cell_area * scene_.crossings() * scene_.climate.density; } ///< kg/s
     double exchange_limit() const
     {
         return drops_about() || scene_.calm_network_step <= 0 ? exchange_steps * scene_.network_step : scene_.calm_network_step;
@@ -223,8 +245,8 @@ private:
     double heat_scale_ = 0;          ///< J that an error of a step is compared with
     double water_scale_ = 0;         ///< kg
     std::vector<std::int64_t> pool_; ///< quanta that stand in each pool
-    std::int64_t pumped_ = 0;        ///< quanta, into pools and as sweat
-    std::int64_t ran_off_ = 0;       ///< quanta of sweat that found no room
+    ManyQuanta pumped_;              ///< into pools and as sweat
+    ManyQuanta ran_off_;             ///< of sweat that found no room
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;

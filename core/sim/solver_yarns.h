@@ -96,7 +96,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     constexpr double filled = 0.2; // of the pores, by a bath
     if (!scene_.fed.empty()) water_scale_ += filled * climate.density * std::accumulate(pores.begin(), pores.end(), 0.0);
     for (const ScenePool& pool : scene_.pools) water_scale_ += pool.rate * (pool.end - pool.start) * climate.density;
-    water_scale_ += scene_.sweat * scene_.cell_area * scene_.crossings() * climate.density * scene_.calm_network_step;
+    water_scale_ += sweat_rate() * scene_.calm_network_step;
     pores_.upload(pores);
     vapour_.upload(vapour);
     regain_.upload(regain);
@@ -219,7 +219,7 @@ template <typename Executor> void Solver<Executor>::drink(double dt)
         const double running = std::clamp(time_, pool.start, pool.end) - std::clamp(time_ - dt, pool.start, pool.end);
         const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
         pool_[k] += came;
-        pumped_ += came;
+        pumped_.add(came);
         if (pool_[k] <= 0) continue;
         const double volume = static_cast<double>(pool_[k]) * water_quantum / density;
         const int threads = scene_.threads_per_cell;
@@ -243,8 +243,8 @@ template <typename Executor> void Solver<Executor>::sweat(double dt)
     totals_.write(0, {});
     const AskPool ask{segments(), {scene_.sweat_on_top, -1.0, 0, 0}, scene_.climate.density, dt, each, &totals_.data()->asked};
     each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
-    pumped_ += offered;
-    ran_off_ += offered - totals_.read(0).given;
+    pumped_.add(offered);
+    ran_off_.add(offered - totals_.read(0).given);
 }
 
 template <typename Executor> void Solver<Executor>::step_network(double dt, bool frame_due)
@@ -420,9 +420,9 @@ template <typename Executor> Stock Solver<Executor>::take_stock()
     exec_.for_each("take stock", s.visited_segments(), TakeStock{s, fibre_water_.data(), work1_.data()});
     Stock stock;
     stock.time = time_;
-    stock.delivered = delivered_ + static_cast<double>(pumped_) * water_quantum;
+    stock.delivered = delivered_ + pumped_.mass();
     stock.standing = std::accumulate(pool_.begin(), pool_.end(), std::int64_t(0));
-    stock.dripped = flow_.dripped + ran_off_;
+    stock.dripped = static_cast<double>(flow_.dripped) * water_quantum + ran_off_.mass();
     stock.unvisited = unvisited_;
     snapshot_.take([&](const auto& look_at) {
         const auto particles = static_cast<std::size_t>(flow_.count);
@@ -486,7 +486,7 @@ template <typename Executor> Ledger Solver<Executor>::ledger(const Stock& stock)
     l.water_bound = sum_of(stock.bound);
     l.water_vapour = sum_of(stock.vapour);
     l.water_evaporated = sum_visited(stock.evaporated);
-    l.water_dripped = static_cast<double>(stock.dripped) * water_quantum;
+    l.water_dripped = stock.dripped;
     l.energy_stored = sum_visited(stock.stored);
     l.energy_delivered = initial_energy_;
     l.energy_released = sum_visited(stock.released);

@@ -176,6 +176,11 @@ private Q_SLOTS:
         row("experiments[0].droplets[0].time_s ", "droplet_after_end", [](Design& d) { d.experiments[0].droplets[0].time_s = 11; });
         row("experiments[0].droplets[0].height_mm", "range", [nan](Design& d) { d.experiments[0].droplets[0].height_mm = nan; });
         row("experiments[0].droplets[0].speed_m_s", "range", [](Design& d) { d.experiments[0].droplets[0].speed_m_s = 6; });
+        row("experiments[0].droplets", "too_much_liquid", [](Design& d) {
+            d.liquids = {{"heavy", 70, 1, 2000}};
+            d.experiments[0].liquid = "heavy";
+            d.experiments[0].droplets.assign(50, Droplet{5000});
+        });
         row("experiments[0].droplets[1]", "droplets_overlap", [](Design& d) { d.experiments[0].droplets.resize(2); });
         row("materials[0].density_kg_m3", "range", [](Design& d) {
             d.materials.push_back(material_library()[0]);

@@ -230,6 +230,19 @@ private Q_SLOTS:
         QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected,
                  qPrintable(QString("%1 %2").arg(m.ledger.water_delivered).arg(expected)));
     }
+    void sweatOfManyKilogramsIsCounted() // and not only as many quanta as 64 bits hold
+    {
+        Design design = small(ExperimentType::sweat);
+        design.fabrics[0].ends_per_cm = design.fabrics[0].picks_per_cm = 2;
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = {100, 100};
+        experiment.rate_g_m2_h = 1e5;
+        experiment.duration_s = 7200;
+        const Ledger end = run(design).frames.back().ledger;
+        QVERIFY2(std::abs(end.water_delivered - 2) < 1e-9, qPrintable(QString::number(end.water_delivered, 'g', 12))); // kg
+        QVERIFY(end.water_dripped > 1.99 && end.water_dripped < 2);
+        QVERIFY(std::abs(end.water_imbalance()) < 1e-12);
+    }
     void aWetSampleDriesToItsRegain()
     {
         Design design = small(ExperimentType::drying);
