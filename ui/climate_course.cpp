@@ -159,7 +159,7 @@ Quantity ClimateCourse::quantity(int column)
     switch (column) {
     case 0: return Quantity::time(0, last_moment);
     case 1: return Quantity::temperature(-10, 60);
-    case 2: return Quantity::percent(0, 1);
+    case 2: return Quantity::percent(0, most_humidity);
     default: return Quantity::speed(20);
     }
 }

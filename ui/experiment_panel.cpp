@@ -179,7 +179,7 @@ void ExperimentPanel::addConditions()
     form_->addSection(tr("Climate"));
     form_->addQuantity(Quantity::temperature(-10, 60),
                        climateField(tr("Temperature"), tr("temperature"), "temperature_c", &Climate::temperature_c));
-    form_->addQuantity(Quantity::percent(0, 1), climateField(tr("Humidity"), tr("relative humidity"), "relative_humidity", &Climate::relative_humidity,
+    form_->addQuantity(Quantity::percent(0, most_humidity), climateField(tr("Humidity"), tr("relative humidity"), "relative_humidity", &Climate::relative_humidity,
                                                              tr("Relative humidity of the air, and of the fabric before the first drop.")));
     form_->addQuantity(Quantity::speed(20), climateField(tr("Air speed"), tr("air speed"), "air_speed_m_s", &Climate::air_speed_m_s));
     course_ = new ClimateCourse(document_);
@@ -223,7 +223,7 @@ void ExperimentPanel::addTypes()
     form_->addQuantity(Quantity::temperature(-10, 60), fixedField(tr("From"), tr("temperature at the start"), "initial.temperature_c",
         [](const Experiment& e) { return std::optional(e.initial.temperature_c); }, [](Experiment& e, double v) { e.initial.temperature_c = v; },
         tr("The sample comes from air of this temperature.")));
-    form_->addQuantity(Quantity::percent(0, 1), fixedField(tr("From humidity"), tr("humidity at the start"), "initial.relative_humidity",
+    form_->addQuantity(Quantity::percent(0, most_humidity), fixedField(tr("From humidity"), tr("humidity at the start"), "initial.relative_humidity",
         [](const Experiment& e) { return std::optional(e.initial.relative_humidity); },
         [](Experiment& e, double v) { e.initial.relative_humidity = v; }, tr("The sample comes from air of this humidity.")));
     group({Type::sweat});
@@ -295,7 +295,7 @@ void ExperimentPanel::addDroplets()
                                                                        [](D d) -> double& { return d.at_mm[1]; }, tr("From the sample's centre."))),
         form_->addQuantity(Quantity::length(0, 100), dropletField(tr("Height"), tr("droplet height"), "height_mm",
                                                                   [](D d) -> double& { return d.height_mm; }, tr("Of its lowest point over the fabric."))),
-        form_->addQuantity(Quantity::speed(5), dropletField(tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
+        form_->addQuantity(Quantity::speed(fastest_droplet_m_s), dropletField(tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
                                                             tr("Downwards, when it appears.")))};
 }
 

@@ -79,7 +79,7 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                       tr("Grams per kilometre. Ne, Nm and denier may be typed: “30 Ne”.")),
                                 true);
     density_note_ = form.noteBeside(density_);
-    packing_ = form.addQuantity(Quantity::fraction(0.02, densest_packing),
+    packing_ = form.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
                                 sizeField(tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
                                       [](Yarn& y, std::optional<double> v) {
                                           y.packing_factor = v;

@@ -8,9 +8,11 @@
 
 namespace hygroloom {
 
+constexpr double most_humidity = 2; ///< air may hold up to twice the vapour that saturates it; what is too much condenses on the cloth
+
 struct Climate {
     double temperature_c = 25;
-    double relative_humidity = 0.65; ///< 0..1
+    double relative_humidity = 0.65; ///< 0..1, to most_humidity where the air is more than saturated
     double air_speed_m_s = 0.1;
     bool operator==(const Climate&) const = default;
 };
@@ -86,6 +88,7 @@ std::array<double, 2> sample_extent_mm(const Experiment& experiment);
 
 /// The most drops that one experiment may have.
 constexpr int most_droplets = 64;
+constexpr double fastest_droplet_m_s = 10; ///< raindrops reach 9
 
 /// All drops that fall, of whichever type: those of droplet, or the feed of moisture_management in equal drops, evenly in time.
 std::vector<Droplet> falling_drops(const Experiment& experiment);

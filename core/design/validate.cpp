@@ -35,7 +35,7 @@ void validate_material(const Material& material, const std::string& where, Issue
     if (!material.based_on.empty() && !find_library_material(material.based_on))
         list.error("unknown_material", where + ".based_on", fmt::format("The library has no material \"{}\".", material.based_on));
     list.range(where + ".density_kg_m3", "density of a fibre", material.density_kg_m3, 500, 3000, "kg/m3");
-    list.range(where + ".fibre_radius_um", "radius of a fibre", material.fibre_radius_um, 0.5, 200, "um");
+    list.range(where + ".fibre_radius_um", "radius of a fibre", material.fibre_radius_um, 0.001, 200, "um");
     list.range(where + ".standard_regain", "regain at 65 % relative humidity", material.standard_regain, 0, 0.5);
     if (list.range(where + ".saturation_regain", "regain at 100 % relative humidity", material.saturation_regain, 0, 2) &&
         material.saturation_regain < material.standard_regain)
@@ -58,7 +58,7 @@ void validate_material(const Material& material, const std::string& where, Issue
         list.error("no_two_stage_law", where + ".fibre_diffusivity_m2_s",
                    "A two-stage diffusion law is known for cotton and wool, and for materials based on them; give a number in m2/s.");
     if (!material.diffusion.two_stage)
-        list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-18, 1e-9,
+        list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-30, 1e-9,
                    "m2/s");
     list.range(where + ".contact_angle_deg", "contact angle", material.contact_angle_deg, 0, 180, "degrees");
     list.range(where + ".thermal_conductivity_w_mk", "thermal conductivity of a fibre", material.thermal_conductivity_w_mk, 0.005, 10,

@@ -26,7 +26,7 @@ void validate_droplet(const Experiment& experiment, const Droplet& drop, const s
             "droplet_after_end", where + ".time_s",
             fmt::format("The droplet appears at {} s, not before the experiment's end at {} s.", drop.time_s, experiment.duration_s));
     list.range(where + ".height_mm", "height of a droplet over the fabric", drop.height_mm, 0, 100, "mm");
-    list.range(where + ".speed_m_s", "droplet's speed", drop.speed_m_s, 0, 5, "m/s");
+    list.range(where + ".speed_m_s", "droplet's speed", drop.speed_m_s, 0, fastest_droplet_m_s, "m/s");
     bool reaches_over = false;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double at = drop.at_mm[axis], half = 0.5 * experiment.sample_mm[axis];
@@ -110,7 +110,11 @@ void validate_climate(const Climate& climate, const std::string& where, IssueLis
     if (list.range(where + ".temperature_c", "temperature", climate.temperature_c, -10, 60, "C") && climate.temperature_c < 0)
         list.add(Severity::warning, "supercooled", where + ".temperature_c",
                  fmt::format("At {} C the water is taken as supercooled liquid; freezing is not modelled.", climate.temperature_c));
-    list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, 1);
+    if (list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, most_humidity) &&
+        climate.relative_humidity > 1)
+        list.add(Severity::warning, "supersaturated", where + ".relative_humidity",
+                 fmt::format("At a relative humidity of {} the air has more vapour than it can hold; it condenses on the cloth.",
+                             climate.relative_humidity));
     list.range(where + ".air_speed_m_s", "air speed", climate.air_speed_m_s, 0, 20, "m/s");
 }
 

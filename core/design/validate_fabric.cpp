@@ -43,7 +43,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     const int before = list.errors();
     list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
     list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
-    list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, 0.02, densest_packing);
+    list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, loosest_packing, densest_packing);
     if (!yarn.diameter_mm && !yarn.linear_density_tex) list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
@@ -78,12 +78,12 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
                     "Diameter {} mm and packing factor {} make {:.4g} tex of this fibre ({:.0f} kg/m3), but linear_density_tex says {}. "
                     "They must agree within 1 %; leave one out.",
                     *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density, *yarn.linear_density_tex));
-    } else if (packing < 0.02 || packing > densest_packing) {
+    } else if (packing < loosest_packing || packing > densest_packing) {
         list.error(
             "yarn_disagrees", where,
             fmt::format(
-                "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from 0.02 to {}.",
-                *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, densest_packing));
+                "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from {} to {}.",
+                *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, loosest_packing, densest_packing));
     }
 }
 
@@ -180,12 +180,12 @@ void validate_fibre_scale(const Design& design, const Fabric& fabric, const std:
         }
     const FabricQuantities used = quantities_in_use(design, fabric);
     const std::string key = where + (fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity");
-    if (densest > densest_packing || loosest < 0.01)
+    if (densest > densest_packing || loosest < loosest_packing)
         list.error(
             "measured_disagrees", key,
             fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
-                        "and diameters can hold from 0.01 to {}. Derived are {:.4g} g/m2.",
-                        loosest, densest, densest_packing, used.areal_density_g_m2 / scale));
+                        "and diameters can hold from {} to {}. Derived are {:.4g} g/m2.",
+                        loosest, densest, loosest_packing, densest_packing, used.areal_density_g_m2 / scale));
     if (fabric.measured.areal_density_g_m2 && fabric.measured.porosity) {
         Fabric weighed = fabric;
         weighed.measured.porosity.reset();

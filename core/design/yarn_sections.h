@@ -11,6 +11,7 @@
 namespace hygroloom {
 
 constexpr double widest_share_of_pitch = 0.98; ///< neighbours leave this much of the pitch to one yarn at most
+constexpr double loosest_packing = 0.01;       ///< fibre volume / yarn volume of a free yarn, at least
 constexpr double densest_packing = 0.85;       ///< fibre volume / yarn volume that a squeezed yarn can reach
 constexpr std::size_t most_yarn_types = 16;    ///< different yarns in one system, colour apart
 

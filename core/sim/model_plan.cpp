@@ -29,9 +29,9 @@ struct Bounds {
     double capacity = 0;            // kg/m2 that the wicking yarns' pores hold, at least, where liquid is
     double wet_area = 0;            // m2 that can get wet, or that the air works on
     double sorbable = 0;            // kg the fibres of that area can take or give
-    double evaporated = 0;          // kg from both its faces in the duration
+    double evaporated = 0;          // kg from both its faces in the duration, or condensed on all of the sample
     double temperature_rise = 0;    // K if all sorbed at once and nothing escaped
-    double wet_bulb_depression = 0; // K, at most, by evaporation
+    double wet_bulb_depression = 0; // K, at most, by evaporation; or by how much condensation warms
     double slowed = 0;              // share of the evaporation that this holds back
     double finest = 0;              // m, height of the thinnest yarn
     std::size_t drops = 0;          // that fall
@@ -42,6 +42,7 @@ struct Bounds {
     double cover = 0;               // share of the area under yarns
     LiquidAt liquid{};
     bool wicks = false;
+    bool condenses = false; // vapour of air that is more than saturated, on all of the cloth
 };
 
 constexpr const char* mixing = "bundles of so many would mix yarns that differ";
@@ -67,6 +68,14 @@ Climate hardest_climate(const Experiment& experiment)
         hardest.air_speed_m_s = std::max(hardest.air_speed_m_s, moment.climate.air_speed_m_s);
     }
     return hardest;
+}
+
+/// The moistest air of a course.
+double most_humid(const Experiment& experiment)
+{
+    double most = experiment.climate.relative_humidity;
+    for (const ClimateMoment& moment : experiment.climates) most = std::max(most, moment.climate.relative_humidity);
+    return most;
 }
 
 /// Liquid that the experiment brings, kg; of a strip that hangs in liquid, what all its pores hold.
@@ -118,7 +127,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
         sorbable += along * fibres * gain;
         const double liquid = conditioning ? 0.0 : least_mobile_saturation * pores;
         if (wicks && liquid > 0) thirst = std::max(thirst, fibres * gain / liquid);
-        const double heat = heat_of_sorption(std::min(humidity, conditioning ? experiment.initial.relative_humidity : 1.0)) +
+        const double heat = heat_of_sorption(std::min({humidity, conditioning ? experiment.initial.relative_humidity : 1.0, 1.0})) +
                             (conditioning ? heat_of_evaporation(temperature) : 0.0);
         b.temperature_rise =
             std::max(b.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
@@ -152,10 +161,12 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     b.sorbable = spot ? std::min(sorbable * sample, thirst * b.delivered) : sorbable * sample;
     b.at_stake = std::max(b.delivered, conditioning ? b.sorbable : 0.0);
     const double convection = convective_heat_transfer(air.air_speed_m_s, metre_from_mm(std::max(width, height)));
-    b.evaporated = 2.0 * b.wet_area * experiment.duration_s * mass_transfer(convection, temperature) * (1.0 - humidity) *
+    const double dry = 1.0 - humidity, damp = most_humid(experiment) - 1.0;
+    b.condenses = damp > 0;
+    b.evaporated = 2.0 * std::max(b.wet_area * dry, sample * damp) * experiment.duration_s * mass_transfer(convection, temperature) *
                    saturation_concentration(temperature);
     const double dry_transfer = convection + radiative_heat_transfer(temperature), wet_transfer = mass_transfer(convection, temperature);
-    b.wet_bulb_depression = wet_bulb_depression(dry_transfer, wet_transfer, temperature, humidity);
+    b.wet_bulb_depression = wet_bulb_depression(dry_transfer, wet_transfer, temperature, 1.0 - std::max(dry, damp));
     b.slowed = cooling_slows_evaporation(dry_transfer, wet_transfer, temperature);
     return b;
 }
@@ -246,7 +257,7 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
                                           : angle + ", 90 or more: no pores draw liquid.",
                                 forced));
     const bool wicking = plan.parts.back().on;
-    const bool moist = wicking || conditioning || (wet && !drops); // water can get to the fibres
+    const bool moist = wicking || conditioning || (wet && !drops) || b.condenses; // water can get to the fibres
     plan.water_at_stake = std::max(b.at_stake, 1e-30);
     const std::string left_out = left_out_below(knobs.neglected_share);
     const auto share_reason = [&](const char* what, double share) {
@@ -264,27 +275,30 @@ void decide_parts(ModelPlan& plan, const Bounds& b, const Experiment& experiment
     const bool new_climate = conditioning || !experiment.climates.empty();
     const double evaporated = b.evaporated / plan.water_at_stake;
     plan.parts.push_back(
-        new_climate && (sorption || b.delivered <= 0)
+        b.condenses ? decide("vapour", true, "The air has more vapour than it can hold, which condenses on the cloth.", forced)
+        : new_climate && (sorption || b.delivered <= 0)
             ? decide("vapour", moist && sorption, "What fibres exchange comes and goes as vapour.", forced)
             : decide_by("vapour",
                         {evaporated, moist && evaporated > 0, "what would evaporate until the end wherever the cloth has really got wet"},
                         share_reason("Evaporation from both faces of the area that can get wet takes", evaporated), knobs, forced));
     const bool vapour = plan.parts.back().on;
-    const double warming = sorption ? b.temperature_rise : 0.0, cooling = vapour && b.delivered > 0 ? b.wet_bulb_depression : 0.0;
+    const bool changes_phase = vapour && (b.delivered > 0 || b.condenses);
+    const double warming = sorption ? b.temperature_rise : 0.0, cooling = changes_phase ? b.wet_bulb_depression : 0.0;
     double change = conditioning ? std::abs(experiment.initial.temperature_c - experiment.climate.temperature_c) : 0.0;
     for (const ClimateMoment& moment : experiment.climates)
         change = std::max(change, std::abs(moment.climate.temperature_c - experiment.climate.temperature_c));
-    const double slowed = vapour && b.delivered > 0 ? b.slowed * std::min(1.0, evaporated) : 0.0;
+    const double slowed = changes_phase ? b.slowed * std::min(1.0, evaporated) : 0.0;
     const double rates = change_per_kelvin * std::max({warming, cooling, change}), effect = std::max(rates, slowed);
     const bool may_follow = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
     plan.parts.push_back(decide_by(
         "heat",
         {effect, moist && (effect > 0 || may_follow),
          "how far what fibres have really taken up and what evaporates change the temperature"},
-        fmt::format("Sorption warms the wet area by at most {:.3g} K, evaporation cools it by at most {:.3g} K and the climate "
+        fmt::format("Sorption warms the wet area by at most {:.3g} K, {} it by at most {:.3g} K and the climate "
                     "changes by {:.3g} K; at 2 % a kelvin that changes rates by {}. The cooling holds back at most {:.3g} % of the "
                     "water from evaporating; {}.",
-                    warming, cooling, change, rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed, left_out),
+                    warming, b.condenses ? "condensation warms" : "evaporation cools", cooling, change,
+                    rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed, left_out),
         knobs, forced));
 }
 
@@ -293,7 +307,7 @@ void decide_growth(ModelPlan& plan, const Bounds& b, const Experiment& experimen
 {
     const auto [width, height] = sample_extent_mm(experiment);
     const bool everywhere = experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
-                            experiment.type == ExperimentType::sweat || !experiment.climates.empty();
+                            experiment.type == ExperimentType::sweat || !experiment.climates.empty() || b.condenses;
     const double wet = 1e6 * b.wet_area / (width * height);
     plan.parts.push_back(
         decide("growth", !everywhere,

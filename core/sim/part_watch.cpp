@@ -23,11 +23,11 @@ template <typename Visit> void each_segment(const Scene& scene, const Visit& vis
 
 double dry_mass(const YarnParameters& yarn, double length) { return yarn.fibre_area * yarn.fibre_density * length; }
 
-/// At which a wet face gives vapour to the air of a moment (s), kg/(m2 s).
+/// At which a wet face gives vapour to the air of a moment (s), or takes it from air that is more than saturated, kg/(m2 s).
 double drying_rate(const Scene& scene, double time)
 {
     const SceneClimate air = air_at(scene, time);
-    return air.mass_transfer * (1.0 - air.humidity) * saturation_concentration(scene.climate.temperature + air.air_warmth);
+    return air.mass_transfer * std::abs(1.0 - air.humidity) * saturation_concentration(scene.climate.temperature + air.air_warmth);
 }
 
 const char* what_it_is(const SwitchedPart& part)
@@ -137,7 +137,7 @@ double PartWatch::warming(const Frame& frame) const
 {
     const double temperature = scene_.climate.temperature;
     const double latent = frame.ledger.water_delivered > 0 ? 0.0 : heat_of_evaporation(temperature); // without liquid it all was vapour
-    const double heat = heat_of_sorption(scene_.climate.humidity);
+    const double heat = heat_of_sorption(std::min(1.0, scene_.climate.humidity));
     double most = 0;
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         const YarnParameters& yarn = scene_.yarns[type];
@@ -161,7 +161,7 @@ double PartWatch::share_of(const std::string& part, const Frame& frame, const We
         const double temperature = scene_.climate.temperature + air.air_warmth;
         const double dried = std::max(0.0, frame.ledger.water_evaporated) + wet.area * dries_until_end(frame.time);
         effect = std::max(
-            {effect, change_per_kelvin * wet_bulb_depression(air.heat_transfer, air.mass_transfer, temperature, air.humidity),
+            {effect, change_per_kelvin * std::abs(wet_bulb_depression(air.heat_transfer, air.mass_transfer, temperature, air.humidity)),
              cooling_slows_evaporation(air.heat_transfer, air.mass_transfer, temperature) * std::min(1.0, dried / water_at_stake_)});
     }
     return effect;

@@ -76,7 +76,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     std::vector<double> vapour(n), regain(n * shells), pores(n);
     const ClimateParameters& climate = scene_.climate;
     const double humidity = scene_.initial_humidity < 0 ? climate.humidity : scene_.initial_humidity;
-    const double pore_vapour = humidity * saturation_concentration(climate.temperature + scene_.initial_warmth);
+    const double pore_vapour = std::min(1.0, humidity) * saturation_concentration(climate.temperature + scene_.initial_warmth);
     const Yarns yarns = yarns_on_host();
     water_scale_ = heat_scale_ = 0;
     constexpr double least_change = 1e-3; // of regain: where nothing is to change, nothing is to be followed more closely
@@ -111,7 +111,7 @@ template <typename Executor> void Solver<Executor>::visit_from_start()
     reach_.fill(-1);
     unvisited_ = {};
     const bool stirred = !scene_.initial_liquid.empty() || scene_.initial_warmth != 0 || scene_.initial_humidity >= 0 ||
-                         !scene_.course.empty() || scene_.sweat > 0;
+                         scene_.climate.humidity > 1 || !scene_.course.empty() || scene_.sweat > 0;
     if (scene_.rest_tolerance <= 0 || stirred) return;
     unvisited_ = {scene_.ends / 2, (scene_.ends - 1) / 2, scene_.picks / 2, (scene_.picks - 1) / 2};
     for (int i = 0; i < static_cast<int>(scene_.fed.size()) / 2; ++i) {

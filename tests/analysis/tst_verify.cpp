@@ -102,6 +102,8 @@ private Q_SLOTS:
                                                      << "fabric=B speed_m_s=5";
         QTest::newRow("a drop fired at an open fabric") << "impact"
                                                         << "fabric=C speed_m_s=1 volume_ul=8 particles=1000";
+        QTest::newRow("as fast as drops may be") << "impact"
+                                                 << "speed_m_s=10 particles=500";
         QTest::newRow("wide tube, wetting") << "washburn"
                                             << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
         QTest::newRow("fine tube") << "washburn"
@@ -209,6 +211,14 @@ private Q_SLOTS:
                                       << "temperature_c=-10 relative_humidity=0.3";
         QTest::newRow("drying in saturated air") << "drying_rate"
                                                  << "relative_humidity=1";
+        QTest::newRow("condensation") << "wet_bulb"
+                                      << "relative_humidity=1.2";
+        QTest::newRow("condensation in the frost") << "wet_bulb"
+                                                   << "temperature_c=-10 relative_humidity=2 radiation=1";
+        QTest::newRow("condensing in hot wind") << "drying_rate"
+                                                << "temperature_c=60 relative_humidity=2 air_speed_m_s=5";
+        QTest::newRow("wool in more than saturated air") << "regain"
+                                                         << "material=wool relative_humidity=1.2 temperature_c=45";
         QTest::newRow("no evaporation") << "wet_bulb"
                                         << "relative_humidity=1";
         QTest::newRow("drying in a storm") << "drying_rate"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/error.h"
+#include "core/design/validate.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -196,6 +198,55 @@ private Q_SLOTS:
             const bool needed = std::find(asked.begin(), asked.end(), key) != asked.end();
             QVERIFY2(has(message, "The key \"" + key + "\" is missing.") == needed && message.empty() != needed, key.c_str());
         }
+    }
+    void theSchemasLimitsAreThoseOfTheReader_data()
+    {
+        QTest::addColumn<QString>("schema");
+        QTest::addColumn<QString>("object");
+        QTest::newRow("climate") << "/$defs/climate"
+                                 << "/experiments/0/climate";
+        QTest::newRow("moment of a climate") << "/$defs/experiment/properties/climate/oneOf/1/items"
+                                             << "/experiments/1/climate/1";
+        QTest::newRow("droplet") << "/$defs/experiment/properties/droplets/items"
+                                 << "/experiments/0/droplets/0";
+        QTest::newRow("material") << "/$defs/material"
+                                  << "/materials/1";
+        QTest::newRow("yarn") << "/$defs/yarn"
+                              << "/fabrics/0/warp";
+        QTest::newRow("liquid") << "/$defs/liquid"
+                                << "/liquids/0";
+    }
+    void theSchemasLimitsAreThoseOfTheReader()
+    {
+        QFETCH(QString, schema);
+        QFETCH(QString, object);
+        const ProjectJson all =
+            ProjectJson::parse(bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/schema/hygroloom-project-1.schema.json"));
+        QString where = object;
+        where = where.replace(QRegularExpression("/(\\d+)"), "[\\1]").replace('/', '.').mid(1) + "."; // as issues have it
+        int limits = 0;
+        for (const auto& [key, value] : all.at(ProjectJson::json_pointer(schema.toStdString() + "/properties")).items()) {
+            if (key == "time_s" || key == "sorption_heat_j_g") continue; // depend on their neighbours; have another name
+            const ProjectJson& property = value.contains("oneOf") ? value.at("oneOf").back() : value;
+            for (const auto& [limit, outwards] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
+                if (!property.contains(limit)) continue;
+                const double most = property.at(limit);
+                const double beyond = most + outwards * (most == 0 || property.at("type") == "integer" ? 1 : 0.01 * std::abs(most));
+                const auto is_refused = [&](double number) {
+                    ProjectJson project = json_from_design(rich());
+                    project["materials"][1]["standard_regain"] = 0; // or saturation_regain could not be
+                    project[ProjectJson::json_pointer(object.toStdString())][key] = number;
+                    const auto issues = validate(parse_project(text_from_json(project), "text"));
+                    return std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
+                        return issue.severity == Severity::error && issue.where == where.toStdString() + key && issue.code == "range";
+                    });
+                };
+                QVERIFY2(!is_refused(most), (key + " " + limit).c_str());
+                QVERIFY2(is_refused(beyond), (key + " " + limit).c_str());
+                ++limits;
+            }
+        }
+        QVERIFY(limits >= 5);
     }
     void theHeatOfWettingHasTwoNames()
     {

@@ -159,7 +159,7 @@ private Q_SLOTS:
         row("experiments[0].rate_g_m2_h", "range", [=](Design& d) { set_up(d, ExperimentType::sweat).rate_g_m2_h = -1; });
         row("experiments[0].climate[1].time_s", "range", [](Design& d) { d.experiments[0].climates = {{0, {}}}; });
         row("experiments[0].climate[2].relative_humidity", "range", [](Design& d) {
-            d.experiments[0].climates = {{1, {}}, {2, {20, 1.5, 0}}};
+            d.experiments[0].climates = {{1, {}}, {2, {20, 2.1, 0}}};
         });
         row("liquids[0].viscosity_mpa_s", "range", [](Design& d) { d.liquids = {{"glue", 50, 1e5, 1000}}; });
         row("liquids[1].name", "duplicate_name", [](Design& d) { d.liquids = {{"glue"}, {"glue"}}; });
@@ -175,7 +175,7 @@ private Q_SLOTS:
         row("experiments[0].droplets[0].time_s", "range", [](Design& d) { d.experiments[0].droplets[0].time_s = -1; });
         row("experiments[0].droplets[0].time_s ", "droplet_after_end", [](Design& d) { d.experiments[0].droplets[0].time_s = 11; });
         row("experiments[0].droplets[0].height_mm", "range", [nan](Design& d) { d.experiments[0].droplets[0].height_mm = nan; });
-        row("experiments[0].droplets[0].speed_m_s", "range", [](Design& d) { d.experiments[0].droplets[0].speed_m_s = 6; });
+        row("experiments[0].droplets[0].speed_m_s", "range", [](Design& d) { d.experiments[0].droplets[0].speed_m_s = 11; });
         row("experiments[0].droplets", "too_much_liquid", [](Design& d) {
             d.liquids = {{"heavy", 70, 1, 2000}};
             d.experiments[0].liquid = "heavy";
@@ -262,6 +262,37 @@ private Q_SLOTS:
         const auto issues = validate(design);
         QVERIFY(!has_error(issues));
         QVERIFY(find(issues, "supercooled")->severity == Severity::warning);
+    }
+    void airThatIsMoreThanSaturatedIsAWarning()
+    {
+        Design design = sound();
+        for (double humidity : {1.2, 2.0}) {
+            design.experiments[0].climate.relative_humidity = humidity;
+            const auto issues = validate(design);
+            QVERIFY(!has_error(issues));
+            QVERIFY(find(issues, "supersaturated")->severity == Severity::warning);
+        }
+        design.experiments[0].climate.relative_humidity = 1;
+        QVERIFY(!find(validate(design), "supersaturated"));
+    }
+    void theExtremesOfStabilityAreSound()
+    {
+        Design design = sound();
+        design.experiments[0].droplets[0].speed_m_s = 10;
+        design.experiments[0].droplets[0].height_mm = 0.05;
+        Material own = material_library()[0];
+        own.based_on = own.name;
+        own.name = "own";
+        own.fibre_radius_um = 0.001;
+        own.diffusion.constant_m2_s = 1e-30;
+        design.materials = {own};
+        design.fabrics[0].warp.material = {{"own", 1.0}};
+        QVERIFY(!has_error(validate(design)));
+        design.fabrics[0].warp.packing_factor = 0.01;
+        design.fabrics[0].weft.packing_factor = 0.01;
+        QVERIFY(!has_error(validate(design)));
+        design.fabrics[0].weft.packing_factor = 0.99; // more than yarns can be packed
+        QVERIFY(has_error(validate(design)));
     }
     void looseThreadsAreAWarning()
     {

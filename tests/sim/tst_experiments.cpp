@@ -2,6 +2,7 @@
 // Every type of experiment on a small sample: balanced after every step, within its bounds, and in the direction it must go.
 #include "core/analysis/metrics.h"
 #include "core/base/units.h"
+#include "core/physics/air.h"
 #include "core/sim/backend.h"
 #include "core/sim/cpu_executor.h"
 #include "core/sim/runner.h"
@@ -274,6 +275,32 @@ private Q_SLOTS:
         // The step's length follows its error: a tighter one changes the answer little.
         const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
         QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
+    }
+    void moreThanSaturatedAirCondensesAndWarmsTheCloth_data()
+    {
+        QTest::addColumn<double>("humidity");
+        for (double humidity : {1.01, 1.2, 2.0}) QTest::addRow("%g", humidity) << humidity;
+    }
+    void moreThanSaturatedAirCondensesAndWarmsTheCloth() // without swinging, to where the air takes the heat
+    {
+        QFETCH(double, humidity);
+        Design design = small(ExperimentType::conditioning);
+        design.experiments[0].initial = {20, 1, 0.1};
+        design.experiments[0].climate.relative_humidity = humidity;
+        design.experiments[0].duration_s = 300;
+        const Result result = run(design);
+        const auto warmest = [](const Frame& f) { return double(*std::max_element(f.temperature.begin(), f.temperature.end())); };
+        for (std::size_t k = 1; k < result.frames.size(); ++k) {
+            const Frame &before = result.frames[k - 1], &now = result.frames[k];
+            QVERIFY(now.ledger.water_evaporated < before.ledger.water_evaporated);
+            QVERIFY(now.ledger.water_liquid > before.ledger.water_liquid);
+            QVERIFY(warmest(now) > warmest(before) - 1e-3);
+        }
+        const ClimateParameters air = scene_of(design).climate;
+        const double reached = warmest(result.frames.back());
+        const double taken = air.heat_transfer * (reached - air.temperature);
+        const double given = heat_of_evaporation(reached) * air.mass_transfer * (air.vapour - saturation_concentration(reached));
+        QVERIFY2(std::abs(taken - given) < 0.02 * given, qPrintable(QString("%1 %2 W/m2").arg(taken).arg(given)));
     }
     void onlyTheClothNearTheWaterIsVisited_data()
     {

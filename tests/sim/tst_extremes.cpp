@@ -56,7 +56,8 @@ Yarn random_yarn(Dice& dice)
         if (other != yarn.material[0].name) yarn.material = {{yarn.material[0].name, 1 - share}, {other, share}};
     }
     yarn.diameter_mm = dice.by_decades(0.05, 1.5);
-    yarn.packing_factor = dice.chance(0.3) ? dice.one_of<double>({0.02, densest_packing}) : dice.between(0.02, densest_packing);
+    yarn.packing_factor =
+        dice.chance(0.3) ? dice.one_of<double>({loosest_packing, densest_packing}) : dice.between(loosest_packing, densest_packing);
     yarn.fibres_per_yarn = dice.one_of<int>({1, 2, 30, 500});
     yarn.twist_per_m = dice.one_of<double>({0, 700, 2000});
     return yarn;
@@ -66,7 +67,7 @@ Climate random_climate(Dice& dice)
 {
     Climate climate;
     climate.temperature_c = dice.chance(0.4) ? dice.one_of<double>({-10, 0, 20, 60}) : dice.between(-10, 60);
-    climate.relative_humidity = dice.chance(0.5) ? dice.one_of<double>({0, 0.65, 1}) : dice.share();
+    climate.relative_humidity = dice.chance(0.5) ? dice.one_of<double>({0, 0.65, 1, 1.2, most_humidity}) : dice.share();
     climate.air_speed_m_s = dice.one_of<double>({0, 0.1, 1, 20});
     return climate;
 }
@@ -80,11 +81,25 @@ void add_droplets(Dice& dice, Experiment& experiment)
         drop.volume_ul = dice.chance(0.25) ? dice.one_of<double>({1e-6, 5000}) : dice.by_decades(1e-3, 50);
         drop.time_s = i * 0.2 * std::min(longest, experiment.duration_s);
         drop.height_mm = drop.volume_ul < 1e-3 ? 0.0 : dice.one_of<double>({0, 2, 20}); // the smallest would fall a million steps long
-        drop.speed_m_s = dice.one_of<double>({0, 0, 0, 1, 5});
+        drop.speed_m_s = dice.one_of<double>({0, 0, 0, 1, fastest_droplet_m_s});
         for (std::size_t axis = 0; axis < 2; ++axis)
             drop.at_mm[axis] = dice.chance(0.8) ? 0.0 : 0.5 * experiment.sample_mm[axis] * dice.between(-1, 1);
         experiment.droplets.push_back(drop);
     }
+}
+
+/// Of one in ten: fibres as thin or thick, and as quick or slow to take up water, as there may be.
+void change_fibres(int index, Design& design)
+{
+    Dice dice(index + 2000000); // of their own
+    if (!dice.chance(0.1)) return;
+    Material own = *find_library_material(dice.one_of<std::string>({"cotton", "wool", "polyester"}));
+    own.based_on = own.name;
+    own.name = "own";
+    own.fibre_radius_um = dice.one_of<double>({0.001, 0.1, 8, 200});
+    own.diffusion.constant_m2_s = dice.one_of<double>({1e-30, 1e-20, 1e-9});
+    design.materials = {own};
+    for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->material = {{"own", 1.0}};
 }
 
 Design random_design(int index, double& simulated)
@@ -142,6 +157,7 @@ Design random_design(int index, double& simulated)
     experiment.rate_g_m2_h = dice.one_of<double>({0, 10, 1000, 1e5});
     experiment.from_top = dice.chance(0.5);
     design.experiments.push_back(experiment);
+    change_fibres(index, design);
     return design;
 }
 
@@ -276,6 +292,8 @@ private:
         covered_["contact angle 90 or more"] += design.fabrics[0].contact_angle_deg.value_or(0) >= 90;
         covered_["humidity 0"] += e.climate.relative_humidity == 0;
         covered_["humidity 100 %"] += e.climate.relative_humidity == 1;
+        covered_["humidity over 100 %"] += e.climate.relative_humidity > 1;
+        covered_["fibres of their own"] += !design.materials.empty();
         covered_["a course of the climate"] += !e.climates.empty();
         covered_["swelling"] += e.swelling;
         for (const char* part : {"wicking", "sorption", "vapour", "heat"})

@@ -149,6 +149,28 @@ private Q_SLOTS:
         design.experiments[0].climate.relative_humidity = 1.0;
         QVERIFY(!plan_of(design, Fidelity::reference).on("vapour"));
     }
+    void moreThanSaturatedAirCondensesOnAllOfTheCloth()
+    {
+        Design design = drop_design(120);
+        const auto condenses = [&] {
+            const ModelPlan plan = plan_of(design);
+            return plan.on("vapour") && plan.on("heat") && !plan.on("growth");
+        };
+        QVERIFY(!condenses());
+        design.experiments[0].climate.relative_humidity = 1.01;
+        QVERIFY(condenses());
+        design.experiments[0].droplets.clear();
+        QVERIFY(condenses());
+        design.experiments[0].climate.relative_humidity = 0.65;
+        design.experiments[0].climates = {{0.1, {25, 1.5, 0}}}; // later
+        QVERIFY(condenses());
+        Experiment conditioning = standard_experiment(ExperimentType::conditioning);
+        conditioning.name = "test";
+        conditioning.initial.relative_humidity = 1; // the fibres are full
+        conditioning.climate.relative_humidity = 1.2;
+        design.experiments = {conditioning};
+        QVERIFY(condenses());
+    }
     void noDropNoLiquid()
     {
         Design design = drop_design();
