@@ -195,8 +195,10 @@ int simulate_several(const SimulateOptions& options, const Design& design, RunOp
         ++ended;
     }
     if (options.json) fmt::print("]\n");
+    if (control.cancel)
+        throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.{}", ended, fabrics.size(),
+                                               options.output.empty() ? "" : " The recordings so far are in " + options.output + "."));
     if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recordings are in {}.\n", options.output);
-    if (control.cancel) throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.", ended, fabrics.size()));
     return failed > 0 ? exit_failed : exit_ok;
 }
 
@@ -242,7 +244,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric or on several, then print the metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
+        "Ctrl-C, or a kill, stops the run; the recording so far stays readable.\n\n" +
         knob_help());
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);

@@ -311,23 +311,53 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"export", project, "--water", recording, "--set", "fabrics[0].ends_per_cm=11", "-o", file}).code, 3);
         QCOMPARE(run_cli({"export", project, "--water", project, "-o", file}).code, 3);
     }
+    void interruptedRunsLeaveAReadableRecording_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::addColumn<QStringList>("how");
+        QTest::newRow("Ctrl-C") << SIGINT << QStringList{};
+        QTest::newRow("a polite kill") << SIGTERM << QStringList{};
+        QTest::newRow("a polite kill of a quiet run") << SIGTERM << QStringList{"--quiet"};
+    }
     void interruptedRunsLeaveAReadableRecording()
     {
+        QFETCH(int, signal);
+        QFETCH(QStringList, how);
         const QString recording = folder_.filePath("cut.hygrorec");
         QProcess process;
-        process.start(HYGROLOOM_CLI, {"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu", "--set",
-                                      "experiments[0].duration_s=3600", "-o", recording});
+        QFile::remove(recording);
+        process.start(HYGROLOOM_CLI, QStringList{"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu",
+                                                 "--set", "experiments[0].duration_s=3600", "-o", recording} +
+                                         how);
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QFile(recording).size() > 0, 30000);
         QTest::qWait(1000);
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        ::kill(static_cast<pid_t>(process.processId()), signal);
         QVERIFY(process.waitForFinished(10000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 130);
         QVERIFY(process.readAllStandardError().contains("The recording so far is in " + recording.toUtf8()));
-        const Answer measured = run_cli({"measure", recording});
+        const Answer measured = run_cli({"measure", recording, "--json"});
         QCOMPARE(measured.code, 0);
         QVERIFY(measured.err.contains("cut short"));
+        QVERIFY(!measured.json()["series"].toObject()["time_s"].toArray().isEmpty());
+    }
+    void interruptedRunsSideBySideLeaveReadableRecordings()
+    {
+        const QString folder = folder_.filePath("cut-several"), first = folder + "/Hemp-plain.hygrorec";
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"simulate", example("three-candidates.hygro"), "--experiment", "one drop", "--fabrics",
+                                      "Hemp plain,Cotton plain", "--fidelity", "draft", "--backend", "cpu", "--quiet", "--set",
+                                      "experiments.one drop.duration_s=3600", "-o", folder});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(first).size() > 0, 30000);
+        QTest::qWait(1000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitCode(), 130);
+        const QByteArray err = process.readAllStandardError();
+        QVERIFY2(err.contains("Cancelled after 0 of 2 fabrics. The recordings so far are in " + folder.toUtf8() + "."), err);
+        QVERIFY(run_cli({"measure", first}).err.contains("cut short"));
     }
     void anInterruptedComparisonKeepsWhatWasRun()
     {
