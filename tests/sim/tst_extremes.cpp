@@ -96,7 +96,7 @@ void change_fibres(int index, Design& design)
     Material own = *find_library_material(dice.one_of<std::string>({"cotton", "wool", "polyester"}));
     own.based_on = own.name;
     own.name = "own";
-    own.fibre_radius_um = dice.one_of<double>({0.001, 0.1, 8, 200});
+    own.fibre_radius_um = dice.one_of<double>({0.5, 0.5, 8, 200});
     own.diffusion.constant_m2_s = dice.one_of<double>({1e-30, 1e-20, 1e-9});
     design.materials = {own};
     for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->material = {{"own", 1.0}};
