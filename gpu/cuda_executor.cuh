@@ -90,11 +90,12 @@ struct Block {
         f(static_cast<int>(threadIdx.x));
         __syncthreads();
     }
-    __device__ bool any(bool own) const { return __syncthreads_or(own ? 1 : 0) != 0; }
+    template <typename F> __device__ bool any(const F& f) const { return __syncthreads_or(f(static_cast<int>(threadIdx.x)) ? 1 : 0) != 0; }
     __device__ void add(std::int64_t* total, std::int64_t own) const { add_from_warp(total, own, 1); }
 };
 
 constexpr int least_team = 32, most_team = 512; ///< threads
+constexpr int teams_beside = 2;                 ///< of the largest, on a processor
 
 /// The room of lines that shared memory has no room for; none if it has.
 struct LineRoom {
@@ -103,7 +104,7 @@ struct LineRoom {
 };
 
 /// A line after the other for each block.
-template <typename Stage> __global__ void __launch_bounds__(most_team) run_lines(int lines, LineRoom room, Stage stage)
+template <typename Stage> __global__ void __launch_bounds__(most_team, teams_beside) run_lines(int lines, LineRoom room, Stage stage)
 {
     extern __shared__ double shared[];
     using BlockTeam = Team<Block>;

@@ -64,6 +64,19 @@ HL_FN void atomic_max(int* target, int value)
 #endif
 }
 
+/// The same, where so many elements share the target that looking at it would be what they wait for: a warp looks once, at what its
+/// processor has last seen there.
+HL_FN void atomic_max_of_many(int* target, int value)
+{
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
+    const unsigned together = __activemask();
+    const int most = __reduce_max_sync(together, value);
+    if (static_cast<int>(threadIdx.x % 32) == __ffs(static_cast<int>(together)) - 1 && most > __ldca(target)) atomicMax(target, most);
+#else
+    atomic_max(target, value);
+#endif
+}
+
 /// The same, where all elements share the target.
 HL_FN void atomic_max_of_all(int* target, int value)
 {

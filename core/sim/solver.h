@@ -112,6 +112,7 @@ public:
                 const double steps = LiquidRules::steps_to(target - time_, std::min(network_dt_, exchange_dt_));
                 sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
             }
+            may_have_absorbed_ = may_have_absorbed_ || flow_.count > 0;
             while (!flow(wall_seconds))
                 if (elapsed(start) > wall_seconds) return time_;
             time_ = sync_time_;
@@ -144,7 +145,8 @@ public:
     {
         StateReader reader(state);
         pass_state(reader);
-        all_is_new_ = true;
+        sum_shells();
+        may_have_absorbed_ = true;
     }
 
 private:
@@ -168,12 +170,15 @@ private:
     template <typename Archive> void pass_state(Archive& archive);
     template <typename Archive> void pass_regain(Archive& archive);
     void load_segments();
+    void sum_shells();
     void note_start(std::vector<double>& regain);
     double largest_change(const YarnParameters& yarn) const;
     void set_climate();
     void visit_from_start();
     void visit_around(double radius);
-    void visit_what_changed();
+    void visit_what_changed(std::span<const int> reach);
+    int threads_near();
+    void visit_what_drank();
     double next_event() const;
     /// Short steps again: something sudden has happened.
     void begin_anew()
@@ -203,8 +208,17 @@ private:
         bool known = false; ///< whether there was one
     };
     double growth(double error) const { return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_.step_error)), 0.3, 1.5); }
-    void choose_network_step(double dt);
-    void choose_exchange_step(double dt);
+    /// What tells how long the network's next step may be.
+    struct Signs {
+        bool error; ///< of the last one
+        bool pools; ///< that stand: the change of saturation counts, too
+
+        bool change() const { return !error || pools; }
+    };
+    bool pools_stand() const;
+    void move_liquid_and_heat(double dt, const Signs& signs);
+    void choose_network_step(double dt, const Signs& signs, const YarnTotals& found);
+    void choose_exchange_step(double dt, const YarnTotals& found);
     double water_at_stake() const;
     void load_liquid();
     void load_particles();
@@ -214,8 +228,9 @@ private:
     std::size_t particles_of(double volume) const;
     void release_droplets();
     void step_network(double dt, bool frame_due);
-    void exchange(double dt);
-    void swell();
+    bool exchanges() const { return scene_.sorption || scene_.vapour; }
+    bool exchange(double dt);
+    bool swell();
     bool flow(double wall_seconds);
     LiquidFlow liquid_flow();
     /// What sorting brought to the other side is where particles are from then on.
@@ -250,12 +265,12 @@ private:
 
     // Yarns.
     Buffer<double> length_, liquid_, vapour_, warmth_, regain_, evaporated_, released_, lost_, work0_, work1_, work2_, flux_, before_;
-    Buffer<double> fibre_water_; ///< kg, as of the last frame
-    bool all_is_new_ = true;     ///< what is not visited must be looked at, too
+    Buffer<double> fibre_water_;     ///< kg
+    bool may_have_absorbed_ = false; ///< some segment, from particles or a pool, since the yarns' last step
     typename Executor::Snapshot snapshot_;
     Unvisited unvisited_;
     Buffer<int> from_;  ///< segments that give back liquid
-    Buffer<int> reach_; ///< see Reach: where liquid or vapour has come since the last step
+    Buffer<int> reach_; ///< see Reach: where particles gave liquid since the last step
     Buffer<double> pores_, supplied_, uptake_, liquid_rate_, bound_, bound_rate_, heat_, heat_rate_;
     Buffer<std::uint8_t> fed_;
     Buffer<std::uint8_t> warp_up_, type_;

@@ -18,16 +18,40 @@ struct TrackChange {
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        const double change = s.liquid[i] - before[i];
-        if (change == 0) return;
-        before[i] = s.liquid[i];
-        if (largest == nullptr) return;
+        note(change_of(i, before[i]));
+    }
+    HL_FN void note(float change) const
+    {
         union {
             float value;
             int bits;
         } moved;
-        moved.value = static_cast<float>((change < 0 ? -change : change) / (density * s.pores[i]));
-        if (moved.value > 0) atomic_max(largest, moved.bits);
+        moved.value = change;
+        if (largest != nullptr && change > 0) atomic_max_of_many(largest, moved.bits);
+    }
+    HL_FN float change_of(int i, double was) const
+    {
+        const double change = s.liquid[i] - was;
+        if (change == 0) return 0;
+        before[i] = s.liquid[i];
+        return static_cast<float>((change < 0 ? -change : change) * plain_inverse(density * s.pores[i]));
+    }
+};
+
+/// What moves at a crossing, and how much its segments have changed then.
+struct ExchangeAndTrack {
+    ExchangeAtCrossing exchange;
+    TrackChange track;
+
+    HL_FN void operator()(int index) const
+    {
+        const Segments& s = track.s;
+        const auto [end, pick] = s.visited_place(index);
+        const int a = s.warp_of(end, pick), b = s.weft_of(end, pick);
+        const double was_a = track.before[a], was_b = track.before[b]; // under way while liquid and heat are exchanged
+        exchange(index);
+        const float warp = track.change_of(a, was_a), weft = track.change_of(b, was_b);
+        track.note(warp > weft ? warp : weft);
     }
 };
 
@@ -56,7 +80,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
         b->fill(0.0);
     }
     fibre_water_.resize(n);
-    all_is_new_ = true;
+    may_have_absorbed_ = false;
     warmth_.resize(n);
     warmth_.fill(scene_.initial_warmth);
     fed_.upload(scene_.fed);
@@ -100,6 +124,7 @@ template <typename Executor> void Solver<Executor>::load_segments()
     pores_.upload(pores);
     vapour_.upload(vapour);
     regain_.upload(regain);
+    sum_shells();
     if (scene_.step_error > 0) note_start(regain);
     visit_from_start();
 }
@@ -114,14 +139,17 @@ template <typename Executor> void Solver<Executor>::visit_from_start()
                          scene_.climate.humidity > 1 || !scene_.course.empty() || scene_.sweat > 0;
     if (scene_.rest_tolerance <= 0 || stirred) return;
     unvisited_ = {scene_.ends / 2, (scene_.ends - 1) / 2, scene_.picks / 2, (scene_.picks - 1) / 2};
+    YarnTotals fed;
     for (int i = 0; i < static_cast<int>(scene_.fed.size()) / 2; ++i) {
         if (scene_.fed[static_cast<std::size_t>(i)] == 0) continue;
         const int end = i / scene_.picks, pick = i % scene_.picks;
+        Reach{fed.reach}.include(yarns_on_host(), i);
         unvisited_.ends_before = std::min(unvisited_.ends_before, end);
         unvisited_.ends_after = std::min(unvisited_.ends_after, scene_.ends - 1 - end);
         unvisited_.picks_before = std::min(unvisited_.picks_before, pick);
         unvisited_.picks_after = std::min(unvisited_.picks_after, scene_.picks - 1 - pick);
     }
+    visit_what_changed(fed.reach);
 }
 
 /// Takes in what lies within a radius (m) of the sample's middle.
@@ -136,16 +164,18 @@ template <typename Executor> void Solver<Executor>::visit_around(double radius)
     least(unvisited_.picks_after, scene_.picks, radius, scene_.weft_pitch);
 }
 
-/// Grows by a quarter, or more, on the sides whose border liquid, vapour or heat has come near to since the last step.
-template <typename Executor> void Solver<Executor>::visit_what_changed()
+/// So many from the border of what is visited count as near to it.
+template <typename Executor> int Solver<Executor>::threads_near()
+{
+    return 4 + std::max(yarns().visited_ends(), yarns().visited_picks()) / 16;
+}
+
+/// Grows by a quarter, or more, on the sides whose border liquid, vapour or heat has come near to: see Reach.
+template <typename Executor> void Solver<Executor>::visit_what_changed(std::span<const int> reach)
 {
     if (!unvisited_.any()) return;
     constexpr int least_growth = 8;
-    const int near = 4 + std::max(yarns().visited_ends(), yarns().visited_picks()) / 16;
-    each_segment("find reach", FindReach{segments(), scene_.climate, scene_.rest_tolerance, near, {reach_.data()}});
-    const std::vector<int> reach = reach_.download();
-    reach_.fill(-1);
-    const int growth = std::max(least_growth, std::max(yarns().visited_ends(), yarns().visited_picks()) / 4);
+    const int near = threads_near(), growth = std::max(least_growth, std::max(yarns().visited_ends(), yarns().visited_picks()) / 4);
     const auto grow = [&](int& out, int threads, int farthest) { // farthest from the other side
         if (farthest >= threads - out - near) out = std::max(0, threads - 1 - farthest - growth);
     };
@@ -153,6 +183,22 @@ template <typename Executor> void Solver<Executor>::visit_what_changed()
     grow(unvisited_.picks_after, scene_.picks, reach[1]);
     grow(unvisited_.ends_before, scene_.ends, reach[2]);
     grow(unvisited_.picks_before, scene_.picks, reach[3]);
+}
+
+/// Takes in the segments that particles have given liquid to.
+template <typename Executor> void Solver<Executor>::visit_what_drank()
+{
+    if (!may_have_absorbed_ || !unvisited_.any()) return;
+    visit_what_changed(reach_.download());
+    reach_.fill(-1);
+}
+
+/// What the fibres hold, from the regain of their shells.
+template <typename Executor> void Solver<Executor>::sum_shells()
+{
+    Segments s = segments();
+    s.unvisited = {};
+    exec_.for_each("sum shells", s.visited_segments(), SumShells{s});
 }
 
 /// Water and heat of the fibres, from which the first changes count.
@@ -208,6 +254,7 @@ template <typename Executor> void Solver<Executor>::supply(double dt)
     if (!scene_.fed.empty()) each_segment("keep fed", KeepFed{segments(), scene_.climate.density});
     drink(dt);
     if (scene_.sweat > 0) sweat(dt);
+    may_have_absorbed_ = may_have_absorbed_ || !pool_.empty() || scene_.sweat > 0;
 }
 
 /// Pools fill, and the yarns under them drink: a pool lies within the circle of a half ball of its volume.
@@ -247,47 +294,73 @@ template <typename Executor> void Solver<Executor>::sweat(double dt)
     ran_off_.add(offered - totals_.read(0).given);
 }
 
+/// The host waits for the yarns once, at the end of their step, unless particles or pools are about.
 template <typename Executor> void Solver<Executor>::step_network(double dt, bool frame_due)
 {
     set_climate();
+    visit_what_drank();
     supply(dt);
-    visit_what_changed();
-    const ClimateParameters& climate = scene_.climate;
     totals_.write(0, {});
-    const bool changes = scene_.wicking || scene_.heat;
-    const TrackChange remember{segments(), climate.density, before_.data(), changes ? nullptr : &totals_.data()->largest_change};
-    each_segment("take absorbed", InTurn<TakeAbsorbed, TrackChange>{{segments()}, remember});
-    if (changes) {
-        if (scene_.wicking) each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft});
-        if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
-        each_crossing("cross", ExchangeAtCrossing{segments(), climate, dt, scene_.wicking, scene_.heat, false});
-    }
-    choose_network_step(dt);
-    if (frame_due || time_ - exchange_time_ >= 0.999 * exchange_dt_) exchange(time_ - exchange_time_);
+    const Signs signs{scene_.step_error > 0 && !drops_about(), pools_stand()};
+    move_liquid_and_heat(dt, signs);
+    const double exchange_dt = time_ - exchange_time_;
+    const bool exchange_due = frame_due || exchange_dt >= 0.999 * exchange_dt_;
+    const bool wakes = exchange_due && exchange(exchange_dt);
+    if (unvisited_.any())
+        each_segment("find reach", FindReach{segments(), scene_.climate, scene_.rest_tolerance, threads_near(), {totals_.data()->reach}});
+    const YarnTotals found = totals_.read(0);
+    choose_network_step(dt, signs, found);
+    if (wakes) begin_anew();
+    if (exchange_due) choose_exchange_step(exchange_dt, found);
+    visit_what_changed(found.reach);
     const auto changes_now = [this](const ScenePool& pool) { return pool.start == time_ || pool.end == time_; };
     if (std::any_of(scene_.pools.begin(), scene_.pools.end(), changes_now)) begin_anew(); // courses of climate have no jumps
 }
 
-template <typename Executor> double Solver<Executor>::water_at_stake() const { return std::max(1e-30, water_scale_ + delivered_); }
-
-/// From the error of the last step, and from the change of saturation while drops or pools are about.
-template <typename Executor> void Solver<Executor>::choose_network_step(double dt)
+/// Along yarns and where they cross, with what has come since the last step.
+template <typename Executor> void Solver<Executor>::move_liquid_and_heat(double dt, const Signs& signs)
 {
-    const bool standing = std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
-    const bool watched = scene_.step_error > 0 && !drops_about();
-    const bool estimates = watched && scene_.wicking, tracks = !watched || standing;
-    YarnTotals* totals = totals_.data();
-    if (estimates)
+    const ClimateParameters& climate = scene_.climate;
+    const bool moves = scene_.wicking || scene_.heat;
+    const TrackChange track{segments(), climate.density, before_.data(), &totals_.data()->largest_change};
+    if (!scene_.wicking) {
+        const TrackChange remember{segments(), climate.density, before_.data(), moves ? nullptr : track.largest};
+        each_segment("take absorbed", InTurn<TakeAbsorbed, TrackChange>{{segments()}, remember});
+    } else if (may_have_absorbed_)
+        each_segment("take absorbed", TakeAbsorbed{segments()});
+    may_have_absorbed_ = false;
+    if (!moves) return;
+    if (scene_.wicking)
+        each_line("wick", WickAlongYarn{segments(), climate, dt, scene_.gravity_along_warp, scene_.gravity_along_weft, before_.data()});
+    if (scene_.heat) each_line("conduct", ConductAlongYarn{segments(), climate, dt, scene_.face_only});
+    const ExchangeAtCrossing cross{segments(), climate, dt, scene_.wicking, scene_.heat};
+    if (!signs.error) { // then the change of saturation counts alone
+        each_crossing("cross", ExchangeAndTrack{cross, track});
+        return;
+    }
+    each_crossing("cross", cross);
+    if (scene_.wicking)
         each_line("wicking error", EstimateWicking{segments(),
                                                    {liquid_rate_.data(), dt, wicking_watch_.dt, wicking_watch_.known},
                                                    before_.data(),
-                                                   &totals->wicking_error});
-    wicking_watch_ = {dt, watched};
-    if (tracks) each_segment("change", TrackChange{segments(), scene_.climate.density, before_.data(), &totals->largest_change});
-    const YarnTotals found = estimates || tracks ? totals_.read(0) : YarnTotals{};
+                                                   &totals_.data()->wicking_error});
+    if (signs.pools) each_segment("change", track);
+}
+
+template <typename Executor> double Solver<Executor>::water_at_stake() const { return std::max(1e-30, water_scale_ + delivered_); }
+
+template <typename Executor> bool Solver<Executor>::pools_stand() const
+{
+    return std::any_of(pool_.begin(), pool_.end(), [](std::int64_t quanta) { return quanta > 0; });
+}
+
+/// From the error of the last step, and from the change of saturation while drops or pools are about.
+template <typename Executor> void Solver<Executor>::choose_network_step(double dt, const Signs& signs, const YarnTotals& found)
+{
+    wicking_watch_ = {dt, signs.error};
     double grow = 1.5;
-    if (estimates) grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake());
-    if (tracks) {
+    if (signs.error && scene_.wicking) grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake());
+    if (signs.change()) {
         union {
             float value;
             int bits;
@@ -299,17 +372,11 @@ template <typename Executor> void Solver<Executor>::choose_network_step(double d
     network_dt_ = std::clamp(network_dt_ * grow, std::min(1e-4, scene_.network_step), step_limit());
 }
 
-template <typename Executor> void Solver<Executor>::choose_exchange_step(double dt)
+/// From the error of the last exchange.
+template <typename Executor> void Solver<Executor>::choose_exchange_step(double dt, const YarnTotals& found)
 {
-    if (scene_.step_error <= 0) return;
-    const Watch& watch = exchange_watch_;
-    each_line("exchange error", EstimateExchange{segments(),
-                                                 {bound_rate_.data(), dt, watch.dt, watch.known},
-                                                 {heat_rate_.data(), dt, watch.dt, watch.known},
-                                                 bound_.data(),
-                                                 heat_.data(),
-                                                 totals_.data()});
-    const YarnTotals found = totals_.read(0);
+    if (!exchanges()) exchange_dt_ = exchange_limit(); // nothing is exchanged that steps would have to follow
+    if (dt <= 0 || !exchanges() || scene_.step_error <= 0) return;
     const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake();
     const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, heat_scale_);
     exchange_watch_ = {dt, true};
@@ -317,28 +384,35 @@ template <typename Executor> void Solver<Executor>::choose_exchange_step(double 
         std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)), std::min(1e-4, scene_.network_step), exchange_limit());
 }
 
-template <typename Executor> void Solver<Executor>::exchange(double dt)
+/// Returns whether it wakes free liquid.
+template <typename Executor> bool Solver<Executor>::exchange(double dt)
 {
     exchange_time_ = time_;
-    if (!scene_.sorption && !scene_.vapour) exchange_dt_ = exchange_limit(); // nothing is exchanged that steps would have to follow
-    if (dt <= 0 || (!scene_.sorption && !scene_.vapour)) return;
+    if (dt <= 0 || !exchanges()) return false;
     const ClimateParameters& climate = scene_.climate;
-    if (scene_.swelling > 0) swell();
+    const bool wakes = scene_.swelling > 0 && swell();
     if (scene_.vapour) {
         each_line("vapour", DiffuseVapourAlongYarn{segments(), climate, dt, scene_.cell_area, scene_.heat, scene_.face_only});
-        each_crossing("cross vapour", ExchangeAtCrossing{segments(), climate, dt, false, false, true});
+        each_crossing("cross vapour", DiffuseAtCrossing{segments(), dt});
     }
     each_segment("exchange", ExchangeInSegment{segments(), climate, scene_.cell_area, dt, scene_.sorption, scene_.vapour, scene_.heat});
-    choose_exchange_step(dt);
+    if (scene_.step_error > 0)
+        each_line("exchange error", EstimateExchange{segments(),
+                                                     {bound_rate_.data(), dt, exchange_watch_.dt, exchange_watch_.known},
+                                                     {heat_rate_.data(), dt, exchange_watch_.dt, exchange_watch_.known},
+                                                     bound_.data(),
+                                                     heat_.data(),
+                                                     totals_.data()});
+    return wakes;
 }
 
-/// Where there is free liquid, swollen yarns give back to it what they have no room for.
-template <typename Executor> void Solver<Executor>::swell()
+/// Where there is free liquid, swollen yarns give back to it what they have no room for. Returns whether that wakes it.
+template <typename Executor> bool Solver<Executor>::swell()
 {
     constexpr double least_part = 0.25; // of a particle
     const double least = least_part * static_cast<double>(particle_mass_);
     each_segment("swell", Swell{segments(), scene_.climate.density, scene_.swelling, least, &totals_.data()->swollen});
-    if (room_ == 0 || totals_.read(0).swollen == 0) return;
+    if (room_ == 0 || totals_.read(0).swollen == 0) return false;
     std::size_t kept = 0; // for drops to come
     for (std::size_t k = next_droplet_; k < scene_.droplets.size(); ++k) kept += particles_of(scene_.droplets[k].volume);
     const std::size_t room = static_cast<std::size_t>(room_ - flow_.count) - kept;
@@ -346,13 +420,12 @@ template <typename Executor> void Solver<Executor>::swell()
     std::vector<int> from;
     for (int k = 0; k < yarns().visited_segments() && from.size() < room; ++k)
         if (const int i = yarns().visited_segment(k); surplus[static_cast<std::size_t>(i)] >= least) from.push_back(i);
-    if (from.empty()) return;
+    if (from.empty()) return false;
     from_.upload(from);
     exec_.for_each("give back", static_cast<int>(from.size()),
                    GiveBack{particle_views(), shape(), segments(), scene_.climate.density, from_.data(), flow_.count,
                             Real(1.1) * touching_in_spacings * spacing_});
     const bool wakes = flow_.count == 0 || flow_.asleep;
-    if (wakes) begin_anew();
     flow_.count += static_cast<int>(from.size());
     flow_.listed_for = 0;
     flow_.asleep = 0;
@@ -360,6 +433,7 @@ template <typename Executor> void Solver<Executor>::swell()
     const double settling = rules_.capillary_time(static_cast<double>(from.size()) * std::pow(static_cast<double>(spacing_), 3));
     flow_.settling = wakes ? settling : std::max(flow_.settling, settling);
     flow_.longest_dt = std::min(flow_.longest_dt, rules_.longest_step());
+    return wakes;
 }
 
 template <typename Executor> Yarns Solver<Executor>::yarns()
@@ -389,6 +463,7 @@ template <typename Executor> Segments Solver<Executor>::segments()
     s.vapour = vapour_.data();
     s.warmth = warmth_.data();
     s.regain = regain_.data();
+    s.bound = fibre_water_.data();
     s.absorbed = absorbed_.data();
     s.contact = contact_.data();
     s.evaporated = evaporated_.data();
@@ -415,9 +490,7 @@ template <typename Executor> Segments Solver<Executor>::fibres_on_host(std::vect
 /// Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
 template <typename Executor> Stock Solver<Executor>::take_stock()
 {
-    Segments s = segments();
-    if (std::exchange(all_is_new_, false)) s.unvisited = {};
-    exec_.for_each("take stock", s.visited_segments(), TakeStock{s, fibre_water_.data(), work1_.data()});
+    each_segment("take stock", TakeStock{segments(), work1_.data()});
     Stock stock;
     stock.time = time_;
     stock.delivered = delivered_ + pumped_.mass();

@@ -106,6 +106,7 @@ struct Segments : Yarns {
     double* vapour = nullptr;              ///< kg
     double* warmth = nullptr;              ///< K over the climate
     double* regain = nullptr;              ///< per shell, from the fibre's middle outwards
+    double* bound = nullptr;               ///< kg in the fibres: see bound_water(); who changes regain keeps it up to date
     std::int64_t* absorbed = nullptr;      ///< quanta taken from particles since the last network step
     int* contact = nullptr;                ///< note of the particle that touches, or none: see note_of()
     double* uptake = nullptr;              ///< m3: how much more water fibres took in the last exchange per kg/m3 more of pore vapour

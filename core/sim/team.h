@@ -25,8 +25,13 @@ public:
     {
         for (int i = first; i < last; ++i) f(i);
     }
-    /// Whether any thread says so.
-    bool any(bool own) const { return own; }
+    /// The same, of all of them; returns whether f(i) was true for any.
+    template <typename F> bool each_saying(int first, int last, const F& f) const
+    {
+        bool any = false;
+        for (int i = first; i < last; ++i) any = f(i) || any;
+        return any;
+    }
     /// Whether f(i) is true for any first <= i < last.
     template <typename F> bool any_of(int first, int last, const F& f) const
     {
@@ -39,23 +44,21 @@ public:
     {
         if (own != 0) atomic_add(total, own);
     }
-    /// Solves the rows row(i), first <= i < last, by elimination, and calls take(i, x[i]) for each, when no row is asked for any more. For
-    /// diagonally dominant M-matrices, by rows or by columns.
-    template <typename Rows, typename Take> void solve(int first, int last, const Rows& row, const Take& take) const
+    /// Solves the rows row(i), first <= i < last, by elimination. For diagonally dominant M-matrices, by rows or by columns. Until the
+    /// next solution found(first, i) is x[i].
+    template <typename Rows> void solve(int first, int last, const Rows& row) const
     {
         double upper = 0, right = 0;
         for (int i = first; i < last; ++i) {
             const Equation own = row(i);
-            const double pivot = own.pivot - own.lower * upper;
-            upper_[i - first] = upper = own.upper / pivot;
-            right_[i - first] = right = (own.right - own.lower * right) / pivot;
+            const double per_pivot = 1.0 / (own.pivot - own.lower * upper);
+            upper_[i - first] = upper = own.upper * per_pivot;
+            right_[i - first] = right = (own.right - own.lower * right) * per_pivot;
         }
         double x = 0;
-        for (int i = last - 1; i >= first; --i) {
-            x = right_[i - first] - upper_[i - first] * x;
-            take(i, x);
-        }
+        for (int i = last - 1; i >= first; --i) right_[i - first] = x = right_[i - first] - upper_[i - first] * x;
     }
+    double found(int first, int i) const { return right_[i - first]; }
     /// Passes on what places cannot keep: from the first to the last, then back to the first, which keeps whatever comes. keep(i) bounds a
     /// place and returns what it had too much (or, less than nothing, too little); pass(from, to, amount) notes that it goes over to a
     /// neighbour, and give(i, amount) adds it there.
@@ -76,7 +79,8 @@ private:
 };
 
 /// A team of several threads, each with a chunk of neighbouring places wherever what happens at one depends on the one before. Threads
-/// offers size(), all(f), which has every thread call f(its number) and wait for the others, any(own) and add(total, own).
+/// offers size(), all(f), which has every thread call f(its number) and wait for the others, any(f), which does the same and returns
+/// whether any f did, and add(total, own).
 template <typename Threads> class Team {
 public:
     static constexpr int per_place = 3;  ///< numbers per place that a line's room must have
@@ -94,35 +98,46 @@ public:
             for (int i = first + t; i < last; i += threads_.size()) f(i);
         });
     }
-    HL_FN bool any(bool own) const { return threads_.any(own); }
+    template <typename F> HL_FN bool each_saying(int first, int last, const F& f) const
+    {
+        return threads_.any([&](int t) {
+            bool any = false;
+            for (int i = first + t; i < last; i += threads_.size()) any = f(i) || any;
+            return any;
+        });
+    }
     template <typename F> HL_FN bool any_of(int first, int last, const F& f) const
     {
-        bool found = false;
-        threads_.all([&](int t) {
+        return threads_.any([&](int t) {
+            bool found = false;
             for (int i = first + t; i < last && !found; i += threads_.size()) found = f(i);
+            return found;
         });
-        return any(found);
     }
     HL_FN void add(std::int64_t* total, std::int64_t own) const { threads_.add(total, own); }
 
     /// Each thread eliminates the places within its chunk, which leaves a row per chunk (Wang 1981: a parallel method for tridiagonal
     /// equations); those are solved by parallel cyclic reduction (Hockney and Jesshope 1981).
-    template <typename Rows, typename Take> HL_FN void solve(int first, int last, const Rows& row, const Take& take) const
+    template <typename Rows> HL_FN void solve(int first, int last, const Rows& row) const
     {
         each(first, last, [&](int i) {
             const Equation own = row(i);
-            const double scale = 1.0 / own.pivot;
+            const double scale = plain_inverse(own.pivot);
             lower_[i - first] = own.lower * scale;
             upper_[i - first] = own.upper * scale;
             right_[i - first] = own.right * scale;
         });
         const Chunks chunks(last - first, threads_.size());
         threads_.all([&](int t) { links(1).set(t, eliminate(chunks.begin(t), chunks.end(t))); });
-        threads_.all([&](int t) { links(0).set(t, join(chunks.begin(t), chunks.end(t), links(1).at(t + 1))); });
-        const Links solved = links(reduce(chunks.count()));
+        const bool coupled = threads_.any([&](int t) {
+            const Link own = join(chunks.begin(t), chunks.end(t), links(1).at(t + 1));
+            links(0).set(t, own);
+            return own.is_coupled();
+        });
+        const Links solved = links(reduce(chunks.count(), coupled));
         threads_.all([&](int t) { substitute(chunks.begin(t), chunks.end(t), solved.at(t - 1).right, solved.at(t).right); });
-        each(first, last, [&](int i) { take(i, right_[i - first]); });
     }
+    HL_FN double found(int first, int i) const { return right_[i - first]; }
 
     /// In each round every thread goes through its chunk; what the chunk's last place cannot keep comes to the next chunk in the next
     /// round.
@@ -146,6 +161,13 @@ private:
     /// x = right - lower x[before] - upper x[after], for an x of a chunk.
     struct Link {
         double lower = 0, upper = 0, right = 0;
+
+        /// Whether the other chunks matter: what is less is lost in rounding.
+        HL_FN bool is_coupled() const
+        {
+            constexpr double least = 0x1.0p-64;
+            return lower > least || lower < -least || upper > least || upper < -least;
+        }
     };
     /// One per chunk; nothing before the first and after the last.
     struct Links {
@@ -169,35 +191,37 @@ private:
     {
         if (begin >= end) return {};
         Link before{lower_[begin], upper_[begin], right_[begin]};
+        Link first{0, -1, 0}; // so far by the place itself
         for (int i = begin + 1; i < end; ++i) {
-            const double lower = lower_[i], scale = 1.0 / (1.0 - lower * before.upper);
+            first = {first.lower - first.upper * before.lower, -first.upper * before.upper, first.right - first.upper * before.right};
+            const double lower = lower_[i], scale = plain_inverse(1.0 - lower * before.upper);
             before = {-lower * before.lower * scale, upper_[i] * scale, (right_[i] - lower * before.right) * scale};
             lower_[i] = before.lower;
             upper_[i] = before.upper;
             right_[i] = before.right;
         }
-        Link first{0, -1, 0}; // so far the last itself
-        for (int i = end - 2; i >= begin; --i)
-            first = {lower_[i] - upper_[i] * first.lower, -upper_[i] * first.upper, right_[i] - upper_[i] * first.right};
         return first;
     }
     /// The chunk's last x by those of the chunks before and after.
     HL_FN Link join(int begin, int end, const Link& first_of_next) const
     {
         if (begin >= end) return {};
-        const double upper = upper_[end - 1], scale = 1.0 / (1.0 - upper * first_of_next.lower);
+        const double upper = upper_[end - 1], scale = plain_inverse(1.0 - upper * first_of_next.lower);
         return {lower_[end - 1] * scale, -upper * first_of_next.upper * scale, (right_[end - 1] - upper * first_of_next.right) * scale};
     }
-    /// Solves for the last x of each chunk; returns which of the links then has it as right.
-    HL_FN int reduce(int count) const
+    /// Solves for the last x of each chunk; returns which of the links then has it as right. Each round couples chunks twice as far apart,
+    /// by far less where places hold to themselves: most lines are done after a few.
+    HL_FN int reduce(int count, bool coupled) const
     {
         int now = 0;
-        for (int apart = 1; apart < count; apart *= 2, now = 1 - now)
-            threads_.all([&](int t) {
+        for (int apart = 1; apart < count && coupled; apart *= 2, now = 1 - now)
+            coupled = threads_.any([&](int t) {
                 const Link own = links(now).at(t), before = links(now).at(t - apart), after = links(now).at(t + apart);
-                const double scale = 1.0 / (1.0 - own.lower * before.upper - own.upper * after.lower);
-                links(1 - now).set(t, {-own.lower * before.lower * scale, -own.upper * after.upper * scale,
-                                       (own.right - own.lower * before.right - own.upper * after.right) * scale});
+                const double scale = plain_inverse(1.0 - own.lower * before.upper - own.upper * after.lower);
+                const Link next{-own.lower * before.lower * scale, -own.upper * after.upper * scale,
+                                (own.right - own.lower * before.right - own.upper * after.right) * scale};
+                links(1 - now).set(t, next);
+                return next.is_coupled();
             });
         return now;
     }
@@ -231,15 +255,13 @@ private:
         for (int round = 0; goes_on; ++round) {
             double* leaves = links_ + threads_.size() * (round % 2);
             const double* came = links_ + threads_.size() * (1 - round % 2);
-            bool left = false;
-            threads_.all([&](int t) {
+            goes_on = threads_.any([&](int t) {
                 const int begin = chunks.begin(t), end = chunks.end(t);
                 const double comes = round > 0 && t > 0 && begin < end ? came[t - 1] : 0.0;
                 if (comes != 0) give(from + step * begin, comes);
                 leaves[t] = round == 0 || comes != 0 ? sweep(begin, end, round == 0) : 0.0;
-                left = left || leaves[t] != 0;
+                return leaves[t] != 0;
             });
-            goes_on = any(left);
         }
     }
 

@@ -12,7 +12,7 @@ namespace hygroloom {
 struct Network {
     int ends, picks, shells;
     std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake,
-        supplied;
+        supplied, bound;
     std::vector<std::uint8_t> warp_up, type, fed;
     std::vector<YarnParameters> yarns;
     CrossingParameters crossing;
@@ -25,7 +25,8 @@ struct Network {
         type.assign(static_cast<std::size_t>(ends), 0);
         type.resize(static_cast<std::size_t>(ends + picks), 1);
         const auto n = static_cast<std::size_t>(2 * ends * picks);
-        for (auto* v : {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux, &uptake, &supplied})
+        for (auto* v :
+             {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux, &uptake, &supplied, &bound})
             v->assign(n, 0.0);
         length.assign(n, 3e-4);
         pores.assign(n / 2, warp.pore_area * 3e-4);
@@ -54,6 +55,7 @@ struct Network {
         s.vapour = vapour.data();
         s.warmth = warmth.data();
         s.regain = regain.data();
+        s.bound = bound.data();
         s.absorbed = absorbed.data();
         s.contact = contact.data();
         s.evaporated = evaporated.data();
@@ -63,6 +65,7 @@ struct Network {
         s.work1 = work1.data();
         s.work2 = work2.data();
         s.flux = flux.data();
+        for (int i = 0; i < s.visited_segments(); ++i) SumShells{s}(i);
         return s;
     }
 };

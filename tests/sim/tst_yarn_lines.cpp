@@ -20,7 +20,12 @@ struct InTurns {
     {
         for (int k = 0; k < count; ++k) f(last_first ? count - 1 - k : k);
     }
-    bool any(bool own) const { return own; }
+    template <typename F> bool any(const F& f) const
+    {
+        bool found = false;
+        all([&](int t) { found = f(t) || found; });
+        return found;
+    }
     void add(std::int64_t* total, std::int64_t own) const { *total += own; }
 };
 
@@ -79,9 +84,8 @@ std::vector<double> solution(const std::vector<Equation>& equations, int threads
     const auto count = static_cast<int>(equations.size());
     std::vector<double> x(equations.size());
     with_team(threads, last_first, count, [&](const auto& team) {
-        team.solve(
-            first, first + count, [&](int i) { return equations[static_cast<std::size_t>(i - first)]; },
-            [&](int i, double value) { x[static_cast<std::size_t>(i - first)] = value; });
+        team.solve(first, first + count, [&](int i) { return equations[static_cast<std::size_t>(i - first)]; });
+        for (int i = 0; i < count; ++i) x[static_cast<std::size_t>(i)] = team.found(first, first + i);
     });
     return x;
 }

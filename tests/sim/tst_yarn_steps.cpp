@@ -214,7 +214,7 @@ private Q_SLOTS:
         const double capacity = 997 * coarse.pore_area * n.length[0];
         n.liquid = {0.3 * capacity, 0.3 * capacity};
         n.crossing.liquid_conductance = 1e-6;
-        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), room(), 1.0, true, false, false}(0);
+        for (int i = 0; i < 200; ++i) ExchangeAtCrossing{n.views(), room(), 1.0, true, false}(0);
         QVERIFY(n.liquid[1] > 0.5 * capacity);
         QVERIFY(std::abs(n.liquid[0] + n.liquid[1] - 0.6 * capacity) < 1e-14 * capacity);
         // Equal suction: the pore filled is equally wide in both, r ~ s^(1/3).
@@ -227,7 +227,7 @@ private Q_SLOTS:
         const double capacity = 997 * yarn.pore_area * n.length[0];
         n.liquid = {capacity, 0.999 * capacity};
         n.crossing.liquid_conductance = 1.0;
-        ExchangeAtCrossing{n.views(), room(), 1e3, true, false, false}(0);
+        ExchangeAtCrossing{n.views(), room(), 1e3, true, false}(0);
         for (double m : n.liquid) QVERIFY(m >= 0 && m <= capacity * (1 + 1e-12));
     }
     void segmentInBalanceStaysAsItIs()

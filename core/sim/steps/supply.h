@@ -17,7 +17,7 @@ struct KeepFed {
         const int i = s.visited_segment(index);
         if (s.fed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
-        s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i)) * s.warmth[i];
+        s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
         s.warmth[i] = 0;
         s.supplied[i] += density * s.pores[i] - s.liquid[i];
         s.liquid[i] = density * s.pores[i];
@@ -60,6 +60,7 @@ struct YarnTotals {
     std::int64_t bound_error = 0;      ///< quanta
     std::int64_t heat_error = 0;       ///< see EstimateExchange
     int largest_change = 0;            ///< of saturation: see TrackChange
+    int reach[4] = {-1, -1, -1, -1};   ///< where liquid, vapour or heat has come: see Reach
 };
 
 /// What each fed segment could take now, in quanta, summed up.
@@ -119,7 +120,7 @@ struct Swell {
         const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
         const double dry = yarn.pore_area * s.length[i];
-        double pores = dry - swelling * bound_water(s, yarn, i);
+        double pores = dry - swelling * s.bound[i];
         if (pores < 0.05 * dry) pores = 0.05 * dry;
         s.work0[i] = s.liquid[i] - density * pores;
         if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
@@ -204,7 +205,7 @@ struct EstimateExchange {
         const YarnLine line = s.visited_line(index);
         std::int64_t water = 0, joules = 0;
         team.each(line.first, line.last, [&](int i) {
-            const double bound_now = bound_water(s, line.yarn, i);
+            const double bound_now = s.bound[i];
             const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
             const bool bath_warm = s.fed != nullptr && s.fed[i] != 0; // its temperature is set, not found

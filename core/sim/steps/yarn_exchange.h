@@ -6,14 +6,20 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// Liquid, heat and vapour between the two segments of a crossing, each an implicit step of its own.
+/// Liquid and heat between the two segments of a crossing, each an implicit step of its own.
 struct ExchangeAtCrossing {
     Segments s;
     ClimateParameters climate;
     double dt;
     bool move_liquid;
     bool move_heat;
-    bool move_vapour;
+
+    /// A segment as the step finds it.
+    struct Side {
+        double liquid = 0;   ///< kg
+        double warmth = 0;   ///< K
+        double capacity = 0; ///< J/K
+    };
 
     HL_FN void operator()(int index) const
     {
@@ -22,70 +28,89 @@ struct ExchangeAtCrossing {
         const YarnParameters& warp = s.parameters[s.type_of_end(end)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
         const CrossingParameters& crossing = s.crossing_at(end, pick);
-        const bool warm = move_heat && (s.warmth[a] != 0 || s.warmth[b] != 0);
-        const double capacity_a = warm ? heat_capacity(warp, s.length[a], s.liquid[a] + bound_water(s, warp, a)) : 0.0;
-        const double capacity_b = warm ? heat_capacity(weft, s.length[b], s.liquid[b] + bound_water(s, weft, b)) : 0.0;
+        Side at_a{s.liquid[a]}, at_b{s.liquid[b]};
+        const bool warm = move_heat && take_warmth(a, warp, at_a) | take_warmth(b, weft, at_b);
         double moved = 0;
-        if (move_liquid && (s.liquid[a] > 0 || s.liquid[b] > 0)) moved = wick(a, b, warp, weft, crossing.liquid_conductance);
-        if (warm) conduct(a, b, capacity_a, capacity_b, crossing.heat_conductance, moved);
-        if (move_vapour) diffuse(a, b, crossing.vapour_conductance);
+        if (move_liquid && (at_a.liquid > 0 || at_b.liquid > 0)) {
+            moved = wick(climate.density * s.pores[a], climate.density * s.pores[b], at_a.liquid, at_b.liquid, warp, weft,
+                         crossing.liquid_conductance);
+            s.liquid[a] = at_a.liquid - moved;
+            s.liquid[b] = at_b.liquid + moved;
+        }
+        if (warm) conduct(a, b, at_a, at_b, crossing.heat_conductance, moved);
+    }
+    /// Returns whether there is any.
+    HL_FN bool take_warmth(int i, const YarnParameters& yarn, Side& side) const
+    {
+        side.warmth = s.warmth[i];
+        side.capacity = heat_capacity(yarn, s.length[i], side.liquid + s.bound[i]);
+        return side.warmth != 0;
     }
 
-    /// Moves liquid from a to b (less than nothing: back) until the step's end pressures agree with what flowed. Yarns of finer or
-    /// better wetted pores suck harder: saturations are compared after scaling with the pore a pressure fills (radius ~ s^(1/3)).
-    HL_FN double wick(int a, int b, const YarnParameters& warp, const YarnParameters& weft, double liquid_conductance) const
+    /// How much liquid moves from a to b (less than nothing: back) so that the step's end pressures agree with what flowed. Yarns of finer
+    /// or better wetted pores suck harder: saturations are compared after scaling with the pore a pressure fills (radius ~ s^(1/3)).
+    HL_FN double wick(double cap_a, double cap_b, double liquid_a, double liquid_b, const YarnParameters& warp, const YarnParameters& weft,
+                      double liquid_conductance) const
     {
         if (liquid_conductance <= 0) return 0;
-        const double cap_a = climate.density * s.pores[a];
-        const double cap_b = climate.density * s.pores[b];
         const double finest = warp.suction_radius < weft.suction_radius ? warp.suction_radius : weft.suction_radius;
-        const double ratio_a = warp.suction_radius / finest, ratio_b = weft.suction_radius / finest;
-        const double scale_a = ratio_a * ratio_a * ratio_a / cap_a, scale_b = ratio_b * ratio_b * ratio_b / cap_b;
+        const double per_finest = plain_inverse(finest), ratio_a = warp.suction_radius * per_finest,
+                     ratio_b = weft.suction_radius * per_finest;
+        const double scale_a = ratio_a * ratio_a * ratio_a * plain_inverse(cap_a),
+                     scale_b = ratio_b * ratio_b * ratio_b * plain_inverse(cap_b);
         const double conductance = dt * liquid_conductance;
-        const double exponent = warp.exponent;
+        const double exponent = warp.exponent, integral = conductance * plain_inverse(exponent + 1.0); // see spreading_potential()
 
-        double low = -(s.liquid[b] < cap_a - s.liquid[a] ? s.liquid[b] : cap_a - s.liquid[a]);
-        double high = s.liquid[a] < cap_b - s.liquid[b] ? s.liquid[a] : cap_b - s.liquid[b];
+        double low = -(liquid_b < cap_a - liquid_a ? liquid_b : cap_a - liquid_a);
+        double high = liquid_a < cap_b - liquid_b ? liquid_a : cap_b - liquid_b;
         if (low > 0) low = 0;
         if (high < 0) high = 0;
         double x = 0;
         for (int round = 0; round < 60; ++round) {
-            const double sa = (s.liquid[a] - x) * scale_a, sb = (s.liquid[b] + x) * scale_b;
-            const double residual = x - conductance * (spreading_potential(sa, exponent) - spreading_potential(sb, exponent));
+            const double sa = (liquid_a - x) * scale_a, sb = (liquid_b + x) * scale_b;
+            const double power_a = saturation_power(sa, exponent), power_b = saturation_power(sb, exponent);
+            const double residual = x - integral * (sa * power_a - sb * power_b);
             if (residual > 0)
                 high = x;
             else
                 low = x;
-            const double slope = 1.0 + conductance * (saturation_power(sa, exponent) * scale_a + saturation_power(sb, exponent) * scale_b);
-            double next = x - residual / slope;
+            const double slope = 1.0 + conductance * (power_a * scale_a + power_b * scale_b);
+            double next = x - residual * near_inverse(slope);
             const bool inside = next > low && next < high;
             if (!inside) next = 0.5 * (low + high);
             const double change = next > x ? next - x : x - next;
             x = next;
-            if (change <= (inside ? 1e-9 : 1e-13) * (cap_a + cap_b)) break; // what a Newton step leaves goes with its square
+            if (change <= (inside ? 3e-6 : 1e-13) * (cap_a + cap_b)) break; // what a Newton step leaves goes with its square
         }
-        s.liquid[a] -= x;
-        s.liquid[b] += x;
         return x;
     }
 
-    HL_FN void conduct(int a, int b, double capacity_a, double capacity_b, double heat_conductance, double moved) const
+    HL_FN void conduct(int a, int b, const Side& at_a, const Side& at_b, double heat_conductance, double moved) const
     {
         // The liquid carries its warmth, then both sides share heat.
-        const double carried = water_specific_heat * moved * (moved > 0 ? s.warmth[a] : s.warmth[b]);
-        const double new_a = capacity_a - water_specific_heat * moved, new_b = capacity_b + water_specific_heat * moved;
-        double heat_a = capacity_a * s.warmth[a] - carried, heat_b = capacity_b * s.warmth[b] + carried;
+        const double carried = water_specific_heat * moved * (moved > 0 ? at_a.warmth : at_b.warmth);
+        const double per_a = plain_inverse(at_a.capacity - water_specific_heat * moved),
+                     per_b = plain_inverse(at_b.capacity + water_specific_heat * moved);
+        const double heat_a = at_a.capacity * at_a.warmth - carried, heat_b = at_b.capacity * at_b.warmth + carried;
         const double conductance = dt * heat_conductance;
-        const double passed = conductance * (heat_a / new_a - heat_b / new_b) / (1.0 + conductance * (1.0 / new_a + 1.0 / new_b));
-        s.warmth[a] = (heat_a - passed) / new_a;
-        s.warmth[b] = (heat_b + passed) / new_b;
+        const double passed = conductance * (heat_a * per_a - heat_b * per_b) * plain_inverse(1.0 + conductance * (per_a + per_b));
+        s.warmth[a] = (heat_a - passed) * per_a;
+        s.warmth[b] = (heat_b + passed) * per_b;
     }
+};
 
-    /// From what DiffuseVapourAlongYarn foresaw.
-    HL_FN void diffuse(int a, int b, double vapour_conductance) const
+/// Vapour between the two segments of a crossing, from what DiffuseVapourAlongYarn foresaw.
+struct DiffuseAtCrossing {
+    Segments s;
+    double dt;
+
+    HL_FN void operator()(int index) const
     {
-        const double conductance = dt * vapour_conductance;
-        const double passed = conductance * (s.work2[a] - s.work2[b]) / (1.0 + conductance * (1.0 / s.work1[a] + 1.0 / s.work1[b]));
+        const auto [end, pick] = s.visited_place(index);
+        const int a = s.warp_of(end, pick), b = s.weft_of(end, pick);
+        const double conductance = dt * s.crossing_at(end, pick).vapour_conductance, pivot_a = s.work1[a], pivot_b = s.work1[b];
+        const double both = pivot_a * pivot_b; // x (1 + conductance (1 / pivot_a + 1 / pivot_b)) is what divides
+        const double passed = conductance * (s.work2[a] - s.work2[b]) * both * plain_inverse(both + conductance * (pivot_a + pivot_b));
         s.vapour[a] -= passed; // less than nothing is what liquid, fibres and air will give
         s.vapour[b] += passed;
     }
@@ -215,9 +240,9 @@ struct ExchangeInSegment {
         const int n = s.shells;
         const double* regain = s.regain + i * n;
         const double dry_mass = s.length[i] * yarn.fibre_area * yarn.fibre_density;
-        Fibre fibre{dry_mass, 0, 0, 0, plain_inverse(dry_mass), regain_law(yarn.isotherm)};
+        Fibre fibre{dry_mass, s.bound[i], 0, 0, plain_inverse(dry_mass), regain_law(yarn.isotherm)};
         if (!sorption) {
-            fibre.base = fibre.bound = bound_water(s, yarn, i);
+            fibre.base = s.bound[i];
             return fibre;
         }
         const double temperature = climate.temperature + s.warmth[i];
@@ -225,7 +250,7 @@ struct ExchangeInSegment {
         const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
         const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
         ShellWalk walk = from_the_middle(n);
-        double bound = 0, base = 0, slope = 0; // base + slope x the shell's regain: what it and those within hold at the end
+        double base = 0, slope = 0; // base + slope x the shell's regain: what it and those within hold at the end
         double inner = 0, known = 0, follows = 0;
         double here = regain[0];
         for (int k = 0; k < n; ++k) {
@@ -242,11 +267,9 @@ struct ExchangeInSegment {
             follows = outer * pivot;
             rows.known[k] = known;
             rows.follows[k] = follows;
-            bound += share * here;
             inner = outer;
             here = next;
         }
-        fibre.bound = bound * dry_mass;
         fibre.base = (base + slope * known) * dry_mass;
         fibre.slope = slope * follows * dry_mass;
         return fibre;
@@ -540,15 +563,18 @@ struct ExchangeInSegment {
             const double wanted = o.bound - fibre.bound;
             const double share = wanted > offered ? offered / wanted : 1.0;
             ShellWalk walk = from_the_skin(s.shells);
-            double outer = o.skin;
+            double outer = o.skin, held = 0;
             for (int k = s.shells - 1; k >= 0; --k) {
                 double& regain = s.regain[i * s.shells + k];
-                const double before = regain;
+                const double before = regain, part = walk.inwards();
                 outer = rows.known[k] + rows.follows[k] * outer;
-                regain += share * (outer - before);
-                taken += walk.inwards() * (regain - before);
+                const double now_held = before + share * (outer - before);
+                regain = now_held;
+                taken += part * (now_held - before);
+                held += part * now_held;
             }
             taken *= fibre.dry_mass;
+            s.bound[i] = held * fibre.dry_mass;
             if (share < 1.0) final.heat = sorbing(start, fibre.bound + taken).value;
         }
         double from_liquid = fmin_(o.from_liquid, start.liquid);
@@ -605,24 +631,31 @@ struct TakeAbsorbed {
         if (s.absorbed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
         const double added = static_cast<double>(s.absorbed[i]) * water_quantum;
-        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + bound_water(s, yarn, i));
+        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]);
         s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
         s.liquid[i] += added;
         s.absorbed[i] = 0;
     }
 };
 
-/// What each segment's fibres hold and what heat it stores, for those who sum up.
+/// What heat each segment stores, for those who sum up.
 struct TakeStock {
     Segments s;
-    double* bound;  ///< kg
     double* stored; ///< J over the climate's temperature
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        const YarnParameters& yarn = s.yarn_of(i);
-        bound[i] = bound_water(s, yarn, i);
-        stored[i] = heat_capacity(yarn, s.length[i], s.liquid[i] + bound[i]) * s.warmth[i];
+        stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+    }
+};
+
+/// Sums up what the shells of each segment's fibres hold.
+struct SumShells {
+    Segments s;
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        s.bound[i] = bound_water(s, s.yarn_of(i), i);
     }
 };
 
