@@ -65,7 +65,7 @@ __device__ inline bool is_last_block(unsigned* came)
 }
 
 template <typename Stage, typename Next>
-__global__ void run_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
+__device__ inline void call_for_threads(const Counted& counted, int times, const Stage& stage, const Next& next, unsigned* came)
 {
     constexpr int threads = threads_each<Stage>();
     const int own = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x), end = counted.count ? *counted.count : counted.most;
@@ -80,6 +80,22 @@ __global__ void run_stage(Counted counted, int times, Stage stage, Next next, un
     }
     if constexpr (!std::is_same_v<Next, Nothing>)
         if (is_last_block(came)) next(0);
+}
+
+template <typename Stage, typename Next>
+__global__ void run_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
+{
+    call_for_threads(counted, times, stage, next, came);
+}
+
+constexpr int usual_block = 128; ///< threads
+
+/// With no more registers than leave room for blocks_beside so many.
+template <typename Stage, typename Next>
+__global__ void __launch_bounds__(usual_block, blocks_beside<Stage>)
+    run_bounded_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
+{
+    call_for_threads(counted, times, stage, next, came);
 }
 
 /// The threads of a block.
@@ -324,10 +340,16 @@ public:
             constexpr int threads = threads_each<Stage>(), few = 1 << 16, threads_of_processor = 2048;
             // As many times as leave enough to do for all threads at once.
             const int times = collects<Stage> ? std::clamp(counted.most / (processors_ * threads_of_processor / threads), 1, lanes) : 1;
-            const int block = threads == 1 && counted.most < few ? 64 : 128, elements = block / threads * times;
+            const int block = threads == 1 && counted.most < few ? 64 : usual_block, elements = block / threads * times;
             const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
             const Lap lap(stage_clock_.get(), name);
-            run_stage<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, times, stage, next, came_.data());
+            constexpr auto kernel = [] {
+                if constexpr (blocks_beside<Stage> > 0)
+                    return run_bounded_stage<Stage, Next>;
+                else
+                    return run_stage<Stage, Next>;
+            }();
+            kernel<<<blocks, static_cast<unsigned>(block), 0, own_stream>>>(counted, times, stage, next, came_.data());
             check_cuda(cudaGetLastError(), name);
         }
     }

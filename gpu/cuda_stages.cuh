@@ -4,6 +4,7 @@
 
 #include "core/base/lanes.h"
 #include "core/sim/order.h"
+#include "core/sim/steps/yarn_exchange.h"
 
 #include <type_traits>
 
@@ -15,6 +16,11 @@ template <typename Stage> constexpr int threads_each() { return is_wide<Stage> ?
 /// Whether two stages in turn are better two kernels, where there are kernels: each with as many threads at once as its registers allow.
 template <typename Stage> constexpr bool stands_apart = false;
 template <typename First, typename Second> constexpr bool stands_apart<InTurn<First, Second>> = is_wide<First> && is_wide<Second>;
+
+/// Blocks that a processor is to have room for side by side, where a stage waits for its own arithmetic so long that others' beside it are
+/// worth numbers that go to memory and back; 0: as many as its registers allow.
+template <typename Stage> constexpr int blocks_beside = 0;
+template <> inline constexpr int blocks_beside<ExchangeInSegment> = 4;
 
 /// Calls a stage for an element below end, if there is one, or with those beside it in the warp for the last once more: to the same result,
 /// so that whole warps come to what they tell each other. What it returns counts once; 0 if it returns nothing.
