@@ -4,6 +4,7 @@
 
 #include "core/base/lanes.h"
 #include "core/sim/order.h"
+#include "core/sim/steps/liquid.h"
 #include "core/sim/steps/yarn_exchange.h"
 
 #include <type_traits>
@@ -21,6 +22,7 @@ template <typename First, typename Second> constexpr bool stands_apart<InTurn<Fi
 /// worth numbers that go to memory and back; 0: as many as its registers allow.
 template <typename Stage> constexpr int blocks_beside = 0;
 template <> inline constexpr int blocks_beside<ExchangeInSegment> = 4;
+template <> inline constexpr int blocks_beside<FindForces> = 8;
 
 /// Calls a stage for an element below end, if there is one, or with those beside it in the warp for the last once more: to the same result,
 /// so that whole warps come to what they tell each other. What it returns counts once; 0 if it returns nothing.
