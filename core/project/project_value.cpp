@@ -124,6 +124,7 @@ ProjectJson value_from(const std::string& path, const std::string& text, const P
     try {
         value = parse_json(text, {});
     } catch (const NumberTooLarge&) {
+        if (old && old->is_string()) return text; // a name that looks like a number
         refuse(path, fmt::format("This must be a number up to {:.2g}; given is {}.", std::numeric_limits<double>::max(), text));
     } catch (const FileError&) {
         return text; // a bare word
@@ -143,12 +144,12 @@ bool has_decimal_comma(const std::string& text)
     return failure == std::errc() && end == pointed.data() + pointed.size();
 }
 
-/// Of keys that say the same, one replaces the others.
-void erase_others(ProjectJson& holder, const std::string& key)
+/// Of keys that say the same, one replaces the others; null only takes back the own one, but both names of what is one value.
+void erase_others(ProjectJson& holder, const std::string& key, bool is_null)
 {
-    const std::vector<std::vector<std::string>> alike{{"pattern", "rows", "draft"}, {"heat_of_wetting_j_g", "sorption_heat_j_g"}};
-    for (const std::vector<std::string>& keys : alike) {
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) continue;
+    const std::vector<std::string> ways{"pattern", "rows", "draft"}, names{"heat_of_wetting_j_g", "sorption_heat_j_g"};
+    for (const std::vector<std::string>& keys : {ways, names}) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end() || (is_null && keys == ways)) continue;
         for (const std::string& other : keys)
             if (other != key) holder.erase(other);
     }
@@ -163,7 +164,7 @@ Design with_value(const Design& design, const std::string& path, const std::stri
     PathWalk walk(project, path);
     const std::string key = walk.walk();
     ProjectJson& holder = walk.here();
-    if (!key.empty()) erase_others(holder, key);
+    if (!key.empty()) erase_others(holder, key, value == "null");
     if (key.empty()) {
         holder = value_from(path, value, &holder);
     } else if (value == "null") {

@@ -145,7 +145,6 @@ public:
     {
         StateReader reader(state);
         pass_state(reader);
-        sum_shells();
         may_have_absorbed_ = true;
     }
 

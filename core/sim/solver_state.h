@@ -21,8 +21,8 @@ template <typename Executor> template <typename Archive> void Solver<Executor>::
     LiquidControl flow = flow_;
     archive.value(flow);
     if constexpr (Archive::reads) flow_ = moved_to(flow, flow_);
-    buffers(liquid_, vapour_, warmth_, evaporated_, released_, lost_, before_, pores_, supplied_, uptake_, liquid_rate_, bound_,
-            bound_rate_, heat_, heat_rate_, absorbed_, reach_);
+    buffers(liquid_, vapour_, warmth_, evaporated_, released_, lost_, before_, pores_, supplied_, uptake_, fibre_water_, liquid_rate_,
+            bound_, bound_rate_, heat_, heat_rate_, absorbed_, reach_);
     buffers(position_, velocity_, place_, wall_normal_, wall_distance_, wall_segment_, cloth_from_, content_, alive_, mirrored_, stress_);
     const std::array<bool, 4> own{scene_.wicking, scene_.sorption, scene_.vapour, scene_.heat};
     std::array<bool, 4> parts = own;

@@ -206,6 +206,7 @@ private Q_SLOTS:
             QCOMPARE(b.temperature, a.temperature);
             QCOMPARE(b.ledger.water_evaporated, a.ledger.water_evaporated);
             QCOMPARE(b.ledger.energy_imbalance(), a.ledger.energy_imbalance());
+            QVERIFY(other->state() == one->state()); // all of it, to the byte
         }
         QVERIFY(one->frame().ledger.water_evaporated > 0);
     }
