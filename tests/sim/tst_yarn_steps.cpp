@@ -284,6 +284,8 @@ private Q_SLOTS:
         const double water_before = water(), energy_before = energy();
         for (int step = 0; step < 200; ++step) {
             ExchangeInSegment{s, climate, 8e-8, dt, true, true, true}(0);
+            const double held = bound_water(s, yarn, 0); // of its shells, which the exchange has changed
+            QVERIFY(std::abs(s.bound[0] - held) <= 1e-14 * held);
             QVERIFY(std::isfinite(s.warmth[0]) && std::isfinite(s.vapour[0]));
             QVERIFY(s.liquid[0] >= 0 && s.liquid[0] <= capacity * (1 + 1e-12) && s.vapour[0] >= 0);
             for (int k = 0; k < s.shells; ++k) QVERIFY(s.regain[k] >= 0 && s.regain[k] <= 0.24);
