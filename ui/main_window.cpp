@@ -17,11 +17,14 @@
 #include "ui/water_map_view.h"
 #include "ui/weave_editor.h"
 
+#include <QAbstractSpinBox>
 #include <QActionGroup>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QScreen>
@@ -445,8 +448,23 @@ void MainWindow::showMaterialIssue(int material)
     statusBar()->showMessage(tr("The numbers of “%1” stand in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
 }
 
+/// A field keeps what is typed to itself until the focus leaves it. Shortcuts and tool buttons, which leave the focus where it is, act on
+/// what can be read.
+void MainWindow::takeTypedValue()
+{
+    const QPointer<QWidget> field = focusWidget();
+    if (!qobject_cast<QLineEdit*>(field) && !qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QComboBox*>(field)) {
+        return;
+    }
+    field->clearFocus();
+    if (field && field->isVisible()) { // the editor of a name in a list is gone by now
+        field->setFocus();
+    }
+}
+
 void MainWindow::startRun()
 {
+    takeTypedValue();
     if (!simulation_panel_->canRun()) {
         return;
     }

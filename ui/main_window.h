@@ -83,6 +83,7 @@ private:
     void showIssue(const QString& where);
     void showFabricIssue(const QString& where, const QString& part);
     void showMaterialIssue(int material);
+    void takeTypedValue();
     void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
     void tellProblem(const QString& sentence);
     // main_window_actions.cpp

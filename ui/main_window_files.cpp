@@ -111,11 +111,13 @@ void MainWindow::chooseFile()
 
 bool MainWindow::save()
 {
+    takeTypedValue();
     return document_.path().isEmpty() ? saveAs() : document_.save();
 }
 
 bool MainWindow::saveAs()
 {
+    takeTypedValue();
     QString start = document_.path();
     if (start.isEmpty()) {
         const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -211,6 +213,7 @@ bool MainWindow::importDraft(const QString& path)
 
 void MainWindow::exportDraft()
 {
+    takeTypedValue();
     if (!document_.fabric()) {
         return;
     }
@@ -236,6 +239,7 @@ void MainWindow::exportDraft()
 
 void MainWindow::exportMesh()
 {
+    takeTypedValue();
     if (!export_) {
         export_ = new ExportDialog(document_, playback_, this);
         export_->setAttribute(Qt::WA_DeleteOnClose);
@@ -248,6 +252,7 @@ void MainWindow::exportMesh()
 
 bool MainWindow::mayDiscard()
 {
+    takeTypedValue();
     if (!document_.modified()) {
         return true;
     }

@@ -79,7 +79,7 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
     layout->addWidget(notes_);
 
     connect(pattern_, &QComboBox::textActivated, this, &WeaveEditor::choosePattern);
-    connect(pattern_->lineEdit(), &QLineEdit::returnPressed, this, &WeaveEditor::choosePattern);
+    connect(pattern_->lineEdit(), &QLineEdit::editingFinished, this, &WeaveEditor::choosePattern);
     connect(ends_, &QSpinBox::valueChanged, this, &WeaveEditor::resizeRepeat);
     connect(picks_, &QSpinBox::valueChanged, this, &WeaveEditor::resizeRepeat);
     connect(paper_, &PointPaper::painted, this, [this](const Crossings& crossings, bool up) {
