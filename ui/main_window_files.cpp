@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
+#include "core/project/atomic_file.h"
 #include "ui/candidates_panel.h"
 #include "ui/examples.h"
 #include "ui/export_dialog.h"
@@ -47,6 +48,22 @@ QString readablePath(const QMimeData* data)
         }
     }
     return {};
+}
+
+/// What was there stays until the copy is complete. Why it could not be made, or nothing.
+QString copyOver(const QString& from, const QString& to)
+{
+    try {
+        write_file_with(to.toStdString(), [&from](const std::filesystem::path& temporary) {
+            std::error_code error;
+            if (!std::filesystem::copy_file(from.toStdString(), temporary, std::filesystem::copy_options::overwrite_existing, error)) {
+                throw Error(error.message());
+            }
+        });
+        return {};
+    } catch (const std::exception& error) {
+        return QString::fromStdString(error.what());
+    }
 }
 
 QString withEnding(const QString& path, const QString& ending)
@@ -150,16 +167,13 @@ void MainWindow::saveRecordingAs()
     }
     // Recordings may be large.
     copier_.run([this, from, to](const NewestJob::Turn& turn) {
-        QFile::remove(to);
-        QFile file(from);
-        const bool done = file.copy(to);
-        const QString why = file.errorString();
-        turn.deliver([this, done, to, why] {
-            if (done) {
+        const QString why = copyOver(from, to);
+        turn.deliver([this, to, why] {
+            if (why.isEmpty()) {
                 addRecentFile(to);
                 statusBar()->showMessage(tr("Saved %1.").arg(to), 4000);
             } else {
-                tellProblem(tr("The recording cannot be written to %1: %2.").arg(to, why));
+                tellProblem(tr("The recording cannot be written to %1: %2").arg(to, why));
             }
         });
     });
