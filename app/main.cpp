@@ -34,5 +34,6 @@ int main(int argc, char* argv[])
     } else {
         window.openFile(files.first());
     }
+    window.offerLeftOver();
     return QApplication::exec();
 }

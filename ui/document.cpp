@@ -137,6 +137,18 @@ bool Document::openExample(const QString& path)
     }
 }
 
+bool Document::openUnsaved(const QString& file, const QString& path, const QString& title)
+{
+    try {
+        replace(read_project(file.toStdString()), path, title);
+        history_.resetClean();
+        return true;
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+        return false;
+    }
+}
+
 bool Document::save()
 {
     return saveAs(path_);

@@ -58,6 +58,8 @@ public:
     bool open(const QString& path);
     /// Opens a copy: saving asks for a new place.
     bool openExample(const QString& path);
+    /// Opens unsaved work that was kept elsewhere; saving writes to path, or asks where there is none.
+    bool openUnsaved(const QString& file, const QString& path, const QString& title);
     bool save();
     bool saveAs(const QString& path);
     /// Takes over a design that comes from somewhere else, such as a recording.

@@ -5,6 +5,7 @@
 #include "ui/color_map.h"
 #include "ui/document.h"
 #include "ui/playback.h"
+#include "ui/recovery.h"
 #include "ui/simulation_run.h"
 #include "ui/viewport.h"
 
@@ -45,6 +46,8 @@ public:
     bool importDraft(const QString& path);
     /// The example that ships with the program; an empty project where it cannot be found.
     void openShippedExample();
+    /// Asks whether to open what an earlier window had not saved when it ended, where there is such.
+    void offerLeftOver();
 
     Document& document() { return document_; }
     Playback& playback() { return playback_; }
@@ -116,6 +119,7 @@ private:
     void refreshRecentFiles();
 
     Document document_;
+    Recovery recovery_{document_};
     QTemporaryDir recordings_; // outlives those who read and write in it
     Playback playback_;
     SimulationRun run_;

@@ -14,9 +14,11 @@
 #include <QDragEnterEvent>
 #include <QEventLoop>
 #include <QFileDialog>
+#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QStandardPaths>
@@ -99,6 +101,30 @@ void MainWindow::openShippedExample()
 {
     if (const QString path = shippedExample(); !path.isEmpty()) {
         document_.openExample(path);
+    }
+}
+
+void MainWindow::offerLeftOver()
+{
+    const std::vector<LeftOver> all = recovery_.leftOver();
+    if (all.empty()) {
+        return;
+    }
+    const LeftOver& left = all.front();
+    const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved work was kept"),
+                    tr("Hygroloom ended before “%1” was saved. Open what was kept of it?").arg(name), QMessageBox::NoButton, this);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat)));
+    QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
+    QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box.addButton(tr("&Ask Again Later"), QMessageBox::RejectRole);
+    box.setDefaultButton(open);
+    box.exec();
+    if (box.clickedButton() == open) {
+        recovery_.open(left);
+    } else if (box.clickedButton() == discard) {
+        Recovery::discard(left);
     }
 }
 

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a designer has made is not lost: not while it is typed, nor when it is saved over, nor in a crash. Needs a display: xvfb-run.
+#include "core/project/project_file.h"
+#include "ui/appearance.h"
+#include "ui/main_window.h"
+#include "ui/quantity_edit.h"
+#include "ui/simulation_panel.h"
+#include "ui/weave_editor.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+using namespace hygroloom;
+
+class TestKeeping : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { requestOpenGL(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName("hygroloom-test");
+        QCoreApplication::setApplicationName("hygroloom-test");
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
+        applyAppearance(Appearance::light);
+        QVERIFY(QFile::copy(QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/one-drop-on-cotton.hygro", project()));
+    }
+
+    void init()
+    {
+        window_ = std::make_unique<MainWindow>();
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
+        QVERIFY(window_->openFile(project()));
+    }
+
+    void cleanup() { window_.reset(); }
+
+    void savingTakesWhatStandsInAField()
+    {
+        type("Ends", "31");
+        QCOMPARE(window_->document().fabric()->ends_per_cm, 35.0); // not taken yet
+        trigger("Save");
+        QCOMPARE(read_project(project().toStdString()).fabrics[0].ends_per_cm, 31.0);
+        QVERIFY(!window_->isWindowModified());
+    }
+
+    void aRunTakesWhatStandsInAField()
+    {
+        window_->setWorkspace(Workspace::simulate);
+        window_->simulationPanel().setFidelity(Fidelity::draft);
+        type("Duration", "0.2 s");
+        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
+        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
+        trigger("Run");
+        QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
+        window_->simulation().cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 10000);
+        QCOMPARE(window_->playback().run()->design.experiments[0].duration_s, 0.2);
+    }
+
+    void closingAsksAboutWhatStandsInAField()
+    {
+        type("Ends", "29");
+        const auto asked = answer(QMessageBox::Cancel);
+        QVERIFY(!window_->close());
+        QVERIFY(*asked);
+    }
+
+    void aWeaveThatWasTypedIsWovenWhenTheFieldIsLeft()
+    {
+        auto* pattern = window_->findChild<WeaveEditor*>()->findChild<QComboBox*>();
+        QCOMPARE(pattern->findText("twill 7/1 S"), -1);
+        pattern->setFocus();
+        pattern->lineEdit()->selectAll();
+        QTest::keyClicks(pattern->lineEdit(), "twill 7/1 S");
+        QTest::keyClick(pattern, Qt::Key_Tab);
+        QCOMPARE(window_->document().fabric()->weave.pattern(), std::string("twill 7/1 S"));
+    }
+
+    void aRecordingThatCannotBeCopiedLeavesTheOneThatWasThere()
+    {
+        run();
+        const QString saved = folder_.filePath("saved.hygrorec");
+        QFile old(saved);
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write("an older recording");
+        old.close();
+        QVERIFY(QFile::remove(window_->playback().path()));
+        saveRecording(saved);
+        QTRY_VERIFY(QApplication::activeModalWidget());
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        QVERIFY(box && box->text().contains("saved.hygrorec"));
+        box->close();
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), QByteArray("an older recording"));
+    }
+
+    void aSavedRecordingReplacesTheOneThatWasThere()
+    {
+        run();
+        const QString saved = folder_.filePath("saved.hygrorec");
+        saveRecording(saved);
+        QTRY_COMPARE(QFileInfo(saved).size(), QFileInfo(window_->playback().path()).size());
+    }
+
+    void unsavedWorkOutlivesACrash()
+    {
+        QTemporaryDir folder;
+        const QString crashed = folder.filePath("crashed.hygro");
+        {
+            Document document;
+            Recovery recovery(document, folder.path());
+            QVERIFY(document.open(project()));
+            QSignalSpy kept(&recovery, &Recovery::kept);
+            document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
+            QVERIFY(kept.wait(5000));
+            QVERIFY(recovery.leftOver().empty()); // it is in use
+            const QString own = QDir(folder.path()).entryInfoList({"*.hygro"}).first().absoluteFilePath();
+            QVERIFY(QFile::copy(own, crashed) && QFile::copy(own + ".origin", crashed + ".origin")); // a copy, as the lock is its process's
+            document.history()->undo();
+            QTRY_VERIFY(!QFile::exists(own)); // nothing is unsaved any more
+        }
+        Document document;
+        Recovery recovery(document, folder.path());
+        const std::vector<LeftOver> left = recovery.leftOver();
+        QCOMPARE(left.size(), std::size_t{1});
+        QCOMPARE(left.front().path, project());
+        QCOMPARE(left.front().title, QFileInfo(project()).fileName());
+        QVERIFY(recovery.open(left.front()));
+        QCOMPARE(document.fabric()->ends_per_cm, 27.0);
+        QCOMPARE(document.path(), project());
+        QVERIFY(document.modified());
+        QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(crashed), 5000); // kept anew
+        QVERIFY(recovery.leftOver().empty());
+        QCOMPARE(QDir(folder.path()).entryList({"*.hygro"}).size(), 1);
+    }
+
+    void whatWasGivenUpIsNotKept()
+    {
+        QTemporaryDir folder;
+        {
+            Document document;
+            Recovery recovery(document, folder.path());
+            QVERIFY(document.open(project()));
+            QSignalSpy kept(&recovery, &Recovery::kept);
+            document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
+            QVERIFY(kept.wait(5000));
+        }
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+private:
+    QString project() const { return folder_.filePath("drop.hygro"); }
+
+    void type(const QString& field, const QString& text)
+    {
+        for (QuantityEdit* edit : window_->findChildren<QuantityEdit*>()) {
+            if (edit->accessibleName() == field && edit->isVisible()) {
+                edit->setFocus();
+                edit->selectAll();
+                QTest::keyClicks(edit, text);
+                return;
+            }
+        }
+        QFAIL(qPrintable("There is no field " + field));
+    }
+
+    void trigger(const QString& words)
+    {
+        for (QAction* action : window_->findChildren<QAction*>()) {
+            if (action->text().remove('&').startsWith(words)) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable("There is no action " + words));
+    }
+
+    /// Answers the next question; whether there was one.
+    std::shared_ptr<bool> answer(QMessageBox::StandardButton button)
+    {
+        auto asked = std::make_shared<bool>(false);
+        QTimer::singleShot(200, this, [asked, button] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                *asked = true;
+                box->button(button)->click();
+            }
+        });
+        return asked;
+    }
+
+    void run()
+    {
+        window_->document().edit("a short experiment", {}, [](Design& d) {
+            Experiment& e = d.experiments[0];
+            e.duration_s = 0.1;
+            e.sample_mm = {4, 4};
+            e.droplets = {Droplet{0.5, 0, {0, 0}, 0.05, 0}};
+        });
+        window_->simulationPanel().setFidelity(Fidelity::draft);
+        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
+        window_->startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
+    }
+
+    void saveRecording(const QString& path)
+    {
+        QTimer::singleShot(200, this, [path] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                dialog->setOption(QFileDialog::DontConfirmOverwrite);
+                dialog->findChild<QLineEdit*>()->setText(path);
+                QMetaObject::invokeMethod(dialog, "accept");
+            }
+        });
+        trigger("Save Recording As");
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+QTEST_MAIN(TestKeeping)
+#include "tst_keeping.moc"
