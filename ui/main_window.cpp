@@ -5,6 +5,7 @@
 #include "ui/appearance.h"
 #include "ui/candidates_panel.h"
 #include "ui/chart.h"
+#include "ui/compare_view.h"
 #include "ui/draft_editor.h"
 #include "ui/experiment_panel.h"
 #include "ui/fabric_panel.h"
@@ -30,6 +31,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -39,6 +41,8 @@
 namespace hygroloom {
 
 namespace {
+
+constexpr double most_recorded = 2e9; // bytes, of runs that are not saved
 
 /// What a run depends on, as text: equal texts mean that the results still hold.
 std::string dependence(const Design& design, const std::string& fabric, const std::string& experiment)
@@ -79,7 +83,7 @@ MainWindow::MainWindow(QWidget* parent)
     // With its frame the window fits the screen it opens on.
     const QSize room = screen()->availableSize() - QSize(16, 48);
     resize(QSize(1360, 860).boundedTo(room));
-    for (const Workspace workspace : {Workspace::simulate, Workspace::design}) {
+    for (const Workspace workspace : {Workspace::compare, Workspace::simulate, Workspace::design}) {
         arrange(workspace);
         first_states_[static_cast<int>(workspace)] = saveState(layout_version);
     }
@@ -87,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
     restoreGeometry(settings.value("window/geometry").toByteArray());
     states_[0] = settings.value("window/design").toByteArray();
     states_[1] = settings.value("window/simulate").toByteArray();
+    states_[2] = settings.value("window/compare").toByteArray();
     if (!states_[0].isEmpty()) {
         restoreState(states_[0], layout_version);
     }
@@ -117,7 +122,11 @@ void MainWindow::buildPanels()
     middle->setStretchFactor(0, 3);
     middle->setStretchFactor(1, 2);
     middle->setSizes({600, 400});
-    setCentralWidget(middle);
+    compare_ = new CompareView(history_);
+    middle_ = new QStackedWidget;
+    middle_->addWidget(middle);
+    middle_->addWidget(compare_);
+    setCentralWidget(middle_);
 
     const auto dock = [this](const char* name, const QString& title, QWidget* widget) {
         auto* made = new QDockWidget(title, this);
@@ -182,20 +191,20 @@ void MainWindow::arrange(Workspace workspace)
     addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
     splitDockWidget(draft_dock_, issues_dock_, Qt::Vertical);
     splitDockWidget(timeline_dock_, results_dock_, Qt::Horizontal);
-    const bool design = workspace == Workspace::design;
+    const bool design = workspace == Workspace::design, simulate = workspace == Workspace::simulate;
     candidates_dock_->setVisible(design);
     weave_dock_->setVisible(design);
     fabric_dock_->setVisible(design);
-    experiment_dock_->setVisible(!design);
-    simulation_dock_->setVisible(!design);
-    timeline_dock_->setVisible(!design);
-    results_dock_->setVisible(!design);
+    experiment_dock_->setVisible(simulate);
+    simulation_dock_->setVisible(simulate);
+    timeline_dock_->setVisible(simulate);
+    results_dock_->setVisible(simulate);
     draft_dock_->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
         resizeDocks({candidates_dock_, weave_dock_}, {130, 470}, Qt::Vertical);
         resizeDocks({candidates_dock_, fabric_dock_}, {230, 320}, Qt::Horizontal);
-    } else {
+    } else if (simulate) {
         resizeDocks({experiment_dock_, simulation_dock_}, {480, 240}, Qt::Vertical);
         resizeDocks({experiment_dock_}, {310}, Qt::Horizontal);
         resizeDocks({timeline_dock_, results_dock_}, {600, 350}, Qt::Horizontal);
@@ -213,14 +222,16 @@ void MainWindow::setWorkspace(Workspace workspace)
     const QByteArray& state = states_[static_cast<int>(workspace)];
     restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
     maps_->setVisible(workspace == Workspace::simulate);
+    middle_->setCurrentIndex(workspace == Workspace::compare ? 1 : 0);
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     refreshPicture();
 }
 
 void MainWindow::resetLayout()
 {
-    states_[0].clear();
-    states_[1].clear();
+    for (QByteArray& state : states_) {
+        state.clear();
+    }
     arrange(workspace_);
     first_states_[static_cast<int>(workspace_)] = saveState(layout_version);
 }
@@ -259,11 +270,8 @@ void MainWindow::connectParts()
     });
     connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);
     connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
-        const QString earlier = playback_.path();
         playback_.begin(run, run_path_);
-        if (earlier.startsWith(recordings_.path())) {
-            QFile::remove(earlier);
-        }
+        history_.dropOldest(most_recorded);
     });
     connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
     connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
@@ -283,11 +291,18 @@ void MainWindow::connectParts()
         if (!playback_.live()) {
             viewport_->setRunMaximum(playback_.maximumSaturation());
         }
+        keepRun();
     });
+    connect(compare_, &CompareView::runRequested, this, &MainWindow::showRun);
+    connect(compare_, &CompareView::failed, this, &MainWindow::tellProblem);
     connect(&playback_, &Playback::opened, this, [this](const QString& path) {
-        addRecentFile(path);
-        if (!document_.modified()) {
+        if (!path.startsWith(recordings_.path())) {
+            addRecentFile(path);
+        }
+        if (path == opening_ && !document_.modified()) {
             document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
+        }
+        if (path != opening_ || !document_.modified()) {
             chooseWhatRan();
         }
         setWorkspace(Workspace::simulate);
@@ -349,6 +364,14 @@ void MainWindow::chooseWhatRan()
         if (design.experiments[i].name == run->experiment) {
             document_.setExperimentIndex(static_cast<int>(i));
         }
+    }
+}
+
+/// What is shown, once it is no longer live, with what is known of it so far.
+void MainWindow::keepRun()
+{
+    if (playback_.run() && !playback_.live() && playback_.metrics() && !playback_.path().isEmpty()) {
+        history_.keep({playback_.path(), playback_.run(), playback_.metrics(), !playback_.path().startsWith(recordings_.path())});
     }
 }
 

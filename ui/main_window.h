@@ -6,6 +6,7 @@
 #include "ui/document.h"
 #include "ui/playback.h"
 #include "ui/recovery.h"
+#include "ui/run_history.h"
 #include "ui/simulation_run.h"
 #include "ui/viewport.h"
 
@@ -15,12 +16,14 @@
 
 class QActionGroup;
 class QLabel;
+class QStackedWidget;
 class QToolButton;
 
 namespace hygroloom {
 
 class CandidatesPanel;
 class Chart;
+class CompareView;
 class DraftEditor;
 class ExperimentPanel;
 class ExportDialog;
@@ -32,7 +35,7 @@ class Timeline;
 class WaterMapView;
 class WeaveEditor;
 
-enum class Workspace { design, simulate };
+enum class Workspace { design, simulate, compare };
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -55,6 +58,8 @@ public:
     SimulationPanel& simulationPanel() { return *simulation_panel_; }
     Viewport& viewport() { return *viewport_; }
     WaterMapView& waterMaps() { return *maps_; }
+    CompareView& compareView() { return *compare_; }
+    RunHistory& runs() { return history_; }
     Chart& chart() { return *chart_; }
     ResultsPanel& results() { return *results_; }
     Timeline& timeline() { return *timeline_; }
@@ -82,6 +87,8 @@ private:
     void refreshPicture();
     void chooseWhatRan();
     void refreshStale();
+    void keepRun();
+    void showRun(const QString& recording);
     void refreshIssueCount();
     void showIssue(const QString& where);
     void showFabricIssue(const QString& where, const QString& part);
@@ -114,6 +121,7 @@ private:
     bool mayDiscard();
     bool mayStop(const QString& what, const QString& question, const QString& consequence, const QString& button);
     bool mayStopRun();
+    bool mayDropRuns();
     bool mayStopExport();
     void addRecentFile(const QString& path);
     void refreshRecentFiles();
@@ -123,18 +131,22 @@ private:
     QTemporaryDir recordings_; // outlives those who read and write in it
     Playback playback_;
     SimulationRun run_;
+    RunHistory history_;
     QPointer<ExportDialog> export_;
     NewestJob copier_;
     int runs_ = 0;
     QString run_path_;
+    QString opening_; ///< the recording whose design is to be taken with it
     Workspace workspace_ = Workspace::design;
-    QByteArray states_[2];
-    QByteArray first_states_[2];
+    QByteArray states_[3]; ///< by workspace
+    QByteArray first_states_[3];
     bool stale_ = false;
     bool closing_ = false; ///< questions are being asked, or an end is awaited
 
     Viewport* viewport_ = nullptr;
     WaterMapView* maps_ = nullptr;
+    QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, or runs side by side
+    CompareView* compare_ = nullptr;
     CandidatesPanel* candidates_ = nullptr;
     WeaveEditor* weave_ = nullptr;
     DraftEditor* draft_ = nullptr;

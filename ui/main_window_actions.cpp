@@ -3,6 +3,7 @@
 #include "ui/appearance.h"
 #include "ui/candidates_panel.h"
 #include "ui/command_palette.h"
+#include "ui/compare_view.h"
 #include "ui/examples.h"
 #include "ui/experiment_panel.h"
 #include "ui/main_window.h"
@@ -135,13 +136,15 @@ void MainWindow::buildViewMenu()
     workspaces_ = new QActionGroup(this);
     QAction* design = addCommand(menu, {}, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."));
     QAction* simulate = addCommand(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
-    for (QAction* action : {design, simulate}) {
+    QAction* compare = addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Put runs of the same experiment side by side."));
+    for (QAction* action : {design, simulate, compare}) {
         action->setCheckable(true);
         workspaces_->addAction(action);
     }
     design->setChecked(true);
     connect(design, &QAction::triggered, this, [this] { setWorkspace(Workspace::design); });
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
+    connect(compare, &QAction::triggered, this, [this] { setWorkspace(Workspace::compare); });
     menu->addSeparator();
     viewport_->bar().fillMenu(menu);
     menu->addSeparator();
@@ -150,6 +153,7 @@ void MainWindow::buildViewMenu()
     addChoices(menu->addMenu(tr("&Water Colours")), "view/colors", {tr("Blue"), tr("Cividis")}, [this](int i) {
         viewport_->setWaterColors(static_cast<WaterColors>(i));
         maps_->setWaterColors(static_cast<WaterColors>(i));
+        compare_->setWaterColors(static_cast<WaterColors>(i));
     });
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* group = new QActionGroup(appearance);

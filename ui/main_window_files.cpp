@@ -7,6 +7,7 @@
 #include "ui/export_dialog.h"
 #include "ui/import_dialog.h"
 #include "ui/main_window.h"
+#include "ui/plan_dialog.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -23,6 +24,8 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -84,7 +87,8 @@ bool MainWindow::openFile(const QString& path)
         if (run_.running() && !mayStopRun()) {
             return false;
         }
-        playback_.open(QFileInfo(path).absoluteFilePath());
+        opening_ = QFileInfo(path).absoluteFilePath();
+        playback_.open(opening_);
         return true;
     }
     if (!mayDiscard() || !document_.open(path)) {
@@ -95,6 +99,15 @@ bool MainWindow::openFile(const QString& path)
     }
     addRecentFile(document_.path());
     return true;
+}
+
+/// Another run of this window; the project stays.
+void MainWindow::showRun(const QString& recording)
+{
+    if (!run_.running() || mayStopRun()) {
+        opening_.clear();
+        playback_.open(recording);
+    }
 }
 
 void MainWindow::openShippedExample()
@@ -194,8 +207,9 @@ void MainWindow::saveRecordingAs()
     // Recordings may be large.
     copier_.run([this, from, to](const NewestJob::Turn& turn) {
         const QString why = copyOver(from, to);
-        turn.deliver([this, to, why] {
+        turn.deliver([this, from, to, why] {
             if (why.isEmpty()) {
+                history_.markSaved(from);
                 addRecentFile(to);
                 statusBar()->showMessage(tr("Saved %1.").arg(to), 4000);
             } else {
@@ -326,6 +340,21 @@ bool MainWindow::mayStopRun()
     return true;
 }
 
+/// Runs that took a while are not dropped without a question.
+bool MainWindow::mayDropRuns()
+{
+    constexpr double a_while = 30; // s
+    double longest = 0;
+    for (const KeptRun& run : history_.unsaved()) {
+        longest = std::max(longest, run.run->wall);
+    }
+    return longest < a_while
+        || mayStop(tr("Runs are not saved"), tr("Close without saving the recordings?"),
+                   tr("The longest run took %1 and is lost then. File ▸ Save Recording As keeps the run that is shown; Compare lists them all.")
+                       .arg(roughDuration(longest)),
+                   tr("Close Without Saving"));
+}
+
 bool MainWindow::mayStopExport()
 {
     if (export_ && export_->writing()) {
@@ -350,7 +379,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!mayDiscard() || !mayStopRun() || !mayStopExport()) {
+    if (!mayDiscard() || !mayStopRun() || !mayDropRuns() || !mayStopExport()) {
         event->ignore();
         return;
     }
@@ -362,6 +391,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     states_[static_cast<int>(workspace_)] = saveState(layout_version);
     settings.setValue("window/design", states_[0]);
     settings.setValue("window/simulate", states_[1]);
+    settings.setValue("window/compare", states_[2]);
     event->accept();
 }
 

@@ -21,6 +21,20 @@ constexpr char ink_on_map[] = "#1d2327";
 
 } // namespace
 
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell)
+{
+    FaceMap made;
+    made.cells = cell_map(run.textile, frame, start_of_maps(run, first), side, crossings_per_cell);
+    made.size = QSizeF(run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch);
+    // Only a drop or a feed in the middle makes a stain.
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
+    if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
+        made.stain = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
+    }
+    return made;
+}
+
 WaterMap::WaterMap(const QString& title, QWidget* parent)
     : QWidget(parent)
     , title_(title)
@@ -111,11 +125,15 @@ void WaterMap::paintEvent(QPaintEvent*)
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
-    const double title = QFontMetricsF(bold).horizontalAdvance(title_);
+    // A long name leaves room for the number beside it.
+    const QFontMetricsF metrics(bold);
+    const double number = image_.isNull() ? 0 : QFontMetricsF(font()).horizontalAdvance(radiusText(0)) + 12;
+    const QString name = metrics.elidedText(title_, Qt::ElideRight, width() - 16 - number);
+    const double title = metrics.horizontalAdvance(name);
     const QString radius = image_.isNull() ? QString() : radiusText(width() - 16 - title);
     const bool fits = title + 12 + fontMetrics().horizontalAdvance(radius) <= area.width();
     const QRectF head = fits ? QRectF(area.left(), 0, area.width(), area.top() - 2) : QRectF(8, 0, width() - 16, area.top() - 2);
-    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, title_);
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, name);
     painter.setFont(font());
     if (image_.isNull()) {
         QColor line = ink;

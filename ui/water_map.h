@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/cell_map.h"
+#include "core/analysis/metrics.h"
 #include "ui/color_map.h"
 
 #include <QImage>
@@ -11,6 +12,16 @@
 #include <optional>
 
 namespace hygroloom {
+
+/// What a map shows of one face at one moment.
+struct FaceMap {
+    CellMap cells;
+    std::optional<Circle> stain; ///< of experiments that make one
+    QSizeF size;                 ///< of the fabric, m
+};
+
+/// first: the run's first frame.
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell);
 
 class WaterMap : public QWidget {
     Q_OBJECT

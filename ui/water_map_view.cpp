@@ -102,9 +102,8 @@ void WaterMapView::refresh()
     }
     mapper_.run([this, of = playback_.generation(), run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(), cells = cells_->value()](const NewestJob::Turn& turn) {
         const Frame start = start_of_maps(*run, *first);
-        const CellMap top = cell_map(run->textile, *frame, start, MapSide::top, cells);
-        const CellMap bottom = cell_map(run->textile, *frame, start, MapSide::bottom, cells);
-        // Only a drop or a feed in the middle makes a stain.
+        const FaceMap top = faceMap(*run, *frame, *first, MapSide::top, cells);
+        const FaceMap bottom = faceMap(*run, *frame, *first, MapSide::bottom, cells);
         const Experiment* experiment = find_experiment(run->design, run->experiment);
         const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
         // What is wet from the start sets the scale, whichever moment is looked at first.
@@ -114,19 +113,13 @@ void WaterMapView::refresh()
                 atStart = std::max(atStart, cell_map(run->textile, *first, start, side, cells).maximum());
             }
         }
-        std::optional<Circle> topCircle, bottomCircle;
-        if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
-            topCircle = wetted_circle(run->textile, *frame, Face::top);
-            bottomCircle = wetted_circle(run->textile, *frame, Face::bottom);
-        }
-        turn.deliver([this, of, run, cells, atStart, top, bottom, topCircle, bottomCircle] {
+        turn.deliver([this, of, cells, atStart, top, bottom] {
             if (of != playback_.generation() || cells != cells_->value()) {
                 return;
             }
-            widen(std::max({atStart, top.maximum(), bottom.maximum()}));
-            const QSizeF size(run->textile.ends() * run->textile.warp.pitch, run->textile.picks() * run->textile.weft.pitch);
-            top_->setMap(top, topCircle, size);
-            bottom_->setMap(bottom, bottomCircle, size);
+            widen(std::max({atStart, top.cells.maximum(), bottom.cells.maximum()}));
+            top_->setMap(top.cells, top.stain, top.size);
+            bottom_->setMap(bottom.cells, bottom.stain, bottom.size);
             update();
             Q_EMIT mapChanged();
         });

@@ -2,6 +2,7 @@
 // What a designer has made is not lost: not while it is typed, nor when it is saved over, nor in a crash. Needs a display: xvfb-run.
 #include "core/project/project_file.h"
 #include "ui/appearance.h"
+#include "ui/compare_view.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
 #include "ui/simulation_panel.h"
@@ -113,6 +114,23 @@ private Q_SLOTS:
         const QString saved = folder_.filePath("saved.hygrorec");
         saveRecording(saved);
         QTRY_COMPARE(QFileInfo(saved).size(), QFileInfo(window_->playback().path()).size());
+    }
+
+    void anotherRunLeavesTheEarlierOne()
+    {
+        run();
+        const QString first = window_->playback().path();
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
+        run();
+        QVERIFY(window_->playback().path() != first);
+        QCOMPARE(window_->runs().runs().size(), std::size_t{2});
+        QVERIFY(QFile::exists(first));
+        Q_EMIT window_->compareView().runRequested(first);
+        QTRY_COMPARE_WITH_TIMEOUT(window_->playback().path(), first, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->playback().frame(), 5000);
+        QCOMPARE(window_->document().fabric()->ends_per_cm, 30.0); // the project stays
+        QVERIFY(window_->resultsAreStale());
+        QVERIFY(!QSettings().value("recent").toStringList().contains(first)); // it goes with the window
     }
 
     void unsavedWorkOutlivesACrash()

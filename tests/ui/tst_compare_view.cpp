@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs side by side. The recordings are short runs of the example, so that reading them is part of what is tested.
+#include "core/analysis/metrics.h"
+#include "core/project/project_file.h"
+#include "core/sim/runner.h"
+#include "gpu/backends.h"
+#include "ui/compare_view.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+using namespace hygroloom;
+
+class TestCompareView : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale::c());
+        Design design = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/one-drop-on-cotton.hygro");
+        Experiment& drop = design.experiments[0];
+        drop.duration_s = 0.2;
+        drop.sample_mm = {4, 4};
+        drop.droplets = {Droplet{0.5, 0, {0, 0}, 0.05, 0}};
+        thick_ = ran(design, "thick");
+        design.fabrics[0].name = "a thinner fabric, whose name is as long as names of fabrics get to be in a mill";
+        design.fabrics[0].contact_angle_deg = 75;
+        thin_ = ran(design, "thin");
+        design.experiments[0].climate.temperature_c = 35;
+        hot_ = ran(design, "hot");
+        cut_short_ = thick_;
+        auto run = std::make_shared<RunRecord>(*thick_.run);
+        run->wall = 0;
+        cut_short_.run = run;
+        cut_short_.path += " cut short";
+    }
+
+    void anEmptyHistorySaysWhatToDo()
+    {
+        RunHistory history;
+        CompareView view(history);
+        view.resize(900, 600);
+        view.show();
+        QVERIFY(view.chosen().isEmpty());
+        bool told = false;
+        for (const QLabel* label : view.findChildren<QLabel*>()) {
+            told = told || (label->isVisible() && label->text().startsWith("Nothing has been run yet"));
+        }
+        QVERIFY(told);
+    }
+
+    void twoFabricsStandSideBySideInOneRange()
+    {
+        RunHistory history;
+        CompareView view(history);
+        view.resize(900, 600);
+        view.show();
+        history.keep(thick_);
+        history.keep(thin_);
+        QSignalSpy mapped(&view, &CompareView::mapsChanged);
+        view.choose(thick_.path, true);
+        view.choose(thin_.path, true);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && mapped.count() > 0 && view.maps()[1]->map().maximum() > 0, 10000);
+        QVERIFY(view.maps()[0]->map().maximum() > 0);
+        QVERIFY(view.maps()[0]->circle().radius > 0);
+
+        const QTableWidget* table = view.table();
+        QCOMPARE(table->columnCount(), 2);
+        QCOMPARE(table->verticalHeaderItem(0)->text(), QString("Wetted radius, top"));
+        const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
+        QVERIFY(thick_.metrics->maximum_wetted_radius_top != thin_.metrics->maximum_wetted_radius_top);
+        QCOMPARE(table->item(0, 0)->text().endsWith(", best"), thickIsBest);
+        QCOMPARE(table->item(0, 1)->text().endsWith(", best"), !thickIsBest);
+        QVERIFY(table->item(0, 0)->text().contains(" mm") || table->item(0, 0)->text().contains(QString(QChar(0x00a0)) + "mm"));
+    }
+
+    void theNewestRunsThatGoTogetherAreProposed()
+    {
+        RunHistory history;
+        CompareView view(history);
+        for (const KeptRun& run : {hot_, thick_, thin_, cut_short_}) { history.keep(run); }
+        QCOMPARE(view.chosen(), (QStringList{thin_.path, thick_.path}));
+        view.choose(thin_.path, false);
+        history.keep(thin_);
+        QCOMPARE(view.chosen(), QStringList{thick_.path}); // from now on it is the user who chooses
+    }
+
+    void onlyRunsOfTheSameExperimentThatEndedAreTaken()
+    {
+        RunHistory history;
+        CompareView view(history);
+        for (const KeptRun& run : {thick_, hot_, cut_short_}) { history.keep(run); }
+        view.choose(hot_.path, false);
+        view.choose(thick_.path, true);
+        view.choose(hot_.path, true);
+        view.choose(cut_short_.path, true);
+        QCOMPARE(view.chosen(), QStringList{thick_.path});
+        const auto* list = view.findChild<QTreeWidget*>();
+        QVERIFY(list->topLevelItem(0)->flags() & Qt::ItemIsUserCheckable);
+        QVERIFY(!(list->topLevelItem(1)->flags() & Qt::ItemIsUserCheckable));
+        QVERIFY(list->topLevelItem(1)->toolTip(0).contains("another experiment"));
+        QVERIFY(list->topLevelItem(2)->toolTip(0).contains("got to their end"));
+        view.choose(thick_.path, false);
+        view.choose(hot_.path, true);
+        QCOMPARE(view.chosen(), QStringList{hot_.path});
+    }
+
+    void tickingARunTakesIt()
+    {
+        RunHistory history;
+        CompareView view(history);
+        history.keep(thick_);
+        QCOMPARE(view.chosen(), QStringList{thick_.path});
+        auto* list = view.findChild<QTreeWidget*>();
+        list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+        QTRY_VERIFY(view.chosen().isEmpty());
+        list->topLevelItem(0)->setCheckState(0, Qt::Checked);
+        QTRY_COMPARE(view.chosen(), QStringList{thick_.path});
+    }
+
+    void aRunThatIsKeptAgainStaysOneAndSaved()
+    {
+        RunHistory history;
+        history.keep(thick_);
+        QCOMPARE(history.unsaved().size(), std::size_t{1});
+        history.markSaved(thick_.path);
+        history.keep(thick_);
+        QCOMPARE(history.runs().size(), std::size_t{1});
+        QVERIFY(history.unsaved().empty());
+    }
+
+    void theOldestUnsavedRecordingsGiveWay()
+    {
+        RunHistory history;
+        QTemporaryDir folder;
+        const auto copy = [&](const QString& name) {
+            KeptRun run = thick_;
+            run.path = folder.filePath(name);
+            QFile::copy(thick_.path, run.path);
+            return run;
+        };
+        const KeptRun oldest = copy("oldest"), saved = copy("saved"), newest = copy("newest");
+        for (const KeptRun& run : {oldest, saved, newest}) { history.keep(run); }
+        history.markSaved(saved.path);
+        const double size = static_cast<double>(QFileInfo(thick_.path).size());
+        history.dropOldest(2 * size);
+        QCOMPARE(history.runs().size(), std::size_t{3});
+        history.dropOldest(1.5 * size);
+        QCOMPARE(history.runs().size(), std::size_t{2});
+        QVERIFY(!QFile::exists(oldest.path) && QFile::exists(saved.path) && QFile::exists(newest.path));
+    }
+
+private:
+    KeptRun ran(const Design& design, const QString& name)
+    {
+        RunOptions options;
+        options.fidelity = Fidelity::draft;
+        const QString path = folder_.filePath(name + ".hygrorec");
+        options.recording = path.toStdString();
+        MetricsCollector collector;
+        RunCallbacks callbacks;
+        callbacks.started = [&](const RunRecord& run) { collector.start(run); };
+        callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { collector.add(*frame); };
+        const auto backend = make_backend("cpu");
+        RunControl control;
+        auto run = std::make_shared<const RunRecord>(
+            run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks));
+        return {path, run, std::make_shared<const Metrics>(collector.metrics()), false};
+    }
+
+    QTemporaryDir folder_;
+    KeptRun thick_, thin_, hot_, cut_short_;
+};
+
+QTEST_MAIN(TestCompareView)
+#include "tst_compare_view.moc"
