@@ -76,7 +76,7 @@ void Recovery::keep()
     writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
         try {
             write_file(originOf(file).toStdString(), origin.toStdString());
-            write_project(*design, file.toStdString());
+            write_file(file.toStdString(), format_project(*design));
             turn.deliver([this] { Q_EMIT kept(); });
         } catch (const Error& error) { // a full disk must not get in the way of the work itself
             qWarning("Unsaved work cannot be kept: %s", error.what());

@@ -175,6 +175,8 @@ private Q_SLOTS:
             QSignalSpy kept(&recovery, &Recovery::kept);
             document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
             QVERIFY(kept.wait(5000));
+            document.edit("picks", {}, [](Design& d) { d.fabrics[0].picks_per_cm = 27; });
+            QVERIFY(kept.wait(5000));
         }
         QVERIFY(QDir(folder.path()).isEmpty());
     }
