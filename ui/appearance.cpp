@@ -176,6 +176,35 @@ private:
     }
 };
 
+/// Fusion draws what can be ticked darker than the window, which in a dark window cannot be seen.
+class DarkStyle : public QProxyStyle {
+public:
+    DarkStyle()
+        : QProxyStyle(QStyleFactory::create("Fusion"))
+    {
+    }
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) {
+            return;
+        }
+        const bool enabled = option->state & State_Enabled;
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(option->palette.color(enabled ? QPalette::PlaceholderText : QPalette::Mid));
+        const QRectF inside = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        if (element == PE_IndicatorCheckBox) {
+            painter->drawRoundedRect(inside, 2, 2);
+        } else {
+            painter->drawEllipse(inside);
+        }
+        painter->restore();
+    }
+};
+
 bool desktopIsDark()
 {
     if (!QDBusConnection::sessionBus().isConnected()) {
@@ -206,7 +235,13 @@ void applyAppearance(Appearance appearance)
 {
     const bool contrast = appearance == Appearance::contrast;
     const bool dark = appearance == Appearance::dark || (appearance == Appearance::desktop && desktopIsDark());
-    QApplication::setStyle(contrast ? new OutlinedStyle : QStyleFactory::create("Fusion"));
+    QStyle* style = nullptr;
+    if (contrast) {
+        style = new OutlinedStyle;
+    } else {
+        style = dark ? new DarkStyle : QStyleFactory::create("Fusion");
+    }
+    QApplication::setStyle(style);
     QApplication::setPalette(contrast ? contrastPalette() : dark ? darkPalette() : lightPalette());
 }
 

@@ -19,6 +19,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
@@ -546,6 +547,26 @@ private Q_SLOTS:
             const QRect place = framed->geometry();
             QVERIFY(brightest(QRect(place.topLeft(), QSize(1, place.height()))) > least);
             QVERIFY(brightest(QRect(place.bottomLeft(), QSize(place.width(), 1))) > least);
+        }
+        applyAppearance(Appearance::light);
+    }
+
+    void whatCanBeTickedIsSeenInTheDark()
+    {
+        applyAppearance(Appearance::dark);
+        QWidget page;
+        page.resize(200, 100);
+        auto* radio = new QRadioButton(&page);
+        radio->setGeometry(10, 10, 24, 24);
+        auto* box = new QCheckBox(&page);
+        box->setGeometry(10, 50, 24, 24);
+        page.show();
+        const QImage picture = page.grab().toImage();
+        const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
+        for (const QWidget* one : {static_cast<QWidget*>(radio), static_cast<QWidget*>(box)}) {
+            int most = 0;
+            for (int x = one->x(); x < one->geometry().right(); ++x) { most = std::max(most, qGray(picture.pixel(x, one->geometry().center().y()))); }
+            QVERIFY(most > background + 60);
         }
         applyAppearance(Appearance::light);
     }
