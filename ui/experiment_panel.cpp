@@ -365,7 +365,7 @@ void ExperimentPanel::refreshDroplets()
     droplets_->clear();
     for (int i = 0; i < count; ++i) {
         const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
-        droplets_->addItem(tr("%1: %2 µl at %3 s (%4, %5)")
+        droplets_->addItem(tr("%1: %2 µl at %3 s, place %4, %5 mm")
                                .arg(i + 1)
                                .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1), shownNumber(drop.at_mm[1], 1)));
     }

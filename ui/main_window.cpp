@@ -325,7 +325,7 @@ void MainWindow::refreshPicture()
         if (playback_.frame()) {
             viewport_->showFrame(playback_.frame(), playback_.maximumSaturation());
         }
-        viewport_->setNotice(stale_ ? tr("Stale: results of an earlier design. Run again to renew them.") : QString());
+        viewport_->setNotice(stale_ ? whyStale() : QString());
         return;
     }
     if (!document_.fabric()) {
@@ -384,6 +384,18 @@ void MainWindow::refreshStale()
         stale = !chosen || dependence(run->design, run->fabric, run->experiment) != dependence(*document_.design(), run->fabric, run->experiment);
     }
     stale_ = stale;
+}
+
+QString MainWindow::whyStale() const
+{
+    const auto& run = playback_.run();
+    if (!document_.fabric() || document_.fabric()->name != run->fabric) {
+        return tr("Results of “%1”, which is not the fabric that is chosen. Run to see that one.").arg(QString::fromStdString(run->fabric));
+    }
+    if (!document_.experiment() || document_.experiment()->name != run->experiment) {
+        return tr("Results of “%1”, which is not the experiment that is chosen. Run to see that one.").arg(QString::fromStdString(run->experiment));
+    }
+    return tr("Stale: results of an earlier design. Run again to renew them.");
 }
 
 void MainWindow::refreshIssueCount()

@@ -87,6 +87,8 @@ private:
     void refreshPicture();
     void chooseWhatRan();
     void refreshStale();
+    /// Of results that are stale, in a sentence.
+    QString whyStale() const;
     void keepRun();
     void showRun(const QString& recording);
     void refreshIssueCount();
