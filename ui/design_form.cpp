@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
 #include <QToolButton>
@@ -275,7 +276,8 @@ void DesignForm::fill(QScrollArea* panel)
     panel->setWidget(content);
     panel->setWidgetResizable(true);
     panel->setFrameShape(QFrame::NoFrame);
-    panel->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Fields are not to be cut off, however small the window is.
+    panel->setMinimumWidth(content->minimumSizeHint().width() + panel->verticalScrollBar()->sizeHint().width());
 }
 
 int DesignForm::nextRow()

@@ -236,6 +236,7 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     origin_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(origin_, &QLabel::linkActivated, this, &ResultsPanel::showPlan);
     origin_->setAccessibleName(tr("How the results were computed"));
+    setMinimumWidth(220); // names and numbers of both faces, mostly
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(8, 4, 8, 8);

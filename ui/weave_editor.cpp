@@ -112,17 +112,15 @@ void WeaveEditor::refresh()
 {
     const Fabric* fabric = document_.fabric();
     setEnabled(fabric != nullptr);
-    if (!fabric) {
-        return;
-    }
     const QSignalBlocker quietEnds(ends_);
     const QSignalBlocker quietPicks(picks_);
-    const Weave& weave = fabric->weave;
+    const Weave weave = fabric ? fabric->weave : Weave();
     paper_->setWeave(weave);
     ends_->setValue(weave.ends());
     picks_->setValue(weave.picks());
-    pattern_->setCurrentIndex(pattern_->findText(QString::fromStdString(weave.pattern())));
-    pattern_->setEditText(QString::fromStdString(weave.pattern()));
+    const QString pattern = fabric ? QString::fromStdString(weave.pattern()) : QString();
+    pattern_->setCurrentIndex(pattern_->findText(pattern));
+    pattern_->setEditText(pattern);
     pattern_->lineEdit()->setCursorPosition(0);
 }
 

@@ -286,6 +286,9 @@ void YarnPanel::refresh()
         same_->setEnabled(y != nullptr);
     }
     if (!y) {
+        fibre_->setCurrentIndex(-1);
+        blend_->setCurrentIndex(-1);
+        refreshDerived();
         return;
     }
     refreshMaterials();

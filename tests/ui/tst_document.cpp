@@ -11,6 +11,7 @@
 #include "ui/weave_editor.h"
 
 #include <QComboBox>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -290,6 +291,38 @@ private Q_SLOTS:
         QCOMPARE(failed.count(), 1);
         QVERIFY(failed.first().first().toString().contains("broken.hygro"));
         QCOMPARE(text(), before);
+    }
+
+    void aProjectWithoutFabricsShowsNoNumbersOfOne()
+    {
+        FabricPanel panel(*document_);
+        WeaveEditor weave(*document_);
+        document_->edit("weave", {}, [](Design& d) { d.fabrics[0].weave = weave_from_pattern("satin 5/2"); });
+        const auto numbers = [&panel] {
+            QStringList found;
+            for (const QuantityEdit* edit : panel.findChildren<QuantityEdit*>()) {
+                if ((edit->text() + edit->placeholderText()).contains(QRegularExpression("[0-9]"))) { found << edit->accessibleName(); }
+            }
+            return found;
+        };
+        QVERIFY(!numbers().isEmpty());
+        document_->edit("delete", {}, [](Design& d) { d.fabrics.clear(); });
+        QCOMPARE(numbers(), QStringList());
+        QCOMPARE(weave.findChild<QSpinBox*>()->value(), 2); // the plain weave's
+        QCOMPARE(weave.findChild<QComboBox*>()->currentText(), QString());
+    }
+
+    void noPanelCutsItsFieldsOff()
+    {
+        FabricPanel fabric(*document_);
+        ExperimentPanel experiment(*document_);
+        for (QScrollArea* panel : {static_cast<QScrollArea*>(&fabric), static_cast<QScrollArea*>(&experiment)}) {
+            panel->show();
+            panel->resize(panel->minimumSizeHint().expandedTo(panel->minimumSize()).width(), 300);
+            QTRY_VERIFY(panel->widget()->width() > 0);
+            QVERIFY(panel->widget()->width() <= panel->viewport()->width());
+            QVERIFY(panel->widget()->minimumSizeHint().width() <= panel->viewport()->width());
+        }
     }
 
     void anErrorIsFoundAtItsField()
