@@ -17,6 +17,7 @@
 #include "ui/timeline.h"
 #include "ui/water_map_view.h"
 #include "ui/weave_editor.h"
+#include "ui/wheel_guard.h"
 
 #include <QAbstractSpinBox>
 #include <QActionGroup>
@@ -78,6 +79,7 @@ MainWindow::MainWindow(QWidget* parent)
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     buildPanels();
+    (new WheelGuard(this))->guard(this);
     buildActions();
     connectParts();
     // With its frame the window fits the screen it opens on.

@@ -51,7 +51,10 @@ Recovery::Recovery(Document& document, QString folder, QObject* parent)
 Recovery::~Recovery()
 {
     writer_.reset(); // what it is writing is written first
-    if (lock_) { removeAll(file_); }
+    if (lock_) {
+        lock_.reset();
+        removeAll(file_);
+    }
 }
 
 QString Recovery::standardFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"; }

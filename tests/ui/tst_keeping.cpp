@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 
 using namespace hygroloom;
 
@@ -88,6 +89,21 @@ private Q_SLOTS:
         QTest::keyClicks(pattern->lineEdit(), "twill 7/1 S");
         QTest::keyClick(pattern, Qt::Key_Tab);
         QCOMPARE(window_->document().fabric()->weave.pattern(), std::string("twill 7/1 S"));
+    }
+
+    void theWheelChangesNoChoice()
+    {
+        for (const bool focused : {false, true}) {
+            for (QComboBox* choice : window_->findChildren<QComboBox*>()) {
+                if (!choice->isVisible() || !choice->isEnabled()) { continue; }
+                if (focused) { choice->setFocus(); }
+                const QPointF at = choice->rect().center();
+                QWheelEvent turn(at, choice->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+                QApplication::sendEvent(choice, &turn);
+                QVERIFY2(!window_->document().modified(), qPrintable(choice->accessibleName()));
+                QVERIFY2(!turn.isAccepted(), qPrintable(choice->accessibleName())); // goes on to the panel, which scrolls
+            }
+        }
     }
 
     void aRecordingThatCannotBeCopiedLeavesTheOneThatWasThere()
@@ -208,15 +224,27 @@ private:
         QFAIL(qPrintable("There is no action " + words));
     }
 
+    /// Does the work with the next dialog of its kind, whenever it comes.
+    template <typename Dialog, typename Work> void meet(Work work)
+    {
+        auto* timer = new QTimer(this);
+        connect(timer, &QTimer::timeout, this, [timer, work] {
+            if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
+                timer->deleteLater();
+                timer->stop();
+                work(dialog);
+            }
+        });
+        timer->start(50);
+    }
+
     /// Answers the next question; whether there was one.
     std::shared_ptr<bool> answer(QMessageBox::StandardButton button)
     {
         auto asked = std::make_shared<bool>(false);
-        QTimer::singleShot(200, this, [asked, button] {
-            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                *asked = true;
-                box->button(button)->click();
-            }
+        meet<QMessageBox>([asked, button](QMessageBox* box) {
+            *asked = true;
+            box->button(button)->click();
         });
         return asked;
     }
@@ -237,12 +265,10 @@ private:
 
     void saveRecording(const QString& path)
     {
-        QTimer::singleShot(200, this, [path] {
-            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-                dialog->setOption(QFileDialog::DontConfirmOverwrite);
-                dialog->findChild<QLineEdit*>()->setText(path);
-                QMetaObject::invokeMethod(dialog, "accept");
-            }
+        meet<QFileDialog>([path](QFileDialog* dialog) {
+            dialog->setOption(QFileDialog::DontConfirmOverwrite);
+            dialog->findChild<QLineEdit*>()->setText(path);
+            QMetaObject::invokeMethod(dialog, "accept");
         });
         trigger("Save Recording As");
     }
