@@ -49,6 +49,15 @@ std::string freeName(const Design& design, const std::string& wish)
     return name;
 }
 
+/// A fabric that comes first has something to be tried with.
+void ensureExperiment(Design& design)
+{
+    if (design.experiments.empty()) {
+        design.experiments.push_back(Experiment{});
+        design.experiments.front().name = CandidatesPanel::tr("one drop").toStdString();
+    }
+}
+
 } // namespace
 
 CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
@@ -61,6 +70,7 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
     setFocusProxy(list_);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     list_->setFrameShape(QFrame::NoFrame);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long names end in dots, and are told in full by the tool tip
     list_->setIconSize({18, 18});
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
@@ -126,9 +136,11 @@ void CandidatesPanel::refresh()
         QListWidgetItem* item = list_->item(row);
         item->setText(QString::fromStdString(fabric.name));
         item->setIcon(swatch(fabric.weave, palette(), devicePixelRatioF()));
-        item->setToolTip(tr("%1, %2 × %3 per cm")
-                             .arg(fabric.weave.pattern().empty() ? tr("free weave") : QString::fromStdString(fabric.weave.pattern()),
-                                  shownNumber(fabric.ends_per_cm, 1), shownNumber(fabric.picks_per_cm, 1)));
+        const QString about = tr("%1: %2, %3 × %4 per cm")
+                                  .arg(QString::fromStdString(fabric.name),
+                                       fabric.weave.pattern().empty() ? tr("free weave") : QString::fromStdString(fabric.weave.pattern()),
+                                       shownNumber(fabric.ends_per_cm, 1), shownNumber(fabric.picks_per_cm, 1));
+        item->setToolTip("<p>" + about.toHtmlEscaped() + "</p>");
     }
     list_->setCurrentRow(count > 0 ? document_.fabricIndex() : -1);
     list_->setVisible(count > 0);
@@ -152,6 +164,7 @@ void CandidatesPanel::addFabric(const QString& undo, Fabric fabric)
     document_.editState(undo, [&](Design& design, DesignState& state) {
         fabric.name = freeName(design, fabric.name);
         design.fabrics.push_back(std::move(fabric));
+        ensureExperiment(design);
         state.fabric = static_cast<int>(design.fabrics.size()) - 1;
     });
 }
@@ -168,6 +181,7 @@ void CandidatesPanel::addPreset(const Preset& preset)
 {
     document_.editState(tr("add %1").arg(QString::fromStdString(preset.fabric().name)), [&](Design& design, DesignState& state) {
         state.fabric = static_cast<int>(add_preset(design, preset));
+        ensureExperiment(design);
     });
 }
 

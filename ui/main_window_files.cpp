@@ -20,6 +20,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QStandardPaths>
@@ -233,7 +234,8 @@ void MainWindow::saveScreenshot()
         return;
     }
     const QString path = withEnding(chosen, ".png");
-    if (picture.save(path)) {
+    QSaveFile file(path); // an older picture stays until this one is complete
+    if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit()) {
         statusBar()->showMessage(tr("Saved %1.").arg(path), 4000);
     } else {
         tellProblem(tr("The picture cannot be written to %1.").arg(path));

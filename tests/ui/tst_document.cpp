@@ -312,6 +312,17 @@ private Q_SLOTS:
         QCOMPARE(weave.findChild<QComboBox*>()->currentText(), QString());
     }
 
+    void aFirstFabricHasAnExperimentToBeTriedWith()
+    {
+        CandidatesPanel candidates(*document_);
+        document_->take(Design{}, {});
+        candidates.addFabric();
+        QCOMPARE(document_->design()->experiments.size(), std::size_t{1});
+        QVERIFY(!document_->hasError());
+        document_->history()->undo();
+        QVERIFY(document_->design()->experiments.empty());
+    }
+
     void noPanelCutsItsFieldsOff()
     {
         FabricPanel fabric(*document_);
