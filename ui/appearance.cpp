@@ -179,17 +179,12 @@ private:
 /// Fusion draws what can be ticked darker than the window, which in a dark window cannot be seen.
 class DarkStyle : public QProxyStyle {
 public:
-    DarkStyle()
-        : QProxyStyle(QStyleFactory::create("Fusion"))
-    {
-    }
+    DarkStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override
     {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
-        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) {
-            return;
-        }
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) { return; }
         const bool enabled = option->state & State_Enabled;
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);

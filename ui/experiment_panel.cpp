@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace hygroloom {
@@ -257,13 +258,17 @@ void ExperimentPanel::addDroplets()
     groups_.push_back({form_->addGroup(), {ExperimentType::droplet}});
     droplets_ = new QListWidget;
     droplets_->setAccessibleName(tr("Droplets"));
-    droplets_->setFixedHeight(72);
+    droplets_->setFixedHeight(90); // as three buttons
     auto* buttons = new QVBoxLayout;
     QToolButton* add = iconButton("add", tr("Add a droplet"));
     remove_droplet_ = iconButton("remove", tr("Remove the droplet"));
+    place_ = iconButton("drop", tr("Place the droplet: click on the fabric"));
+    place_->setCheckable(true);
+    connect(place_, &QToolButton::toggled, this, &ExperimentPanel::placingChanged);
     buttons->setSpacing(4);
     buttons->addWidget(add);
     buttons->addWidget(remove_droplet_);
+    buttons->addWidget(place_);
     buttons->addStretch();
     auto* line = new QWidget;
     auto* layout = new QHBoxLayout(line);
@@ -281,6 +286,7 @@ void ExperimentPanel::addDroplets()
         if (row >= 0 && row != droplet_) {
             droplet_ = row;
             form_->refresh();
+            Q_EMIT dropletChosen();
         }
     });
     using D = Droplet&;
@@ -367,10 +373,13 @@ void ExperimentPanel::refreshDroplets()
         const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
         droplets_->addItem(tr("%1: %2 µl at %3 s, place %4, %5 mm")
                                .arg(i + 1)
-                               .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1), shownNumber(drop.at_mm[1], 1)));
+                               .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1),
+                                    shownNumber(drop.at_mm[1], 1)));
     }
     droplets_->setCurrentRow(count > 0 ? droplet_ : -1);
     remove_droplet_->setEnabled(count > 0);
+    place_->setEnabled(count > 0);
+    if (count == 0 || experiment->type != ExperimentType::droplet) { place_->setChecked(false); }
     no_droplet_->setVisible(count == 0);
     for (QWidget* widget : droplet_fields_) {
         widget->setEnabled(count > 0);
@@ -399,6 +408,22 @@ void ExperimentPanel::addDroplet()
     droplet_ = static_cast<int>(experiment->droplets.size());
     edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
 }
+
+void ExperimentPanel::placeDroplet(const QPointF& at)
+{
+    const auto rounded = [](double mm) { return std::round(10 * mm) / 10; };
+    const Experiment* experiment = document_.experiment();
+    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
+        edit(tr("droplet place"), [&](Experiment& e) {
+            e.droplets[static_cast<std::size_t>(droplet_)].at_mm = {rounded(at.x()), rounded(at.y())};
+        });
+        document_.endStroke();
+    }
+}
+
+bool ExperimentPanel::placing() const { return place_->isChecked(); }
+
+void ExperimentPanel::endPlacing() { place_->setChecked(false); }
 
 void ExperimentPanel::removeDroplet()
 {

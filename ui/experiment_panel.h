@@ -23,8 +23,19 @@ public:
     void addExperiment();
     void addDroplet();
     void removeDroplet();
+    /// The number of the droplet whose fields are shown.
+    int droplet() const { return droplet_; }
+    bool placing() const;
+    /// Moves it, mm from the sample's middle.
+    void placeDroplet(const QPointF& at);
+    void endPlacing();
     /// Shows the field of the value at this path, in the chosen experiment or in a liquid of the project, and gives it the focus.
     bool showField(const std::string& where);
+
+Q_SIGNALS:
+    void dropletChosen();
+    /// Whether clicks on the fabric are to place the droplet.
+    void placingChanged(bool placing);
 
 private:
     using Read = std::function<std::optional<double>(const Experiment&)>;
@@ -70,6 +81,7 @@ private:
     QCheckBox* swelling_ = nullptr;
     QListWidget* droplets_ = nullptr;
     QToolButton* remove_droplet_ = nullptr;
+    QToolButton* place_ = nullptr;
     QLabel* no_droplet_ = nullptr;
     std::vector<QWidget*> droplet_fields_;
     int droplet_ = 0;

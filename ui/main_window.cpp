@@ -14,6 +14,7 @@
 #include "ui/point_paper.h"
 #include "ui/results_panel.h"
 #include "ui/simulation_panel.h"
+#include "ui/textile_canvas.h"
 #include "ui/timeline.h"
 #include "ui/water_map_view.h"
 #include "ui/weave_editor.h"
@@ -231,9 +232,7 @@ void MainWindow::setWorkspace(Workspace workspace)
 
 void MainWindow::resetLayout()
 {
-    for (QByteArray& state : states_) {
-        state.clear();
-    }
+    for (QByteArray& state : states_) { state.clear(); }
     arrange(workspace_);
     first_states_[static_cast<int>(workspace_)] = saveState(layout_version);
 }
@@ -245,6 +244,12 @@ void MainWindow::connectParts()
         refreshPicture();
         refreshIssueCount();
     });
+    connect(experiment_panel_, &ExperimentPanel::dropletChosen, this, &MainWindow::refreshDrops);
+    connect(experiment_panel_, &ExperimentPanel::placingChanged, this, &MainWindow::refreshDrops);
+    if (TextileCanvas* canvas = viewport_->canvas()) {
+        connect(canvas, &TextileCanvas::placed, experiment_panel_, &ExperimentPanel::placeDroplet);
+        connect(canvas, &TextileCanvas::placingEnded, experiment_panel_, &ExperimentPanel::endPlacing);
+    }
     connect(&document_, &Document::pathChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::failed, this, &MainWindow::tellProblem);
@@ -298,15 +303,11 @@ void MainWindow::connectParts()
     connect(compare_, &CompareView::runRequested, this, &MainWindow::showRun);
     connect(compare_, &CompareView::failed, this, &MainWindow::tellProblem);
     connect(&playback_, &Playback::opened, this, [this](const QString& path) {
-        if (!path.startsWith(recordings_.path())) {
-            addRecentFile(path);
-        }
+        if (!path.startsWith(recordings_.path())) { addRecentFile(path); }
         if (path == opening_ && !document_.modified()) {
             document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
         }
-        if (path != opening_ || !document_.modified()) {
-            chooseWhatRan();
-        }
+        if (path != opening_ || !document_.modified()) { chooseWhatRan(); }
         setWorkspace(Workspace::simulate);
     });
 }
@@ -322,6 +323,7 @@ void MainWindow::refreshTitle()
 
 void MainWindow::refreshPicture()
 {
+    refreshDrops();
     if (workspace_ == Workspace::simulate && playback_.run()) {
         viewport_->showRun(playback_.run());
         if (playback_.frame()) {
@@ -377,6 +379,21 @@ void MainWindow::keepRun()
     }
 }
 
+/// Where drops are to fall, as long as no run shows where they fell.
+void MainWindow::refreshDrops()
+{
+    TextileCanvas* canvas = viewport_->canvas();
+    if (!canvas) { return; }
+    std::vector<QPointF> places;
+    const Experiment* experiment = document_.experiment();
+    const bool asked = !playback_.run() || experiment_panel_->placing();
+    if (workspace_ == Workspace::simulate && asked && experiment && experiment->type == ExperimentType::droplet) {
+        for (const Droplet& drop : experiment->droplets) { places.emplace_back(drop.at_mm[0], drop.at_mm[1]); }
+    }
+    canvas->setDrops(places, experiment_panel_->droplet());
+    canvas->setPlacing(workspace_ == Workspace::simulate && experiment_panel_->placing());
+}
+
 void MainWindow::refreshStale()
 {
     bool stale = false;
@@ -395,7 +412,8 @@ QString MainWindow::whyStale() const
         return tr("Results of “%1”, which is not the fabric that is chosen. Run to see that one.").arg(QString::fromStdString(run->fabric));
     }
     if (!document_.experiment() || document_.experiment()->name != run->experiment) {
-        return tr("Results of “%1”, which is not the experiment that is chosen. Run to see that one.").arg(QString::fromStdString(run->experiment));
+        return tr("Results of “%1”, which is not the experiment that is chosen. Run to see that one.")
+            .arg(QString::fromStdString(run->experiment));
     }
     return tr("Stale: results of an earlier design. Run again to renew them.");
 }
@@ -490,9 +508,7 @@ void MainWindow::showMaterialIssue(int material)
 void MainWindow::takeTypedValue()
 {
     const QPointer<QWidget> field = focusWidget();
-    if (!qobject_cast<QLineEdit*>(field) && !qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QComboBox*>(field)) {
-        return;
-    }
+    if (!qobject_cast<QLineEdit*>(field) && !qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QComboBox*>(field)) { return; }
     field->clearFocus();
     if (field && field->isVisible()) { // the editor of a name in a list is gone by now
         field->setFocus();
@@ -506,6 +522,7 @@ void MainWindow::startRun()
         return;
     }
     setWorkspace(Workspace::simulate);
+    experiment_panel_->endPlacing();
     RunOptions options;
     options.fidelity = simulation_panel_->fidelity();
     options.may_go_on_on_cpu = true;

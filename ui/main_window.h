@@ -86,6 +86,7 @@ private:
     void refreshTitle();
     void refreshPicture();
     void chooseWhatRan();
+    void refreshDrops();
     void refreshStale();
     /// Of results that are stale, in a sentence.
     QString whyStale() const;

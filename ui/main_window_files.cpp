@@ -121,9 +121,7 @@ void MainWindow::openShippedExample()
 void MainWindow::offerLeftOver()
 {
     const std::vector<LeftOver> all = recovery_.leftOver();
-    if (all.empty()) {
-        return;
-    }
+    if (all.empty()) { return; }
     const LeftOver& left = all.front();
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was kept"),
@@ -347,14 +345,13 @@ bool MainWindow::mayDropRuns()
 {
     constexpr double a_while = 30; // s
     double longest = 0;
-    for (const KeptRun& run : history_.unsaved()) {
-        longest = std::max(longest, run.run->wall);
-    }
-    return longest < a_while
-        || mayStop(tr("Runs are not saved"), tr("Close without saving the recordings?"),
-                   tr("The longest run took %1 and is lost then. File ▸ Save Recording As keeps the run that is shown; Compare lists them all.")
-                       .arg(roughDuration(longest)),
-                   tr("Close Without Saving"));
+    for (const KeptRun& run : history_.unsaved()) { longest = std::max(longest, run.run->wall); }
+    return longest < a_while ||
+           mayStop(
+               tr("Runs are not saved"), tr("Close without saving the recordings?"),
+               tr("The longest run took %1 and is lost then. File ▸ Save Recording As keeps the run that is shown; Compare lists them all.")
+                   .arg(roughDuration(longest)),
+               tr("Close Without Saving"));
 }
 
 bool MainWindow::mayStopExport()

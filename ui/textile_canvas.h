@@ -80,6 +80,11 @@ public:
     /// Clicks then set the two ends of a distance, on the middles of yarns or on their skins.
     void setMeasuring(bool measuring);
     bool measuring() const { return measuring_; }
+    /// Where drops are to fall, mm from the sample's middle; the chosen one is marked as such.
+    void setDrops(std::vector<QPointF> drops, int chosen);
+    const std::vector<QPointF>& drops() const { return drops_; }
+    /// Clicks then say where a drop is to fall.
+    void setPlacing(bool placing);
     void setMeasureOnAxes(bool onAxes) { measure_on_axes_ = onAxes; }
     std::optional<Measurement> measurement() const;
     YarnNumber selected() const { return selected_; }
@@ -104,6 +109,9 @@ Q_SIGNALS:
     void yarnSelected(const hygroloom::YarnNumber& yarn);
     void measured();
     void measuringEnded();
+    /// mm from the sample's middle, along the weft and along the warp.
+    void placed(const QPointF& at);
+    void placingEnded();
     void meshesWanted();
     void failed(const QString& sentence);
 
@@ -132,6 +140,7 @@ private:
     void drawHover(QPainter& painter, const QColor& ink);
     void drawHighlight(QPainter& painter);
     void drawMeasurement(QPainter& painter, const QColor& ink);
+    void drawDrops(QPainter& painter);
     QString selectionText() const;
     void hover(const QPointF& at);
     Drag dragOf(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) const;
@@ -160,6 +169,9 @@ private:
     SectionPlane section_;
     bool measuring_ = false;
     bool measure_on_axes_ = true;
+    bool placing_ = false;
+    std::vector<QPointF> drops_; ///< mm
+    int chosen_drop_ = -1;
     std::vector<QVector3D> measured_; ///< up to two
     Navigation navigation_ = Navigation::hygroloom;
     QPointF pointer_;

@@ -53,6 +53,7 @@ void TextileCanvas::drawOverlay(QPainter& painter)
         painter.setPen(ink);
         drawLegend(painter, area, caption_.legend, caption_.legend_maximum * caption_.legend_scale, caption_.unit, water_colors_);
     }
+    drawDrops(painter);
     drawMeasurement(painter, ink);
     drawHover(painter, ink);
 }
@@ -95,6 +96,20 @@ QString TextileCanvas::selectionText() const
         return tr("End %1 of the repeat, %2 of the piece").arg((textile.first_end + selected_.yarn) % textile.weave.ends() + 1).arg(selected_.yarn + 1);
     }
     return tr("Pick %1 of the repeat, %2 of the piece").arg((textile.first_pick + selected_.yarn) % textile.weave.picks() + 1).arg(selected_.yarn + 1);
+}
+
+void TextileCanvas::drawDrops(QPainter& painter)
+{
+    for (std::size_t i = 0; i < drops_.size(); ++i) {
+        const bool chosen = static_cast<int>(i) == chosen_drop_;
+        const double radius = chosen ? 8 : 6;
+        const QPointF at = camera_.project(
+            {static_cast<float>(drops_[i].x()), static_cast<float>(drops_[i].y()), 0.5F * fabric()->pitch().z()}, QSizeF(size()));
+        painter.setPen(QPen(colors().background, chosen ? 6 : 4));
+        painter.drawEllipse(at, radius, radius);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), chosen ? 3 : 2));
+        painter.drawEllipse(at, radius, radius);
+    }
 }
 
 void TextileCanvas::drawMeasurement(QPainter& painter, const QColor& ink)

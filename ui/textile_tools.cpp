@@ -95,7 +95,7 @@ void TextileCanvas::mouseReleaseEvent(QMouseEvent* event)
 void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const auto found = hit(event->position());
-    if (found && !measuring_) {
+    if (found && !measuring_ && !placing_) {
         camera_.centreOn(millimetres(found->point));
         moved_by_hand_ = true;
         redraw(false);
@@ -147,6 +147,9 @@ void TextileCanvas::keyPressEvent(QKeyEvent* event)
         } else if (measuring_) {
             setMeasuring(false);
             Q_EMIT measuringEnded();
+        } else if (placing_) {
+            setPlacing(false);
+            Q_EMIT placingEnded();
         } else {
             select({});
         }
@@ -187,6 +190,10 @@ std::optional<YarnHit> TextileCanvas::hit(const QPointF& at) const
 
 void TextileCanvas::click(const QPointF& at)
 {
+    if (placing_) {
+        if (const auto point = pointUnder(at)) { Q_EMIT placed({point->x(), point->y()}); }
+        return;
+    }
     const auto found = hit(at);
     if (!measuring_) {
         select(found ? YarnNumber{found->place.kind, found->place.yarn} : YarnNumber{});
@@ -210,6 +217,19 @@ void TextileCanvas::setMeasuring(bool measuring)
     measuring_ = measuring;
     measured_.clear();
     setCursor(measuring ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+void TextileCanvas::setPlacing(bool placing)
+{
+    placing_ = placing;
+    setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void TextileCanvas::setDrops(std::vector<QPointF> drops, int chosen)
+{
+    drops_ = std::move(drops);
+    chosen_drop_ = chosen;
     update();
 }
 

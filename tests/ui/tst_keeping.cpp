@@ -3,9 +3,11 @@
 #include "core/project/project_file.h"
 #include "ui/appearance.h"
 #include "ui/compare_view.h"
+#include "ui/experiment_panel.h"
 #include "ui/main_window.h"
 #include "ui/quantity_edit.h"
 #include "ui/simulation_panel.h"
+#include "ui/textile_canvas.h"
 #include "ui/weave_editor.h"
 
 #include <QAbstractButton>
@@ -18,6 +20,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 #include <QWheelEvent>
 
 using namespace hygroloom;
@@ -89,6 +92,31 @@ private Q_SLOTS:
         QTest::keyClicks(pattern->lineEdit(), "twill 7/1 S");
         QTest::keyClick(pattern, Qt::Key_Tab);
         QCOMPARE(window_->document().fabric()->weave.pattern(), std::string("twill 7/1 S"));
+    }
+
+    void aDropFallsWhereTheFabricIsClicked()
+    {
+        window_->setWorkspace(Workspace::simulate);
+        TextileCanvas* canvas = window_->viewport().canvas();
+        if (!canvas) { QSKIP("no OpenGL"); }
+        QTRY_VERIFY_WITH_TIMEOUT(canvas->fabric(), 10000);
+        QCOMPARE(canvas->drops().size(), std::size_t{1});
+        auto* panel = window_->findChild<ExperimentPanel*>();
+        const QPoint aside = canvas->camera().project({3, -2, 0.2F}, QSizeF(canvas->size())).toPoint();
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, aside);
+        QVERIFY(!window_->document().modified()); // not asked for
+        for (QToolButton* button : panel->findChildren<QToolButton*>()) {
+            if (button->accessibleName().startsWith("Place the droplet")) { button->click(); }
+        }
+        QVERIFY(panel->placing());
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, aside);
+        const auto& at = window_->document().experiment()->droplets[0].at_mm;
+        QVERIFY2(std::abs(at[0] - 3) < 0.3 && std::abs(at[1] + 2) < 0.3, qPrintable(QString("%1, %2").arg(at[0]).arg(at[1])));
+        QCOMPARE(canvas->drops()[0], QPointF(at[0], at[1]));
+        QTest::keyClick(canvas, Qt::Key_Escape);
+        QVERIFY(!panel->placing());
+        window_->document().history()->undo();
+        QVERIFY(!window_->document().modified());
     }
 
     void theWheelChangesNoChoice()

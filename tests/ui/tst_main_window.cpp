@@ -199,7 +199,9 @@ private Q_SLOTS:
         other.plan.expected_error = 0;
         QVERIFY(originOf(other, false).contains("what errors are measured against"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
-        QVERIFY(originInFull(other, false).join('\n').contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
+        QVERIFY(originInFull(other, false)
+                    .join('\n')
+                    .contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
     }
 
     void plansSayWhichRunTheyAreOf()
@@ -565,7 +567,9 @@ private Q_SLOTS:
         const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
         for (const QWidget* one : {static_cast<QWidget*>(radio), static_cast<QWidget*>(box)}) {
             int most = 0;
-            for (int x = one->x(); x < one->geometry().right(); ++x) { most = std::max(most, qGray(picture.pixel(x, one->geometry().center().y()))); }
+            for (int x = one->x(); x < one->geometry().right(); ++x) {
+                most = std::max(most, qGray(picture.pixel(x, one->geometry().center().y())));
+            }
             QVERIFY(most > background + 60);
         }
         applyAppearance(Appearance::light);
