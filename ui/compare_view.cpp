@@ -106,6 +106,7 @@ CompareView::CompareView(RunHistory& history, QWidget* parent)
     table_->setAccessibleName(tr("Numbers of the compared runs"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setFrameShape(QFrame::NoFrame);
+    table_->setTabKeyNavigation(false); // Tab leaves it; arrow keys go through it
     table_->setMinimumSize(200, 120);
     column->addWidget(table_, 1);
     auto* foot = new QHBoxLayout;

@@ -70,6 +70,7 @@ private Q_SLOTS:
         QVERIFY(view.maps()[0]->circle().radius > 0);
 
         const QTableWidget* table = view.table();
+        QVERIFY(!table->tabKeyNavigation()); // it would keep the focus
         QCOMPARE(table->columnCount(), 2);
         QCOMPARE(table->verticalHeaderItem(0)->text(), QString("Wetted radius, top"));
         const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
