@@ -32,6 +32,14 @@ HL_FN std::int64_t begin_of_list(int element, int room)
 }
 HL_FN int place_in_list(int number) { return (number & -lanes) * elements_beside + (number & (lanes - 1)); }
 
+/// A list of slots that grows. What there is no room for is left out.
+struct SlotList {
+    int* slots;
+    int most; ///< whole packs
+    int count = 0;
+    HL_FN bool has_room() const { return count <= most - lanes; }
+};
+
 /// Copies for all threads that share an element, each a part of it.
 template <typename T> HL_FN void copy_together(T& to, const T& from)
 {
@@ -107,12 +115,24 @@ HL_FN void store(Real* at, Pack pack) { at[own_lane()] = pack; }
 HL_FN bool lanes_below(int count) { return own_lane() < count; }
 HL_FN bool lanes_but(int lane) { return own_lane() != lane; }
 HL_FN Pack first_lanes(int count) { return own_lane() < count ? Real(1) : Real(0); }
-/// Writes the slots of the lanes wanted to a list behind those that it has, and says how many; none where there is no room.
-HL_FN int list_lanes(bool wanted, int own, int* list, int count, bool has_room)
+/// Lists each lane's own for at most one of two lists.
+HL_FN void list_lanes(bool for_a, bool for_b, int own, SlotList& a, SlotList& b)
 {
-    const unsigned set = lanes_where(wanted && has_room), before = (1u << own_lane()) - 1;
-    if (wanted && has_room) list[place_in_list(count + bits_in(set & before))] = slot_of(own);
-    return bits_in(set);
+    for_a = for_a && a.has_room();
+    for_b = for_b && b.has_room();
+    const unsigned lanes_a = lanes_where(for_a), lanes_b = lanes_where(for_b);
+    const int number = (for_a ? a.count : b.count) + bits_in(before_own(for_a ? lanes_a : lanes_b));
+    if (for_a || for_b) (for_a ? a.slots : b.slots)[place_in_list(number)] = slot_of(own);
+    a.count += bits_in(lanes_a);
+    b.count += bits_in(lanes_b);
+}
+/// To whole packs.
+HL_FN void fill_up(SlotList& list, int slot)
+{
+    const int begun = list.count & (lanes - 1);
+    if (begun == 0) return;
+    if (own_lane() >= begun) list.slots[place_in_list(list.count - begun + own_lane())] = slot;
+    list.count += lanes - begun;
 }
 
 #else
@@ -235,14 +255,23 @@ struct LaneTable {
 };
 inline constexpr LaneTable lane_table;
 
-/// Writes the slot of first + lane for each wanted lane to a list behind those that it has, and says how many; a whole pack of slots is
-/// written to.
-inline int list_lanes(const Mask& wanted, int first, int* list, int count, bool has_room)
+/// Lists first + lane for each lane meant, for at most one of two lists; a whole pack of slots is written to.
+inline void list_lanes(const Mask& wanted, int first, SlotList& list)
 {
-    if (!has_room) return 0;
+    if (!list.has_room()) return;
     const unsigned set = bits_of(wanted);
-    *reinterpret_cast<LooseSlots*>(list + count) = slot_of(first) + lane_table.slots[set];
-    return lane_table.count[set];
+    *reinterpret_cast<LooseSlots*>(list.slots + list.count) = slot_of(first) + lane_table.slots[set];
+    list.count += lane_table.count[set];
+}
+inline void list_lanes(const Mask& for_a, const Mask& for_b, int first, SlotList& a, SlotList& b)
+{
+    list_lanes(for_a, first, a);
+    list_lanes(for_b, first, b);
+}
+/// To whole packs.
+inline void fill_up(SlotList& list, int slot)
+{
+    for (; list.count % lanes != 0; ++list.count) list.slots[list.count] = slot;
 }
 
 #endif

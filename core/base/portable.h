@@ -285,13 +285,22 @@ HL_FN int sum_up_to_lane(int value)
     return value;
 }
 
-/// One bit per lane.
+/// One bit per thread of the warp, of those that share the element.
 HL_FN unsigned lanes_where(bool condition)
 {
 #ifdef __CUDA_ARCH__
-    return __ballot_sync(whole_warp, condition) >> (threadIdx.x % 32 / lanes * lanes) & ((1u << lanes) - 1u);
+    return __ballot_sync(whole_warp, condition) & (((1u << lanes) - 1u) << (threadIdx.x % 32 / lanes * lanes));
 #else
     return condition ? 1u : 0u;
+#endif
+}
+/// Of such bits, those of lanes before the own one.
+HL_FN unsigned before_own(unsigned bits)
+{
+#ifdef __CUDA_ARCH__
+    return bits & ((1u << threadIdx.x % 32) - 1u);
+#else
+    return bits & 0u;
 #endif
 }
 

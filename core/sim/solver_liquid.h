@@ -87,9 +87,10 @@ template <typename Executor> void Solver<Executor>::load_liquid()
     const double size = std::max(0.5 * static_cast<double>(reach_of_surface_), std::max({width, height, highest - lowest}) * 1e-5);
     CellGrid& grid = flow_.grid;
     grid.size = static_cast<Real>(size);
+    grid.per_size = Real(1) / grid.size;
     grid.origin = {static_cast<Real>(-0.5 * width - 2 * size), static_cast<Real>(-0.5 * height - 2 * size), static_cast<Real>(lowest)};
     const auto cells = [&](double extent) { return static_cast<int>(extent / size) + 5; };
-    grid.whole_x = cells(width);
+    grid.whole_x = narrower * cells(width);
     grid.whole_y = cells(height);
     grid.whole_z = cells(highest - lowest);
     const int most = std::max(most_cells, 2 * room_);

@@ -269,11 +269,14 @@ struct Vessel {
     Real wetting = 0; ///< cosine of the contact angle
 };
 
-/// Cells of one kernel support, for finding neighbours: a box of them about the particles. What is outside the whole space that liquid may
-/// be in counts to its border.
+/// Cells are so many times narrower along x: particles of a row of cells lie side by side, and at its ends fewer are looked at in vain.
+constexpr int narrower = 2;
+
+/// Cells of half the surface's reach, for finding neighbours: a box of them about the particles. What is outside the whole space that
+/// liquid may be in counts to its border.
 struct CellGrid {
-    Vec3 origin; ///< of the whole space
-    Real size = 0;
+    Vec3 origin;                               ///< of the whole space
+    Real size = 0, per_size = 0;               ///< m and 1/m, of a cell along y and z
     int whole_x = 0, whole_y = 0, whole_z = 0; ///< cells of the whole space
     int shift = 0;                             ///< cells are 2^shift times as wide, where particles lie far apart
     int first_x = 0, first_y = 0, first_z = 0; ///< of the box
@@ -282,11 +285,7 @@ struct CellGrid {
     int* start = nullptr;                      ///< per cell, first particle; count of cells + 1
 
     HL_FN int cells() const { return nx * ny * nz; }
-    HL_FN int whole(Real distance, int count) const
-    {
-        const Real cell = distance / size;
-        return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0;
-    }
+    HL_FN static int whole(Real cell, int count) { return cell > 0 ? cell < Real(count) ? static_cast<int>(cell) : count - 1 : 0; }
     HL_FN int inside(int cell, int count) const { return cell < 0 ? 0 : cell < count ? cell : count - 1; }
     /// How far from a cell a place is along an axis, seen from the whole space's origin; a little less, for roundings. A cell at the
     /// border has no end there.
@@ -297,9 +296,12 @@ struct CellGrid {
         const Real most = below > above ? below : above;
         return positive(most - Real(0.01) * size);
     }
-    HL_FN int cell_x(Real x) const { return (whole(x - origin.x, whole_x) >> shift) - first_x; }
-    HL_FN int cell_y(Real y) const { return (whole(y - origin.y, whole_y) >> shift) - first_y; }
-    HL_FN int cell_z(Real z) const { return (whole(z - origin.z, whole_z) >> shift) - first_z; }
+    HL_FN int whole_at_x(Real x) const { return whole((x - origin.x) * (narrower * per_size), whole_x); }
+    HL_FN int whole_at_y(Real y) const { return whole((y - origin.y) * per_size, whole_y); }
+    HL_FN int whole_at_z(Real z) const { return whole((z - origin.z) * per_size, whole_z); }
+    HL_FN int cell_x(Real x) const { return (whole_at_x(x) >> shift) - first_x; }
+    HL_FN int cell_y(Real y) const { return (whole_at_y(y) >> shift) - first_y; }
+    HL_FN int cell_z(Real z) const { return (whole_at_z(z) >> shift) - first_z; }
 };
 
 } // namespace hygroloom::inline HL_PRECISION

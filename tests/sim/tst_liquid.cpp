@@ -121,9 +121,12 @@ struct Listed {
         p.support = Real(0.15);
         p.reach = p.spacing = Real(0.2);
         grid.size = Real(0.2);
-        grid.whole_x = grid.whole_y = grid.whole_z = 5;
+        grid.per_size = Real(5);
+        grid.whole_y = grid.whole_z = 5;
+        grid.whole_x = narrower * 5;
         grid.shift = shift;
-        grid.nx = grid.ny = grid.nz = (4 >> shift) + 1;
+        grid.nx = ((narrower * 5 - 1) >> shift) + 1;
+        grid.ny = grid.nz = (4 >> shift) + 1;
         for (int i = 0; i < count; ++i) {
             const auto at = [&](std::uint64_t axis) { return Real(random_uniform(1, axis, std::uint64_t(i))); };
             x.push_back({at(0), at(1), at(2)});

@@ -124,8 +124,7 @@ struct FindBox {
         if (!p.alive[i]) return;
         const CellGrid& g = *grid;
         const Vec3& x = p.position[i];
-        const int cell[3] = {g.whole(x.x - g.origin.x, g.whole_x), g.whole(x.y - g.origin.y, g.whole_y),
-                             g.whole(x.z - g.origin.z, g.whole_z)};
+        const int cell[3] = {g.whole_at_x(x.x), g.whole_at_y(x.y), g.whole_at_z(x.z)};
         const int ends[6] = {-cell[0], -cell[1], -cell[2], cell[0], cell[1], cell[2]};
         atomic_max_of_all(box, ends);
     }
@@ -194,18 +193,15 @@ private:
     {
         const Vec3 x{p.listed_x[i], p.listed_y[i], p.listed_z[i]};
         const Real near_reach = p.support + *skin, reach = p.reach + *skin, reach2 = reach * reach, support2 = near_reach * near_reach;
-        int near_count = 0, distant_count = 0;
+        SlotList near{near_slots, most_near}, distant{distant_slots, most_distant}; // too short only where many are pressed together
         for_candidates({*grid, x, reach}, i, [&](const auto& wanted, const auto& j, const Pack& distance2) {
             const auto others = wanted & (distance2 < reach2);
-            // What there is no room for is left out, which only happens where many are pressed together.
-            near_count += list_lanes(others & (distance2 < support2), j, near_slots, near_count, near_count <= most_near - lanes);
-            distant_count +=
-                list_lanes(others & (distance2 >= support2), j, distant_slots, distant_count, distant_count <= most_distant - lanes);
+            list_lanes(others & (distance2 < support2), others & (distance2 >= support2), j, near, distant);
         });
-        for (; near_count % lanes != 0; ++near_count) near_slots[place_in_list(near_count)] = slot_of(p.room);
-        for (; distant_count % lanes != 0; ++distant_count) distant_slots[place_in_list(distant_count)] = slot_of(p.room);
-        p.near_count[i] = near_count;
-        p.distant_count[i] = distant_count;
+        fill_up(near, slot_of(p.room));
+        fill_up(distant, slot_of(p.room));
+        p.near_count[i] = near.count;
+        p.distant_count[i] = distant.count;
     }
     /// Particles side by side, from a row of cells.
     struct Run {
@@ -242,9 +238,10 @@ private:
     template <typename Visit> HL_FN void for_candidates(const Cells& cells, int i, const Visit& visit) const
     {
         const int wide = cells.y1 - cells.y0 + 1, rows = wide * (cells.z1 - cells.z0 + 1);
+        const Real per_wide = inverse(Real(wide));
         for (int first = 0, end = largest_beside(rows); first < end; first += lanes) {
-            const int row = first + own_lane(), y = cells.y0 + row % wide, z = cells.z0 + row / wide;
-            const Run own = row < rows ? cells.run(y, z) : Run{0, 0};
+            const int row = first + own_lane(), plane = static_cast<int>((Real(row) + Real(0.5)) * per_wide);
+            const Run own = row < rows ? cells.run(cells.y0 + row - plane * wide, cells.z0 + plane) : Run{0, 0};
             const int before_end = sum_up_to_lane(own.end - own.first), all = of_lane(before_end, lanes - 1);
             const int first_less_before = own.end - before_end;
             const auto candidate = [&](int k) { return k + of_lane(first_less_before, lane_reaching(before_end, k)); };
@@ -312,7 +309,7 @@ private:
     static Slots cells_x(const Cells& cells, const Pack& x)
     {
         const CellGrid& g = cells.g;
-        const Pack place = positive((x - g.origin.x) / g.size), end = Pack{} + Real(g.whole_x - 1);
+        const Pack place = positive((x - g.origin.x) * (narrower * g.per_size)), end = Pack{} + Real(g.whole_x - 1);
         const Slots cell = (__builtin_convertvector(place < end ? place : end, Slots) >> g.shift) - g.first_x;
         const Slots low = cell > 0 ? cell : Slots{}, high = Slots{} + (g.nx - 1);
         return low < high ? low : high;
