@@ -36,7 +36,7 @@ struct Frame {
     std::vector<float> saturation;  ///< liquid volume / pore volume
     std::vector<float> liquid;      ///< kg
     std::vector<float> regain;      ///< bound water / dry fibre
-    std::vector<float> vapour;      ///< kg/m3
+    std::vector<float> vapour;      ///< kg/m3; where it is not modelled as it began, saturated at most
     std::vector<float> temperature; ///< K
     std::vector<float> shells;      ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     // Free liquid.

@@ -598,8 +598,11 @@ template <typename Executor> Frame Solver<Executor>::frame_of(const Stock& stock
             f.saturation[i] = static_cast<float>(liquid / (scene_.climate.density * pores));
             f.liquid[i] = static_cast<float>(liquid);
             f.regain[i] = static_cast<float>(bound / fibres);
-            f.vapour[i] = static_cast<float>(stock.vapour[i] / pore_air(pores, liquid, scene_.climate.density));
-            f.temperature[i] = static_cast<float>(scene_.climate.temperature + stock.warmth[i]);
+            const double temperature = scene_.climate.temperature + stock.warmth[i];
+            const double vapour = stock.vapour[i] / pore_air(pores, liquid, scene_.climate.density);
+            // Where vapour is not modelled, none of it makes way for the liquid or condenses.
+            f.vapour[i] = static_cast<float>(scene_.vapour ? vapour : std::min(vapour, saturation_concentration(temperature)));
+            f.temperature[i] = static_cast<float>(temperature);
             const bool on_top = (scene_.warp_up[crossing] != 0) == l.is_warp;
             (on_top ? f.water_top : f.water_bottom) += liquid + bound - l.yarn.initial_regain * fibres;
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene_.picks);

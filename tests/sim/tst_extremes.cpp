@@ -205,7 +205,7 @@ std::string complaint(const Scene& scene, const Frame& frame, double most)
             return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
         if (!(frame.vapour[i] >= 0 && std::isfinite(frame.vapour[i]))) return fmt::format("vapour {} of segment {}", frame.vapour[i], i);
         const double saturated = saturation_concentration(static_cast<double>(frame.temperature[i]));
-        if (scene.vapour && !(frame.vapour[i] <= 1.01 * saturated))
+        if (!(frame.vapour[i] <= (scene.vapour ? 1.01 : 1.00001) * saturated))
             return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
     }
     for (const auto& x : frame.positions)
