@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // export: a piece of a fabric as a mesh or as curves for other programs.
 #include "app/cli.h"
+#include "app/cli_bar.h"
 #include "app/cli_interrupt.h"
 
 #include "core/base/text.h"
@@ -12,9 +13,7 @@
 
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
-#include <unistd.h>
 
 namespace hygroloom {
 namespace {
@@ -123,17 +122,6 @@ Piece dry_piece(const ExportVerbOptions& options)
     return {fabric, build_textile(design, fabric, region), {}};
 }
 
-void draw_bar(double share, double seconds)
-{
-    constexpr int width = 30;
-    const int full = static_cast<int>(share * width);
-    const std::optional<double> to_go = time_left(share, seconds);
-    const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
-    fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s taken{}", std::string(static_cast<std::size_t>(full), '#'),
-               std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, seconds, left);
-    std::fflush(stderr);
-}
-
 int export_piece(const ExportVerbOptions& options)
 {
     if (CLI::detail::to_lower(std::filesystem::path(options.output).extension().string()) == ".wif") {
@@ -175,35 +163,22 @@ int export_piece(const ExportVerbOptions& options)
 
     std::atomic<bool> cancel{false};
     const InterruptCancels cancels(cancel);
-    const bool bar = !options.quiet && isatty(STDERR_FILENO);
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-    double drawn = 0;
+    FileBar bar(options.quiet);
     const auto progress = [&](double share) {
-        if (bar && seconds() > drawn + 0.1) {
-            drawn = seconds();
-            draw_bar(share, drawn);
-        }
+        bar.tell(share);
         return !cancel;
-    };
-    const auto clear_bar = [&] {
-        if (bar) fmt::print(stderr, "\r\033[K");
     };
     Exported exported;
     try {
         exported = export_textile(piece.textile, piece.fabric, export_options, options.output, progress);
     } catch (const Cancelled&) {
-        clear_bar();
         throw Stop(exit_cancelled, "Cancelled. No file was written.");
-    } catch (...) {
-        clear_bar();
-        throw;
     }
-    clear_bar();
+    bar.clear();
     if (options.json) {
         for (const auto& file : exported.files) json["files"].push_back(file.string());
         json["bytes"] = exported.bytes;
-        json["seconds"] = seconds();
+        json["seconds"] = bar.seconds();
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return exit_ok;
     }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// measure: numbers and maps from a recording.
+// measure: numbers, maps and reports from a recording.
 #include "app/cli.h"
+#include "app/cli_bar.h"
+#include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
+#include "core/analysis/report.h"
+#include "core/analysis/vtk_files.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/sim/recording.h"
+#include "core/project/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +22,9 @@ struct MeasureOptions : CommonOptions {
     int cells = 2;
     double time = -1;
     std::string output;
+    std::string report;
+    std::string vtk;
+    int every = 1;
 };
 
 void write_map(const Recording& recording, const MeasureOptions& options)
@@ -41,8 +48,44 @@ void write_map(const Recording& recording, const MeasureOptions& options)
     if (!options.quiet) fmt::print(stderr, "The map at {:.4g} s is in {}.\n", frame.time, options.output);
 }
 
+/// With maps of both faces at the moment of --time.
+void write_report(const Recording& recording, const Metrics& metrics, const MeasureOptions& options)
+{
+    const RunRecord& run = recording.run();
+    const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
+    const Frame start = start_of_maps(run, recording.frame(0));
+    MapPicture top = map_picture(run, frame, start, MapSide::top, options.cells);
+    MapPicture bottom = map_picture(run, frame, start, MapSide::bottom, options.cells);
+    top.image.most = bottom.image.most = std::max(top.map.maximum(), bottom.map.maximum()); // colours mean the same
+    std::vector<ReportPicture> pictures;
+    for (const auto& [name, picture] : {std::pair{"Top face", &top}, std::pair{"Bottom face", &bottom}})
+        pictures.push_back(
+            {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
+    write_file(options.report, report_html(run, metrics, pictures));
+    if (!options.quiet) fmt::print(stderr, "The report is in {}.\n", options.report);
+}
+
+void write_vtk_files(const Recording& recording, const MeasureOptions& options)
+{
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    int frames = 0;
+    try {
+        FileBar bar(options.quiet);
+        frames = write_vtk(recording, options.vtk, options.every, [&](double share) {
+            bar.tell(share);
+            return !cancel;
+        });
+    } catch (const Cancelled&) {
+        throw Stop(exit_cancelled, "Cancelled. The frames so far are in " + options.vtk + ".");
+    }
+    if (!options.quiet) fmt::print(stderr, "{} frames are in {}; open yarns.pvd.\n", frames, options.vtk);
+}
+
 int measure(const MeasureOptions& options)
 {
+    if (!options.report.empty() && std::filesystem::path(options.report).extension() != ".html")
+        throw Stop(exit_usage, "A report is written as .html, which browsers print as PDF; \"" + options.report + "\" was given.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map and -o go together: the side, and the file to write.");
     std::unique_ptr<Recording> recording;
     try {
@@ -57,7 +100,10 @@ int measure(const MeasureOptions& options)
     MetricsCollector collector;
     collector.start(recording->run());
     for (int i = 0; i < recording->frames(); ++i) collector.add(recording->frame(i));
-    print_metrics(recording->run(), collector.metrics(), options.json);
+    const Metrics metrics = collector.metrics();
+    if (!options.report.empty()) write_report(*recording, metrics, options);
+    if (!options.vtk.empty()) write_vtk_files(*recording, options);
+    print_metrics(recording->run(), metrics, options.json);
     return exit_ok;
 }
 
@@ -194,14 +240,17 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
 void add_measure(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<MeasureOptions>();
-    CLI::App& measure_verb = *app.add_subcommand("measure", "Numbers and maps from a recording");
+    CLI::App& measure_verb = *app.add_subcommand("measure", "Numbers, maps, reports and files for ParaView from a recording");
     measure_verb.footer("Example: hygroloom-cli measure cloth.hygrorec --map top --cells 2 -o top.png");
     measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required();
     measure_verb.add_option("--map", options->map, "Write a water map of the side top, bottom or total");
     measure_verb.add_option("--cells", options->cells, "Crossings along each side of a cell of the map")->check(CLI::Range(1, 1000));
-    measure_verb.add_option("--time", options->time, "Take the frame nearest to this time, s, for the map; the last one otherwise")
+    measure_verb.add_option("--time", options->time, "Take the frame nearest to this time, s, for maps; the last one otherwise")
         ->check(moment());
     measure_verb.add_option("-o,--output", options->output, "Map to write (.csv or .png)");
+    measure_verb.add_option("--report", options->report, "Write a page (.html) with results, maps, curves and all that went in");
+    measure_verb.add_option("--vtk", options->vtk, "Write yarns and liquid of all frames to this folder, for ParaView (.vtp, .pvd)");
+    measure_verb.add_option("--every", options->every, "With --vtk: one frame out of so many")->check(CLI::Range(1, 1000000));
     add_common_options(measure_verb, *options);
     measure_verb.callback([&verb, options] { verb = [options] { return measure(*options); }; });
 }

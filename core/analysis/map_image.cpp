@@ -159,7 +159,7 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
     return canvas.take();
 }
 
-void write_png(const Image& image, const std::filesystem::path& path)
+std::string png_bytes(const Image& image)
 {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
@@ -174,8 +174,10 @@ void write_png(const Image& image, const std::filesystem::path& path)
         made = png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0;
         bytes.resize(size);
     }
-    if (!made) throw FileError(path.string() + ": The picture cannot be made: " + png.message);
-    write_file(path, bytes);
+    if (!made) throw Error(std::string("The picture cannot be made: ") + png.message);
+    return bytes;
 }
+
+void write_png(const Image& image, const std::filesystem::path& path) { write_file(path, png_bytes(image)); }
 
 } // namespace hygroloom

@@ -23,7 +23,10 @@ struct MapImageOptions {
 /// width and height: of the sample, m (cells at the far edges may reach over it). Cells below 1 % of the bar's end count as dry.
 Image draw_map(const CellMap& map, double width, double height, const MapImageOptions& options);
 
-/// Throws FileError.
+/// Throws Error when there is no memory for it.
+std::string png_bytes(const Image& image);
+
+/// Throws FileError, and Error as png_bytes().
 void write_png(const Image& image, const std::filesystem::path& path);
 
 } // namespace hygroloom

@@ -5,11 +5,14 @@ target_sources(hygroloom_core PRIVATE
   analysis/comparison.cpp
   analysis/enclosing_circle.cpp
   analysis/laboratory.cpp
+  analysis/line_chart.cpp
   analysis/management.cpp
   analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
+  analysis/report.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp
   analysis/tradeoff_plot.cpp
+  analysis/vtk_files.cpp
 )

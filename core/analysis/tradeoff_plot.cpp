@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Error against time as a picture that scales (SVG), both axes logarithmic.
+#include "core/analysis/svg.h"
 #include "core/analysis/tradeoff.h"
 
 #include <fmt/format.h>
@@ -26,46 +27,20 @@ LogAxis axis_of(double least, double most, double from, double to)
     return {low, std::max(high, low + 1), from, to};
 }
 
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else
-            out += c;
-    }
-    return out;
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text)
-{
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, escaped(text));
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* colour)
-{
-    return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
-}
-
 std::string axes(const LogAxis& time, const LogAxis& error)
 {
     std::string svg;
     for (int power = time.low; power <= time.high; ++power) {
         const double x = time.at(std::pow(10.0, power));
-        svg += line(x, top, x, bottom, "#ddd") + text_at(x, bottom + 20, "middle", fmt::format("{:g} s", std::pow(10.0, power)));
+        svg += svg_line(x, top, x, bottom, "#ddd") + svg_text(x, bottom + 20, "middle", fmt::format("{:g} s", std::pow(10.0, power)));
     }
     for (int power = error.low; power <= error.high; ++power) {
         const double y = error.at(std::pow(10.0, power));
-        svg += line(left, y, right, y, "#ddd") + text_at(left - 8, y + 4, "end", fmt::format("{:g} %", 100 * std::pow(10.0, power)));
+        svg += svg_line(left, y, right, y, "#ddd") + svg_text(left - 8, y + 4, "end", fmt::format("{:g} %", 100 * std::pow(10.0, power)));
     }
-    svg += line(left, bottom, right, bottom, "#333") + line(left, top, left, bottom, "#333");
-    svg += text_at(0.5 * (left + right), bottom + 44, "middle", "wall time, median");
-    return svg + text_at(left, top - 12, "start", "largest error against the reference (the reference itself: on the lower edge)");
+    svg += svg_line(left, bottom, right, bottom, "#333") + svg_line(left, top, left, bottom, "#333");
+    svg += svg_text(0.5 * (left + right), bottom + 44, "middle", "wall time, median");
+    return svg + svg_text(left, top - 12, "start", "largest error against the reference (the reference itself: on the lower edge)");
 }
 
 double shown_error(const TradeoffPoint& point) { return std::max(least_error, point.errors->largest); }
@@ -77,11 +52,9 @@ std::string tradeoff_svg(const Tradeoff& t)
     std::vector<const TradeoffPoint*> points;
     for (const TradeoffPoint& p : t.points)
         if (p.errors && p.wall() > 0) points.push_back(&p);
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
-                                  "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-                                  width, height);
-    svg += text_at(left, 24, "start", fmt::format("{}, {} ({}, {}, {})", t.fabric, t.experiment, t.backend, t.device, t.date));
-    if (points.empty()) return svg + text_at(left, top + 40, "start", "No variant has both a time and an error yet.") + "</svg>\n";
+    std::string svg = svg_begin(width, height);
+    svg += svg_text(left, 24, "start", fmt::format("{}, {} ({}, {}, {})", t.fabric, t.experiment, t.backend, t.device, t.date));
+    if (points.empty()) return svg + svg_text(left, top + 40, "start", "No variant has both a time and an error yet.") + "</svg>\n";
     std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return a->wall() < b->wall(); });
 
     double most_error = least_error;
@@ -98,10 +71,10 @@ std::string tradeoff_svg(const Tradeoff& t)
         const bool rung = p->variant.name == name_of(p->variant.fidelity);
         svg +=
             fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", x, y, rung ? 6 : 4, p->pareto ? "#1565c0" : "#999");
-        if (rung || p->pareto) svg += text_at(x > 0.8 * right ? x - 9 : x + 9, y - 7, x > 0.8 * right ? "end" : "start", p->variant.name);
+        if (rung || p->pareto) svg += svg_text(x > 0.8 * right ? x - 9 : x + 9, y - 7, x > 0.8 * right ? "end" : "start", p->variant.name);
     }
-    svg += text_at(left, height - 8, "start",
-                   "Blue: the Pareto front. Large: the ladder of fidelities. Small: one knob a step from standard.");
+    svg += svg_text(left, height - 8, "start",
+                    "Blue: the Pareto front. Large: the ladder of fidelities. Small: one knob a step from standard.");
     return svg + "</svg>\n";
 }
 

@@ -294,6 +294,12 @@ private Q_SLOTS:
         QCOMPARE(late.code, 0);
         QVERIFY2(late.err.contains("warning: The recording ends at "), late.err);
         QVERIFY(!run_cli(map + QStringList{"0"}).err.contains("warning"));
+        QCOMPARE(
+            run_cli({"measure", recording, "--report", folder_.filePath("page.html"), "--vtk", folder_.filePath("vtk"), "--every", "1000"})
+                .code,
+            0);
+        QVERIFY(QFile::exists(folder_.filePath("page.html")) && QFile::exists(folder_.filePath("vtk/yarns.pvd")));
+        QVERIFY(run_cli({"measure", recording, "--report", folder_.filePath("page.doc")}).err.contains(".html"));
         QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run gave, on one page that needs nothing else: results, maps, curves, where the water is, and all that went in.
+#pragma once
+
+#include "core/analysis/map_image.h"
+
+namespace hygroloom {
+
+struct ReportPicture {
+    std::string caption;
+    Image image;
+};
+
+/// HTML of one file, pictures and curves in it; for browsers and for their printers.
+std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures);
+
+} // namespace hygroloom

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A made-up recording as a page and as files for ParaView, read back.
+#include "core/analysis/line_chart.h"
+#include "core/analysis/report.h"
+#include "core/analysis/vtk_files.h"
+#include "core/base/error.h"
+#include "tests/support/drop_design.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <cstring>
+#include <limits>
+
+using namespace hygroloom;
+
+namespace {
+
+RunRecord run_of_cloth(double width_mm, double height_mm)
+{
+    RunRecord run;
+    run.design = drop_design();
+    run.fabric = run.design.fabrics[0].name;
+    run.experiment = run.design.experiments[0].name;
+    run.design.experiments[0].sample_mm = {width_mm, height_mm};
+    run.plan.region = region_of_sample(run.design.fabrics[0], width_mm, height_mm);
+    run.textile = build_textile(run.design, run.design.fabrics[0], run.plan.region);
+    run.backend = "cpu";
+    return run;
+}
+
+/// Segment i is i degrees over 20 and holds i ng of liquid.
+Frame frame_at_time(const Textile& textile, double time, std::size_t particles)
+{
+    Frame frame;
+    frame.time = frame.ledger.time = time;
+    for (int i = 0; i < textile.segments(); ++i) {
+        const auto number = static_cast<float>(i);
+        frame.saturation.push_back(0.01f * number);
+        frame.liquid.push_back(1e-12f * number);
+        frame.regain.push_back(0.07f);
+        frame.vapour.push_back(0.01f);
+        frame.temperature.push_back(293.15f + number);
+    }
+    for (std::size_t i = 0; i < particles; ++i) {
+        frame.positions.push_back({0.001f * static_cast<float>(i), 0, 0.002f});
+        frame.velocities.push_back({0, 0, -1});
+    }
+    frame.ledger.water_delivered = 1e-6;
+    frame.ledger.water_free = 1e-9 * static_cast<double>(particles);
+    return frame;
+}
+
+/// What a .vtp says: its arrays' bytes by name, and the counts of its piece.
+struct Vtp {
+    std::map<QString, QByteArray> arrays;
+    std::map<QString, int> count;
+
+    explicit Vtp(const QString& path)
+    {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly)) return;
+        const QByteArray bytes = file.readAll();
+        const auto data = bytes.indexOf("\n_") + 2;
+        QXmlStreamReader xml(bytes.left(bytes.indexOf("<AppendedData")) + "</VTKFile>");
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement()) continue;
+            const QXmlStreamAttributes about = xml.attributes();
+            if (xml.name() == QStringLiteral("Piece"))
+                for (const char* what : {"NumberOfPoints", "NumberOfLines", "NumberOfVerts"}) count[what] = about.value(what).toInt();
+            if (!about.hasAttribute("offset")) continue;
+            const auto at = data + about.value("offset").toLongLong();
+            std::uint64_t size = 0;
+            std::memcpy(&size, bytes.constData() + at, sizeof size);
+            arrays[about.value("Name").toString()] = bytes.mid(at + 8, static_cast<qsizetype>(size));
+        }
+        well_formed = !xml.hasError();
+    }
+    template <typename T> std::vector<T> values(const char* name) const
+    {
+        const QByteArray bytes = arrays.at(name);
+        std::vector<T> list(static_cast<std::size_t>(bytes.size()) / sizeof(T));
+        std::memcpy(list.data(), bytes.constData(), list.size() * sizeof(T));
+        return list;
+    }
+    bool well_formed = false;
+};
+
+} // namespace
+
+class TestReport : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void yarnsAreLinesWithWhatTheyHold()
+    {
+        const RunRecord run = record(1.5, 0.9);
+        const Textile& t = run.textile;
+        QCOMPARE(write_vtk(Recording(file().toStdString()), folder(), 2, [](double) { return true; }), 3); // 0, 2 and the last
+        for (const char* name : {"yarns_000000.vtp", "yarns_000001.vtp", "yarns_000002.vtp"}) {
+            const Vtp vtp(dir_.filePath(name));
+            QVERIFY(vtp.well_formed);
+            QCOMPARE(vtp.count.at("NumberOfLines"), t.segments());
+            const auto points = vtp.values<float>("Points");
+            QCOMPARE(points.size(), 3 * static_cast<std::size_t>(vtp.count.at("NumberOfPoints")));
+            const auto places = vtp.values<std::int32_t>("connectivity"), ends = vtp.values<std::int32_t>("offsets");
+            const auto segment = vtp.values<std::int32_t>("segment"), end = vtp.values<std::int32_t>("end"),
+                       pick = vtp.values<std::int32_t>("pick");
+            const auto warp = vtp.values<std::uint8_t>("warp"), top = vtp.values<std::uint8_t>("top");
+            const auto temperature = vtp.values<float>("temperature_c"), content = vtp.values<float>("water_content_kg_kg");
+            for (std::size_t i = 0; i < segment.size(); ++i) {
+                QCOMPARE(segment[i], static_cast<int>(i));
+                const YarnKind kind = warp[i] ? YarnKind::warp : YarnKind::weft;
+                QCOMPARE(t.segment(kind, end[i], pick[i]), segment[i]);
+                QCOMPARE(top[i] == warp[i], t.warp_up(end[i], pick[i]));
+                QVERIFY(std::abs(temperature[i] - (20.0f + static_cast<float>(i))) < 1e-3f);
+                const YarnType& type = t.type(kind, warp[i] ? end[i] : pick[i]);
+                const double dry = type.area * type.packing * type.fibre.density_kg_m3 * t.segment_length(kind, end[i], pick[i]);
+                QVERIFY(std::abs(static_cast<double>(content[i]) - (0.07 + 1e-12 * static_cast<double>(i) / dry)) < 1e-6);
+                // The middle of three points is the crossing.
+                QCOMPARE(ends[i], 3 * static_cast<int>(i + 1));
+                const auto middle = static_cast<std::size_t>(places[3 * i + 1]);
+                const double x = t.x_of_end(end[i]) + (warp[i] ? t.shift_at_crossing(kind, end[i], pick[i]) : 0);
+                const double y = t.y_of_pick(pick[i]) + (warp[i] ? 0 : t.shift_at_crossing(kind, end[i], pick[i]));
+                const double place[3] = {x, y, t.height_at_crossing(kind, end[i], pick[i])};
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    QVERIFY(std::abs(static_cast<double>(points[3 * middle + axis]) - 1e3 * place[axis]) < 1e-5);
+            }
+        }
+    }
+    void timesAreNamedAndLiquidIsThere()
+    {
+        record(0.6, 0.6);
+        write_vtk(Recording(file().toStdString()), folder(), 1, [](double) { return true; });
+        for (const char* name : {"yarns", "liquid"}) {
+            QFile series(dir_.filePath(name + QStringLiteral(".vtp.series")));
+            QVERIFY(series.open(QIODevice::ReadOnly));
+            const QJsonArray files = QJsonDocument::fromJson(series.readAll()).object()["files"].toArray();
+            QCOMPARE(files.size(), 4);
+            for (int i = 0; i < 4; ++i) {
+                QCOMPARE(files[i].toObject()["time"].toDouble(), 0.1 * i);
+                QVERIFY(QFile::exists(dir_.filePath(files[i].toObject()["name"].toString())));
+            }
+            QFile collection(dir_.filePath(name + QStringLiteral(".pvd")));
+            QVERIFY(collection.open(QIODevice::ReadOnly));
+            QCOMPARE(collection.readAll().count("<DataSet timestep="), 4);
+        }
+        for (int i = 0; i < 4; ++i) {
+            const Vtp liquid(dir_.filePath(QStringLiteral("liquid_00000%1.vtp").arg(i)));
+            QVERIFY(liquid.well_formed);
+            QCOMPARE(liquid.count.at("NumberOfVerts"), 3 - i);
+            QCOMPARE(liquid.values<float>("velocity_m_s").size(), static_cast<std::size_t>(3 * (3 - i)));
+        }
+    }
+    void cancellingLeavesNoIndex()
+    {
+        record(0.6, 0.6);
+        QTemporaryDir other;
+        QVERIFY_THROWS_EXCEPTION(
+            Cancelled, write_vtk(Recording(file().toStdString()), other.path().toStdString(), 1, [](double share) { return share < 0.4; }));
+        QVERIFY(QFile::exists(other.filePath("yarns_000000.vtp")) && !QFile::exists(other.filePath("yarns.pvd")));
+    }
+    void reportNamesResultsInputAndOrigin()
+    {
+        const RunRecord run = run_of_cloth(1.2, 1.2);
+        MetricsCollector collector;
+        collector.start(run);
+        for (int i = 0; i < 4; ++i) collector.add(frame_at_time(run.textile, 0.1 * i, 3));
+        Metrics metrics = collector.metrics();
+        metrics.notes = {"1 < 2 & \"so\""};
+        Image image{2, 1, {255, 0, 0, 0, 0, 255}};
+        const QString html = QString::fromStdString(report_html(run, metrics, {{"Top face", image}}));
+        for (const char* part :
+             {"maximum wetted radius top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;", "data:image/png;base64,iVBORw0KGgo",
+              "water imbalance", "cover factor", "fibre_radius_um", "volume_ul", "surface_tension", "fidelity", "<svg"})
+            QVERIFY2(html.contains(part), part);
+        const auto from = html.indexOf("base64,") + 7;
+        const QByteArray png =
+            QByteArray::fromBase64(html.mid(from, html.indexOf('"', from) - from).toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
+        QCOMPARE(std::string(png.constData(), static_cast<std::size_t>(png.size())), png_bytes(image));
+    }
+    void chartLeavesGapsAndSurvivesFlatCurves()
+    {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        for (const std::vector<double>& values :
+             {std::vector<double>{1, none, 2}, {0, 0, 0}, {-5, -5, -5}, {none, none, none}, {1e300, -1e300, 0}}) {
+            const std::string svg = svg_of({"t <", "time, s", "mm", {0, 1, 2}, {{"a", values}}});
+            QXmlStreamReader xml(QByteArray::fromStdString(svg));
+            while (!xml.atEnd()) xml.readNext();
+            QVERIFY2(!xml.hasError(), svg.c_str());
+            for (const char* wrong : {"nan", "inf"}) QVERIFY2(svg.find(wrong) == std::string::npos, svg.c_str());
+        }
+    }
+
+private:
+    QString file() const { return dir_.filePath("run.hygrorec"); }
+    std::filesystem::path folder() const { return dir_.path().toStdString(); }
+    /// Four frames; one particle fewer in each.
+    RunRecord record(double width_mm, double height_mm)
+    {
+        const RunRecord run = run_of_cloth(width_mm, height_mm);
+        RecordingWriter writer(file().toStdString(), run);
+        for (int i = 0; i < 4; ++i) writer.append(frame_at_time(run.textile, 0.1 * i, static_cast<std::size_t>(3 - i)));
+        writer.finish(1);
+        return run;
+    }
+    QTemporaryDir dir_;
+};
+
+QTEST_APPLESS_MAIN(TestReport)
+#include "tst_report.moc"
