@@ -230,6 +230,18 @@ private Q_SLOTS:
         ExchangeAtCrossing{n.views(), room(), 1e3, true, false}(0);
         for (double m : n.liquid) QVERIFY(m >= 0 && m <= capacity * (1 + 1e-12));
     }
+    void liquidThatStandsInTheBathDoesNotFall() // else what the bath gives at its surface and takes back below would pile up in the ledger
+    {
+        YarnParameters yarn = cotton();
+        yarn.fall = 1e3; // s, of very coarse fibres
+        Network n(1, 4, yarn, cotton());
+        n.fed.assign(n.liquid.size(), 0);
+        n.fed[0] = n.fed[1] = 1;
+        for (std::size_t i : {0, 1}) n.liquid[i] = room().density * n.pores[i];
+        for (int step = 0; step < 100; ++step) along(WickAlongYarn{n.views(), room(), 1.0, gravity_acceleration, 0});
+        QCOMPARE(n.supplied[0], 0.0);
+        QCOMPARE(n.flux[0], 0.0);
+    }
     void segmentInBalanceStaysAsItIs()
     {
         const ClimateParameters climate = room();

@@ -96,6 +96,7 @@ struct WickAlongYarn {
         for (int round = 0; round < most_newton_rounds && closes_in; ++round) closes_in = newton_round(team, line);
 
         const auto passed = [&](int i) {
+            if (is_fed(i) && is_fed(i + 1)) return 0.0; // both stand in the liquid, which bears itself
             return joints()[i] * (state(line, i).potential - state(line, i + 1).potential) - fall(line, i) * saturation()[i + 1];
         };
         const bool overflows = team.each_saying(a, b, [&](int i) {
