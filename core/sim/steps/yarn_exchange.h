@@ -116,6 +116,39 @@ struct DiffuseAtCrossing {
     }
 };
 
+/// Where a balance that rises with a trial closes: between low, where it is less than nothing, and high. Illinois' rule; where three trials
+/// have not halved what lies between, as on balances that are nearly steps, the next one does.
+struct Bracket {
+    double low, high, at_low, at_high;
+    double wide = high - low; ///< three trials ago
+    int side = 0, trials = 0;
+
+    HL_FN double next()
+    {
+        if (++trials % 4 == 0) {
+            const bool slow = high - low > 0.5 * wide;
+            wide = high - low;
+            if (slow) return 0.5 * (low + high);
+        }
+        const double trial = (low * at_high - high * at_low) / (at_high - at_low);
+        return trial > low && trial < high ? trial : 0.5 * (low + high);
+    }
+    HL_FN void narrow(double trial, double balance)
+    {
+        const int now = balance > 0 ? 1 : -1;
+        if (now > 0) {
+            high = trial;
+            at_high = balance;
+            if (side == now) at_low *= 0.5;
+        } else {
+            low = trial;
+            at_low = balance;
+            if (side == now) at_high *= 0.5;
+        }
+        side = now;
+    }
+};
+
 /// A segment's fibres, pores and face, solved together: sorption into the fibre on annuli, evaporation or condensation in the
 /// pores, vapour and heat to the air. Unknowns are the pore vapour and the temperature; both balances rise monotonically, so a
 /// bracketed search always ends.
@@ -346,34 +379,22 @@ struct ExchangeInSegment {
         const double air = start.air, met = start.vapour * plain_inverse(air);
         if (!vapour) return try_vapour(start, now, met, 0.0);
         // Rising in the trial: more vapour means less evaporation, more sorption, more loss.
-        double low = 0, high = fmax_(now.saturated.concentration, fmax_(climate.vapour, met)) * 1.0001;
-        double low_missing = missing(start, try_vapour(start, now, low, 0.0));
-        Outcome o = try_vapour(start, now, high, 0.0);
-        double high_missing = missing(start, o);
-        while (high_missing < 0 && high < 1e3) { // a drying fibre may push its pore over saturation
-            high *= 2;
-            o = try_vapour(start, now, high, 0.0);
-            high_missing = missing(start, o);
+        const double most = fmax_(now.saturated.concentration, fmax_(climate.vapour, met)) * 1.0001;
+        Bracket bracket{0, most, missing(start, try_vapour(start, now, 0.0, 0.0)), 0};
+        if (bracket.at_low >= 0) return try_vapour(start, now, 0.0, 0.0);
+        Outcome o = try_vapour(start, now, most, 0.0);
+        bracket.at_high = missing(start, o);
+        while (bracket.at_high < 0 && bracket.high < 1e3) { // a drying fibre may push its pore over saturation
+            bracket.high *= 2;
+            o = try_vapour(start, now, bracket.high, 0.0);
+            bracket.at_high = missing(start, o);
         }
-        if (low_missing >= 0) return try_vapour(start, now, 0.0, 0.0);
-        int side = 0;
-        for (int round = 0; round < 80 && high - low > 1e-14 * high; ++round) { // Illinois
-            double trial = (low * high_missing - high * low_missing) / (high_missing - low_missing);
-            if (!(trial > low && trial < high)) trial = 0.5 * (low + high);
+        for (int round = 0; round < 256 && bracket.high - bracket.low > 1e-14 * bracket.high; ++round) {
+            const double trial = bracket.next();
             o = try_vapour(start, now, trial, o.reference.rise);
             const double m = missing(start, o);
-            if (m > -1e-9 * air * high && m < 1e-9 * air * high) break;
-            if (m > 0) {
-                high = trial;
-                high_missing = m;
-                if (side == 1) low_missing *= 0.5;
-                side = 1;
-            } else {
-                low = trial;
-                low_missing = m;
-                if (side == -1) high_missing *= 0.5;
-                side = -1;
-            }
+            if (m > -1e-9 * air * bracket.high && m < 1e-9 * air * bracket.high) break;
+            bracket.narrow(trial, m);
         }
         return o;
     }
@@ -491,7 +512,12 @@ struct ExchangeInSegment {
             side_before = side;
             const double most = 5.0 * near_inverse(fmax_(5.0, std::abs(step_t)));
             pore = pore - most * step_p > 0 ? pore - most * step_p : 0.1 * pore;
-            if (heat) now = at_warmth(now.warmth - most * step_t);
+            if (heat) {
+                now = at_warmth(now.warmth - most * step_t);
+                // The balance of vapour is as straight in saturation as in the pore's vapour, but saturation bends with warmth.
+                const double bend = now.saturated.concentration - (saturated - most * saturated_slope * step_t);
+                if (dries) pore += share * bend * near_inverse(mass_p);
+            }
             // Not from where all the liquid evaporates, or all the room is filled, past where part of it does.
             const bool was_under = saturated > o.pore_vapour, is_under = now.saturated.concentration > pore;
             if (!dries && was_under != is_under) pore = half_way(start, now.saturated.concentration, was_under);
@@ -503,41 +529,28 @@ struct ExchangeInSegment {
     HL_FN double find_warmth(const Start& start) const
     {
         double width = 0.05;
-        double low = start.warmth, high = start.warmth;
-        double low_surplus = surplus_at(start, low);
-        double high_surplus = low_surplus;
-        while (low_surplus > 0 && low > -80) {
-            high = low;
-            high_surplus = low_surplus;
-            low -= width;
+        const double first = surplus_at(start, start.warmth);
+        Bracket bracket{start.warmth, start.warmth, first, first};
+        while (bracket.at_low > 0 && bracket.low > -80) {
+            bracket.high = bracket.low;
+            bracket.at_high = bracket.at_low;
+            bracket.low -= width;
             width *= 3;
-            low_surplus = surplus_at(start, low);
+            bracket.at_low = surplus_at(start, bracket.low);
         }
-        while (high_surplus < 0 && high < 80) {
-            low = high;
-            low_surplus = high_surplus;
-            high += width;
+        while (bracket.at_high < 0 && bracket.high < 80) {
+            bracket.low = bracket.high;
+            bracket.at_low = bracket.at_high;
+            bracket.high += width;
             width *= 3;
-            high_surplus = surplus_at(start, high);
+            bracket.at_high = surplus_at(start, bracket.high);
         }
-        int side = 0;
-        double trial = high_surplus == low_surplus ? low : low - low_surplus * (high - low) / (high_surplus - low_surplus);
-        for (int round = 0; round < 40 && high - low > 1e-7; ++round) {
-            if (!(trial >= low && trial <= high)) trial = 0.5 * (low + high);
+        double trial = bracket.low;
+        for (int round = 0; round < 100 && bracket.high - bracket.low > 1e-7; ++round) {
+            trial = bracket.next();
             const double m = surplus_at(start, trial);
             if (m > -1e-7 * start.capacity && m < 1e-7 * start.capacity) break;
-            if (m > 0) {
-                high = trial;
-                high_surplus = m;
-                if (side == 1) low_surplus *= 0.5;
-                side = 1;
-            } else {
-                low = trial;
-                low_surplus = m;
-                if (side == -1) high_surplus *= 0.5;
-                side = -1;
-            }
-            trial = low - low_surplus * (high - low) / (high_surplus - low_surplus);
+            bracket.narrow(trial, m);
         }
         return trial;
     }
@@ -548,6 +561,16 @@ struct ExchangeInSegment {
         const double further = warmth - now.warmth;
         if (std::abs(further) < 5e-4) return now.saturated.concentration + further * now.saturated.slope;
         return saturation_concentration(climate.temperature + warmth);
+    }
+
+    /// How much of a pore's vapour condenses until its air is saturated, kg: less air is left by what has condensed, but never quite none
+    /// (air_beside()), and no more condenses than there is room for.
+    HL_FN double condensing_at_once(int i, double pore, double liquid, double saturated) const
+    {
+        const double room = climate.density * s.pores[i] - liquid, per_density = plain_inverse(climate.density);
+        const double shrinking = (pore - saturated * room * per_density) * plain_inverse(1.0 - saturated * per_density);
+        const double at_last = pore - saturated * air_beside(s.pores[i], s.pores[i]);
+        return fmax_(0.0, fmin_(fmin_(shrinking, at_last), room));
     }
 
     /// Writes the outcome; what the search left open goes to the pore vapour, so that no water is made or lost.
@@ -598,11 +621,12 @@ struct ExchangeInSegment {
         double reached = start.warmth + (released - lost) * per_capacity;
         // What the air that is left cannot hold condenses, or leaves where there is no room for it.
         const double left = start.liquid - from_liquid - evaporated;
-        const double holds = saturated_near(now, reached) * pore_air(s.pores[i], left, climate.density);
-        if (vapour && pore > holds) {
-            const double condensed = fmax_(0.0, fmin_(pore - holds, climate.density * s.pores[i] - left));
+        const double saturated = saturated_near(now, reached);
+        if (vapour && pore > saturated * pore_air(s.pores[i], left, climate.density)) {
+            const double condensed = condensing_at_once(i, pore, left, saturated);
+            const double holds = fmin_(pore - condensed, saturated * pore_air(s.pores[i], left + condensed, climate.density));
             evaporated -= condensed;
-            to_air += pore - holds - condensed;
+            to_air += pore - condensed - holds;
             pore = holds;
             if (heat) {
                 const double more = heat_of_evaporation(temperature) * condensed;
