@@ -283,7 +283,7 @@ private Q_SLOTS:
         Material own = material_library()[0];
         own.based_on = own.name;
         own.name = "own";
-        own.fibre_radius_um = 0.5;
+        own.fibre_radius_um = 0.001;
         own.diffusion.constant_m2_s = 1e-30;
         design.materials = {own};
         design.fabrics[0].warp.material = {{"own", 1.0}};
