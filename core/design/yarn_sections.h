@@ -10,10 +10,12 @@
 
 namespace hygroloom {
 
-constexpr double widest_share_of_pitch = 0.98; ///< neighbours leave this much of the pitch to one yarn at most
-constexpr double loosest_packing = 0.01;       ///< fibre volume / yarn volume of a free yarn, at least
-constexpr double densest_packing = 0.85;       ///< fibre volume / yarn volume that a squeezed yarn can reach
-constexpr std::size_t most_yarn_types = 16;    ///< different yarns in one system, colour apart
+constexpr double widest_share_of_pitch = 0.98;  ///< neighbours leave this much of the pitch to one yarn at most
+constexpr double loosest_packing = 0.01;        ///< fibre volume / yarn volume of a free yarn, at least
+constexpr double densest_packing = 0.99;        ///< the same at most: fibres that fit each other, or hardly more than one
+constexpr double densest_squeezed = 0.85;       ///< the same that a looser yarn can be squeezed to
+constexpr double closest_round_fibres = 0.9069; ///< pi / (2 sqrt 3): round fibres of one size that touch all round
+constexpr std::size_t most_yarn_types = 16;     ///< different yarns in one system, colour apart
 
 /// A free yarn, all three values in agreement.
 struct FreeYarn {
@@ -39,9 +41,16 @@ struct FittedYarn {
     FreeYarn free;
     Material fibre;            ///< the blend's mean substance
     Section section;           ///< mm, in the fabric
-    double packing_factor = 0; ///< in the fabric; above densest_packing the fabric cannot be woven
+    double packing_factor = 0; ///< in the fabric
     bool flattened = false;    ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;     ///< by the neighbours
+
+    /// Whether it would have to be packed closer than it can be squeezed, with so much more fibre in it; the fabric cannot be woven then.
+    bool too_dense(double fibre_scale = 1) const
+    {
+        const double most = free.packing_factor > densest_squeezed ? free.packing_factor : densest_squeezed;
+        return fibre_scale * packing_factor > most * (1 + 1e-9); // flattening keeps it, but for rounding
+    }
 };
 
 /// Heights of the two centrelines over (under) the middle plane where they cross; they sum to half the heights of both sections

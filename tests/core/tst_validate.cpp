@@ -66,6 +66,20 @@ private Q_SLOTS:
         QVERIFY(validate(design).empty());
     }
 
+    void yarnsMayBePackedAsCloselyAsGivenButNotSqueezedSo()
+    {
+        Design design = sound();
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->packing_factor = 0.99;
+        design.fabrics[0].thickness_mm = 0.3; // flattens them, which keeps their packing
+        const auto dense = validate(design);
+        QVERIFY(!has_error(dense));
+        QVERIFY(find(dense, "closed_yarns"));
+        design.fabrics[0].ends_per_cm = 60; // narrows them
+        QVERIFY(find(validate(design), "ends_do_not_fit"));
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->packing_factor = 0.6;
+        QVERIFY(!find(validate(design), "closed_yarns"));
+    }
+
     void aStripesYarnThatDoesNotFitIsNamed()
     {
         Design design = sound();
@@ -91,7 +105,7 @@ private Q_SLOTS:
         row("fabrics[0].warp.diameter_mm", "range", [](Design& d) { d.fabrics[0].warp.diameter_mm = 0; });
         row("fabrics[0].weft.diameter_mm", "range", [nan](Design& d) { d.fabrics[0].weft.diameter_mm = nan; });
         row("fabrics[0].warp.linear_density_tex", "range", [inf](Design& d) { d.fabrics[0].warp.linear_density_tex = inf; });
-        row("fabrics[0].warp.packing_factor", "range", [](Design& d) { d.fabrics[0].warp.packing_factor = 0.95; });
+        row("fabrics[0].warp.packing_factor", "range", [](Design& d) { d.fabrics[0].warp.packing_factor = 0.995; });
         row("fabrics[0].warp", "no_size", [](Design& d) { d.fabrics[0].warp.diameter_mm.reset(); });
         row("fabrics[0].weft.fibres_per_yarn", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 501; });
         row("fabrics[0].weft.fibres_per_yarn ", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 0; });
@@ -291,7 +305,9 @@ private Q_SLOTS:
         design.fabrics[0].warp.packing_factor = 0.01;
         design.fabrics[0].weft.packing_factor = 0.01;
         QVERIFY(!has_error(validate(design)));
-        design.fabrics[0].weft.packing_factor = 0.99; // more than yarns can be packed
+        design.fabrics[0].weft.packing_factor = 0.99;
+        QVERIFY(!has_error(validate(design)));
+        design.fabrics[0].weft.packing_factor = 1; // no pores at all
         QVERIFY(has_error(validate(design)));
     }
     void looseThreadsAreAWarning()

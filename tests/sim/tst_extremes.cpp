@@ -22,7 +22,7 @@ using namespace hygroloom;
 
 namespace {
 
-constexpr int designs = 650, chunks = 65; // about one in five is refused
+constexpr int designs = 700, chunks = 70; // about one in five is refused
 constexpr double longest = 5;             // s of simulated time; whole runs of a few go on to their end
 // Steps get longer and cheaper with fewer particles; with those of a draft some drops would take millions of steps.
 const KnobSettings few_particles{{"particles_per_droplet", 100}};
