@@ -100,7 +100,8 @@ template <typename Executor> void Solver<Executor>::load_segments()
     std::vector<double> vapour(n), regain(n * shells), pores(n);
     const ClimateParameters& climate = scene_.climate;
     const double humidity = scene_.initial_humidity < 0 ? climate.humidity : scene_.initial_humidity;
-    const double pore_vapour = std::min(1.0, humidity) * saturation_concentration(climate.temperature + scene_.initial_warmth);
+    const double begins = scene_.vapour ? humidity : std::min(1.0, humidity); // more than saturated air condenses in the first exchange
+    const double pore_vapour = begins * saturation_concentration(climate.temperature + scene_.initial_warmth);
     const Yarns yarns = yarns_on_host();
     water_scale_ = heat_scale_ = 0;
     constexpr double least_change = 1e-3; // of regain: where nothing is to change, nothing is to be followed more closely

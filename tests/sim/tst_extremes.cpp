@@ -233,7 +233,9 @@ std::string complaint(const Scene& scene, const Frame& frame, double most)
             return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
         if (!(frame.vapour[i] >= 0 && std::isfinite(frame.vapour[i]))) return fmt::format("vapour {} of segment {}", frame.vapour[i], i);
         const double saturated = saturation_concentration(static_cast<double>(frame.temperature[i]));
-        if (!(frame.vapour[i] <= 1.00001 * saturated))
+        const double at_first =
+            !scene.vapour || frame.time > 0 ? 1 : std::max({1.0, scene.initial_humidity, scene.climate.humidity}); // has not condensed yet
+        if (!(frame.vapour[i] <= 1.00001 * at_first * saturated))
             return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
     }
     for (const auto& x : frame.positions)

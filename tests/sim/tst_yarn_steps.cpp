@@ -265,6 +265,32 @@ private Q_SLOTS:
         }
         QVERIFY2(most <= 4 * 63, qPrintable(QString::number(most))); // 250 halved to 1e-14 of the root
     }
+    void supersaturatedPoresCondenseAndWarm() // no more and no less than their heat of condensation says, and not to and fro
+    {
+        const ClimateParameters climate = room();
+        for (double radius : {200e-6, 8e-6, 1e-9}) {
+            Network n(1, 1, cotton(), cotton());
+            n.yarns[0].fibre_radius = radius;
+            const double air = n.pores[0], before = 2 * saturation_concentration(climate.temperature) * air;
+            n.vapour[0] = before;
+            Segments s = n.views();
+            double warmth = 0;
+            for (int step = 0; step < 100; ++step) {
+                ExchangeInSegment{s, climate, 0.0, 1e-3, false, true, true}(0); // no face: nothing leaves
+                QVERIFY(s.warmth[0] >= warmth - 1e-8);                          // K, as exact as rounds are
+                warmth = s.warmth[0];
+                const double holds =
+                    saturation_concentration(climate.temperature + warmth) * pore_air(s.pores[0], s.liquid[0], climate.density);
+                QVERIFY(s.vapour[0] <= holds * (1 + 1e-8));
+                QVERIFY(std::abs(s.vapour[0] + s.liquid[0] + s.evaporated[0] - before) <= 1e-14 * before);
+                QVERIFY(std::abs(s.evaporated[0]) <= 1e-12 * before);
+                const double heat = heat_of_evaporation(climate.temperature + warmth) * s.liquid[0];
+                const double taken = heat_capacity(n.yarns[0], s.length[0], s.liquid[0]) * warmth;
+                QVERIFY2(std::abs(taken - heat) < 1e-3 * heat, qPrintable(QString("%1 %2").arg(taken).arg(heat)));
+            }
+            QVERIFY2(warmth > 0.01 && warmth < 0.1, qPrintable(QString::number(warmth))); // 23 g/m3 of air for 1.9e6 J/(m3 K) of fibres
+        }
+    }
     void whatCondensesAtOnceLeavesItsPlaceInTheAir()
     {
         const ClimateParameters climate = room();

@@ -260,6 +260,7 @@ struct ExchangeInSegment {
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
+        if (climate.humidity > 1) return false; // what its air cannot hold condenses
         const double off = s.vapour[i] - climate.vapour * air, little = 1e-8 * (climate.vapour + 1e-6) * air;
         const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
@@ -564,12 +565,16 @@ struct ExchangeInSegment {
     }
 
     /// How much of a pore's vapour condenses until its air is saturated, kg: less air is left by what has condensed, but never quite none
-    /// (air_beside()), and no more condenses than there is room for.
-    HL_FN double condensing_at_once(int i, double pore, double liquid, double saturated) const
+    /// (air_beside()), it is warmer by then, and no more condenses than there is room for. Saturation in kg/m3, its rise per kg that has
+    /// condensed.
+    HL_FN double condensing_at_once(int i, double pore, double liquid, double saturated, double rise) const
     {
-        const double room = climate.density * s.pores[i] - liquid, per_density = plain_inverse(climate.density);
-        const double shrinking = (pore - saturated * room * per_density) * plain_inverse(1.0 - saturated * per_density);
-        const double at_last = pore - saturated * air_beside(s.pores[i], s.pores[i]);
+        const double per_density = plain_inverse(climate.density);
+        const double room = climate.density * s.pores[i] - liquid, air = room * per_density, least = air_beside(s.pores[i], s.pores[i]);
+        const double over = pore - saturated * air, shrinks = 1.0 - saturated * per_density;
+        const double left = fmax_(0.0, air - over * plain_inverse(shrinks) * per_density); // in the cold, a little less than is left
+        const double shrinking = over * plain_inverse(shrinks + rise * left);
+        const double at_last = (pore - saturated * least) * plain_inverse(1.0 + rise * least);
         return fmax_(0.0, fmin_(fmin_(shrinking, at_last), room));
     }
 
@@ -623,15 +628,16 @@ struct ExchangeInSegment {
         const double left = start.liquid - from_liquid - evaporated;
         const double saturated = saturated_near(now, reached);
         if (vapour && pore > saturated * pore_air(s.pores[i], left, climate.density)) {
-            const double condensed = condensing_at_once(i, pore, left, saturated);
-            const double holds = fmin_(pore - condensed, saturated * pore_air(s.pores[i], left + condensed, climate.density));
+            const double latent = heat ? heat_of_evaporation(temperature) : 0.0, rise = now.saturated.slope * latent * per_capacity;
+            const double condensed = condensing_at_once(i, pore, left, saturated, rise);
+            const double holds =
+                fmin_(pore - condensed, (saturated + rise * condensed) * pore_air(s.pores[i], left + condensed, climate.density));
             evaporated -= condensed;
             to_air += pore - condensed - holds;
             pore = holds;
             if (heat) {
-                const double more = heat_of_evaporation(temperature) * condensed;
-                released += more;
-                reached += more * per_capacity;
+                released += latent * condensed;
+                reached += latent * condensed * per_capacity;
             }
         }
         s.liquid[i] = fmax_(0.0, start.liquid - from_liquid - evaporated);
