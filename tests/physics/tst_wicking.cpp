@@ -52,6 +52,18 @@ private Q_SLOTS:
         QVERIFY(within(permeability_across(6e-6, 0.6), 2.10e-13, 1e-2));
         QCOMPARE(permeability_across(8e-6, 0.91), 0.0);
     }
+    void bundlesOfAnyPackingHavePores() // from nearly none to nearly nothing but
+    {
+        double radius = 1, along = 1, across = 1;
+        for (double packing : {0.01, 0.1, 0.5, 0.85, 0.906899, 0.9069, 0.95, 0.99}) {
+            const double r = bundle_pore_radius(8e-6, packing), k = permeability_along(8e-6, packing);
+            QVERIFY(r > 0 && r < radius && k > 0 && k < along);
+            const double less = permeability_across(8e-6, packing);
+            QVERIFY(less >= 0 && (less < across || less == 0));
+            radius = r, along = k, across = less;
+        }
+        QCOMPARE(across, 0.0);
+    }
     void diffusivityHasTheDerivedMagnitude()
     {
         QVERIFY(within(saturated_liquid_diffusivity(tension, 0, 10e-6, viscosity), 3.63e-5, 2e-3));

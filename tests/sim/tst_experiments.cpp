@@ -38,12 +38,13 @@ struct Result {
     std::vector<Frame> frames;
 };
 
-Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {})
+Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {}, const KnobSettings& knobs = {})
 {
     const auto backend = make_cpu_backend();
     RunOptions options;
     options.fidelity = fidelity;
     options.forced = forced;
+    options.knobs = knobs;
     RunControl control;
     Result result;
     MetricsCollector collector;
@@ -220,6 +221,25 @@ private Q_SLOTS:
             QVERIFY2(closest > 0.5 * spacing, qPrintable(QString::number(closest / spacing)));
             QVERIFY(std::abs(frame.ledger.water_imbalance()) <= 1e-9 * moved_water(frame.ledger));
         }
+    }
+    void dropsAtTheEdgeAndOnTheSameYarnLoseNothing()
+    {
+        Design design = small(ExperimentType::droplet);
+        Experiment& experiment = design.experiments[0];
+        experiment.duration_s = 0.1;
+        experiment.droplets.clear();
+        for (const auto& at : {std::array<double, 2>{3, 2.5}, {-3, 0}, {0, 0}, {0, 1.2}}) {
+            Droplet drop;
+            drop.volume_ul = 0.05;
+            drop.at_mm = at;
+            experiment.droplets.push_back(drop);
+        }
+        const Result result = run(design, Fidelity::draft, {{"vapour", true}}, {{"particles_per_droplet", 100}});
+        for (const Frame& frame : result.frames) {
+            const Ledger& l = frame.ledger;
+            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l), qPrintable(QString::number(l.water_imbalance())));
+        }
+        QVERIFY(result.frames.back().ledger.water_liquid > 0);
     }
     void sweatComesAtItsRate()
     {

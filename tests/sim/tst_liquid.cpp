@@ -392,6 +392,17 @@ private Q_SLOTS:
                 for (Real difference : {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) QVERIFY(std::abs(difference) < 2e-4);
             }
     }
+    void particlesAtOnePlaceDoNotPushEachOther()
+    {
+        Listed listed(500, 0, 0);
+        for (std::size_t i : {1, 2}) listed.x[i] = listed.x[0];
+        listed.list(0);
+        listed.find_surface();
+        for (int i = 0; i < listed.p.room; ++i) {
+            const Quad& surface = listed.surface_of(i);
+            for (Real value : {surface.x, surface.y, surface.z, surface.w}) QVERIFY(std::isfinite(value));
+        }
+    }
     void aFallingDropKeepsItsLists()
     {
         Solver<CpuExecutor> solver;

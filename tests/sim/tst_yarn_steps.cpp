@@ -334,7 +334,7 @@ private Q_SLOTS:
         for (double celsius : {-10.0, 0.0, 25.0, 60.0})
             for (double humidity : {0.0, 0.65, 1.0})
                 for (double saturation : {0.0, 1e-6, 0.3, 1.0})
-                    for (double dt : {1e-6, 1e-2, 10.0})
+                    for (double dt : {1e-9, 1e-6, 1e-2, 10.0})
                         for (double radius : {8e-6, 1e-9})
                             QTest::addRow("%g C, %g, s %g, dt %g, %g um", celsius, humidity, saturation, dt, 1e6 * radius)
                                 << celsius << humidity << saturation << dt << radius;
@@ -381,6 +381,66 @@ private Q_SLOTS:
             QVERIFY(std::abs(water() - water_before) < 1e-12 * (water_before + std::abs(s.evaporated[0])));
             QVERIFY(std::abs(energy() - energy_before) < 1e-10 * (std::abs(energy_before) + std::abs(s.released[0]) + std::abs(s.lost[0])));
         }
+    }
+    void wetYarnInHotDryAirComesToItsWetBulb() // and never below
+    {
+        ClimateParameters climate = room();
+        climate.temperature = kelvin_from_celsius(60);
+        climate.humidity = climate.vapour = 0;
+        climate.mass_transfer = mass_transfer(climate.heat_transfer, climate.temperature);
+        double low = -60, high = 0; // K, of the air
+        for (int i = 0; i < 60; ++i) {
+            const double warmth = 0.5 * (low + high), temperature = climate.temperature + warmth;
+            const double taken = climate.mass_transfer * heat_of_evaporation(temperature) * saturation_concentration(temperature);
+            (climate.heat_transfer * warmth + taken > 0 ? high : low) = warmth;
+        }
+        QVERIFY2(std::abs(60 + low - 18.9) < 0.25, qPrintable(QString::number(60 + low)));
+        for (double radius : {8e-6, 1e-9})
+            for (double dt : {1e-3, 0.1, 10.0}) {
+                YarnParameters yarn = cotton();
+                yarn.fibre_radius = radius;
+                Network n(1, 1, yarn, yarn);
+                std::fill(n.regain.begin(), n.regain.end(), 0.2);
+                n.liquid[0] = 0.9 * climate.density * n.pores[0];
+                Segments s = n.views();
+                double coldest = 0;
+                while (s.liquid[0] > 0.3 * climate.density * n.pores[0]) {
+                    ExchangeInSegment{s, climate, 8e-8, dt, false, true, true}(0);
+                    coldest = std::min(coldest, s.warmth[0]);
+                    if (s.warmth[0] > coldest + 1e-3) break;
+                }
+                // In air without vapour the pores' own is what is a little less than saturated, so that it may be some hundredths colder.
+                QVERIFY2(coldest > low - 0.05, qPrintable(QString("%1 %2: %3").arg(radius).arg(dt).arg(coldest - low)));
+                if (dt < 10) QVERIFY2(coldest < low + 0.05, qPrintable(QString("%1 %2: %3").arg(radius).arg(dt).arg(coldest - low)));
+            }
+    }
+    void dryAirEmptiesFibresAndSaturatedAirFillsThem() // one way all along, and without liquid
+    {
+        for (double humidity : {0.0, 1.0})
+            for (double radius : {8e-6, 1e-9})
+                for (double dt : {1e-3, 1.0, 100.0}) {
+                    ClimateParameters climate = room();
+                    climate.humidity = humidity;
+                    climate.vapour = humidity * saturation_concentration(climate.temperature);
+                    YarnParameters yarn = cotton();
+                    yarn.fibre_radius = radius;
+                    yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, climate.temperature);
+                    Network n(1, 1, yarn, yarn);
+                    std::fill(n.regain.begin(), n.regain.end(), equilibrium_regain(yarn.isotherm, 0.65, climate.temperature));
+                    n.vapour[0] = 0.65 * saturation_concentration(climate.temperature) * n.pores[0];
+                    Segments s = n.views();
+                    double before = s.bound[0];
+                    const double exact = 1e-8 * before; // rounds leave 1e-8 of saturation
+                    for (double time = 0; time < 2e3 * dt; time += dt) {
+                        ExchangeInSegment{s, climate, 8e-8, dt, true, true, true}(0);
+                        const double change = s.bound[0] - before;
+                        QVERIFY2(humidity > 0 ? change >= -exact : change <= exact, qPrintable(QString::number(change)));
+                        QVERIFY(s.liquid[0] <= exact);
+                        before = s.bound[0];
+                    }
+                    const double regain = before / (s.length[0] * yarn.fibre_area * yarn.fibre_density);
+                    if (dt > 1) QVERIFY2(std::abs(regain - yarn.resting_regain) < 1e-3, qPrintable(QString::number(regain)));
+                }
     }
     void squeezedVapourDoesNotFloodTheNeighbours() // liquid that fills a pore presses its vapour together; fibres have not met that
     {
