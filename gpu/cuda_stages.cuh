@@ -23,6 +23,8 @@ template <typename First, typename Second> constexpr bool stands_apart<InTurn<Fi
 template <typename Stage> constexpr int blocks_beside = 0;
 template <> inline constexpr int blocks_beside<ExchangeInSegment> = 4;
 template <> inline constexpr int blocks_beside<FindForces> = 8;
+template <> inline constexpr int blocks_beside<FindSurface> = 16;
+template <> inline constexpr int blocks_beside<FindPressureForce> = 16;
 
 /// Calls a stage for an element below end, if there is one, or with those beside it in the warp for the last once more: to the same result,
 /// so that whole warps come to what they tell each other. What it returns counts once; 0 if it returns nothing.

@@ -103,7 +103,7 @@ template <int count> HL_FN void atomic_max_of_all(int* targets, const int (&valu
             const int most_of_all = __reduce_max_sync(together, values[k]);
             if (own == k) most = most_of_all;
         }
-        if (own < count) atomic_max(targets + own, most);
+        if (own < count && most > __ldca(targets + own)) atomicMax(targets + own, most); // at what its processor has last seen there
         return;
     }
 #endif
