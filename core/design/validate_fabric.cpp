@@ -113,17 +113,25 @@ void validate_extra_yarns(const Design& design, const Fabric& fabric, const std:
 }
 
 /// Where round fibres touch all round, no liquid passes between them (Gebart 1992).
-void warn_of_closed_yarns(const FittedYarns& fitted, const std::string& where, IssueList& list)
+void warn_of_closed_yarns(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
-    for (bool warp : {true, false})
-        for (const FittedYarn& yarn : warp ? fitted.warp : fitted.weft) {
-            if (yarn.packing_factor < closest_round_fibres || yarn.too_dense()) continue;
-            list.add(Severity::warning, "closed_yarns", where + (warp ? ".warp" : ".weft") + ".packing_factor",
-                     fmt::format("Packed to {:.3g}, fibres touch all round (round ones from {}): liquid wicks along such yarns, but they "
-                                 "neither drink through their skin nor pass liquid on where they cross others.",
-                                 yarn.packing_factor, closest_round_fibres));
+    const FittedYarns fitted = fit_yarns(design, fabric);
+    const double scale = fibre_scale(design, fabric);
+    for (bool warp : {true, false}) {
+        const auto& yarns = warp ? fitted.warp : fitted.weft;
+        const auto& numbers = (warp ? fitted.warp_order : fitted.weft_order).yarns;
+        for (std::size_t i = 0; i < yarns.size(); ++i) {
+            const double packing = scale * yarns[i].packing_factor;
+            if (packing < closest_round_fibres) continue;
+            const std::string yarn = numbers[i] > 0 ? fmt::format(".extra_yarns[{}]", numbers[i] - 1) : warp ? ".warp" : ".weft";
+            list.add(
+                Severity::warning, "closed_yarns", where + yarn + ".packing_factor",
+                fmt::format("Packed to {:.4g}, fibres touch all round (round ones from {:.4g}): liquid wicks along such yarns, but they "
+                            "neither drink through their skin nor pass liquid on where they cross others.",
+                            packing, closest_round_fibres));
             break;
         }
+    }
 }
 
 void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
@@ -159,7 +167,7 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
             fmt::format("{} {} {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
                         "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
                         sett, name, yarn.free.linear_density_tex, yarn.free.diameter, yarn.section.width, yarn.section.height,
-                        yarn.packing_factor, densest_squeezed));
+                        yarn.packing_factor, yarn.most_packing()));
     };
     const auto name = [](const char* threads, int yarn) {
         return yarn > 0 ? fmt::format("{} per cm of extra yarn {},", threads, yarn) : fmt::format("{} per cm of", threads);
@@ -168,7 +176,6 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
         check(name("ends", fitted.warp_order.yarns[i]), "ends_per_cm", fabric.ends_per_cm, fitted.warp[i]);
     for (std::size_t i = 0; i < fitted.weft.size(); ++i)
         check(name("picks", fitted.weft_order.yarns[i]), "picks_per_cm", fabric.picks_per_cm, fitted.weft[i]);
-    warn_of_closed_yarns(fitted, where, list);
     validate_sett(fabric, fitted, where, list);
 }
 
@@ -187,12 +194,13 @@ void validate_fibre_scale(const Design& design, const Fabric& fabric, const std:
     const double scale = fibre_scale(design, fabric);
     if (scale == 1) return;
     const FittedYarns fitted = fit_yarns(design, fabric);
-    double loosest = 1, densest = 0;
+    double loosest = 1, densest = 0, most = densest_squeezed;
     bool too_dense = false;
     for (const auto* yarns : {&fitted.warp, &fitted.weft})
         for (const FittedYarn& yarn : *yarns) {
             loosest = std::min(loosest, scale * yarn.packing_factor);
             densest = std::max(densest, scale * yarn.packing_factor);
+            if (yarn.too_dense(scale)) most = yarn.most_packing();
             too_dense = too_dense || yarn.too_dense(scale);
         }
     const FabricQuantities used = quantities_in_use(design, fabric);
@@ -202,7 +210,7 @@ void validate_fibre_scale(const Design& design, const Fabric& fabric, const std:
             "measured_disagrees", key,
             fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
                         "and diameters can hold from {} to {}. Derived are {:.4g} g/m2.",
-                        loosest, densest, loosest_packing, densest_squeezed, used.areal_density_g_m2 / scale));
+                        loosest, densest, loosest_packing, most, used.areal_density_g_m2 / scale));
     if (fabric.measured.areal_density_g_m2 && fabric.measured.porosity) {
         Fabric weighed = fabric;
         weighed.measured.porosity.reset();
@@ -273,6 +281,7 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     if (list.errors() > before) return;
     validate_fibre_scale(design, fabric, where, list);
     if (list.errors() > before) return;
+    warn_of_closed_yarns(design, fabric, where, list);
     note_wicking(design, fabric, where, list);
     for (const std::string& sentence : derive_quantities(design, fabric).notes) list.add(Severity::note, "sections", where, sentence);
 }

@@ -45,11 +45,16 @@ struct FittedYarn {
     bool flattened = false;    ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;     ///< by the neighbours
 
-    /// Whether it would have to be packed closer than it can be squeezed, with so much more fibre in it; the fabric cannot be woven then.
+    /// How close it can be packed: as close as it can be squeezed, or as it is given where it is given closer.
+    double most_packing() const
+    {
+        if (free.packing_factor <= densest_squeezed) return densest_squeezed;
+        return flattened ? free.packing_factor : densest_packing;
+    }
+    /// Whether it would have to be packed closer, with so much more fibre in it; the fabric cannot be woven then.
     bool too_dense(double fibre_scale = 1) const
     {
-        const double most = free.packing_factor > densest_squeezed ? free.packing_factor : densest_squeezed;
-        return fibre_scale * packing_factor > most * (1 + 1e-9); // flattening keeps it, but for rounding
+        return fibre_scale * packing_factor > most_packing() * (1 + 1e-9); // flattening keeps it, but for rounding
     }
 };
 

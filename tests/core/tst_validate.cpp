@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/design/fabric_quantities.h"
 #include "core/design/validate.h"
 #include "core/project/project_file.h"
 
@@ -77,6 +78,21 @@ private Q_SLOTS:
         design.fabrics[0].ends_per_cm = 60; // narrows them
         QVERIFY(find(validate(design), "ends_do_not_fit"));
         for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->packing_factor = 0.6;
+        QVERIFY(!find(validate(design), "closed_yarns"));
+    }
+    void closelyPackedYarnsTakeALaboratorysWord()
+    {
+        Design design = sound();
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->packing_factor = 0.88;
+        const double derived = derive_quantities(design, design.fabrics[0]).areal_density_g_m2;
+        design.fabrics[0].measured.areal_density_g_m2 = 1.05 * derived; // packed to 0.924
+        const auto denser = validate(design);
+        QVERIFY(!has_error(denser));
+        QVERIFY(find(denser, "closed_yarns"));
+        design.fabrics[0].measured.areal_density_g_m2 = 1.2 * derived;
+        QVERIFY(find(validate(design), "measured_disagrees"));
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->packing_factor = 0.95;
+        design.fabrics[0].measured.areal_density_g_m2 = 0.9 * derive_quantities(design, design.fabrics[0]).areal_density_g_m2;
         QVERIFY(!find(validate(design), "closed_yarns"));
     }
 

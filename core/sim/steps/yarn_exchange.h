@@ -120,14 +120,14 @@ struct DiffuseAtCrossing {
 /// have not halved what lies between, as on balances that are nearly steps, the next one does.
 struct Bracket {
     double low, high, at_low, at_high;
-    double wide = high - low; ///< three trials ago
+    double wide = high - low; ///< at the last of every four trials
     int side = 0, trials = 0;
 
     HL_FN double next()
     {
         if (++trials % 4 == 0) {
             const bool slow = high - low > 0.5 * wide;
-            wide = high - low;
+            wide = slow ? 0.5 * (high - low) : high - low;
             if (slow) return 0.5 * (low + high);
         }
         const double trial = (low * at_high - high * at_low) / (at_high - at_low);
@@ -547,7 +547,7 @@ struct ExchangeInSegment {
             bracket.at_high = surplus_at(start, bracket.high);
         }
         double trial = bracket.low;
-        for (int round = 0; round < 100 && bracket.high - bracket.low > 1e-7; ++round) {
+        for (int round = 0; round < 160 && bracket.high - bracket.low > 1e-7; ++round) {
             trial = bracket.next();
             const double m = surplus_at(start, trial);
             if (m > -1e-7 * start.capacity && m < 1e-7 * start.capacity) break;
