@@ -61,7 +61,7 @@ void write_report(const Recording& recording, const Metrics& metrics, const Meas
     for (const auto& [name, picture] : {std::pair{"Top face", &top}, std::pair{"Bottom face", &bottom}})
         pictures.push_back(
             {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
-    write_file(options.report, report_html(run, metrics, pictures));
+    write_file(options.report, report_html(run, metrics, pictures, recording.finished()));
     if (!options.quiet) fmt::print(stderr, "The report is in {}.\n", options.report);
 }
 
@@ -84,8 +84,10 @@ void write_vtk_files(const Recording& recording, const MeasureOptions& options)
 
 int measure(const MeasureOptions& options)
 {
-    if (!options.report.empty() && std::filesystem::path(options.report).extension() != ".html")
+    if (!options.report.empty() && CLI::detail::to_lower(std::filesystem::path(options.report).extension().string()) != ".html")
         throw Stop(exit_usage, "A report is written as .html, which browsers print as PDF; \"" + options.report + "\" was given.");
+    if (options.time >= 0 && options.map.empty() && options.report.empty())
+        throw Stop(exit_usage, "--time is the moment of maps; give --map or --report, too.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map and -o go together: the side, and the file to write.");
     std::unique_ptr<Recording> recording;
     try {
@@ -248,9 +250,13 @@ void add_measure(CLI::App& app, Verb& verb)
     measure_verb.add_option("--time", options->time, "Take the frame nearest to this time, s, for maps; the last one otherwise")
         ->check(moment());
     measure_verb.add_option("-o,--output", options->output, "Map to write (.csv or .png)");
-    measure_verb.add_option("--report", options->report, "Write a page (.html) with results, maps, curves and all that went in");
-    measure_verb.add_option("--vtk", options->vtk, "Write yarns and liquid of all frames to this folder, for ParaView (.vtp, .pvd)");
-    measure_verb.add_option("--every", options->every, "With --vtk: one frame out of so many")->check(CLI::Range(1, 1000000));
+    const CLI::Validator given([](const std::string& text) { return text.empty() ? "no name is given" : ""; }, "");
+    measure_verb.add_option("--report", options->report, "Write a page (.html) with results, maps, curves and all that went in")
+        ->check(given);
+    CLI::Option* vtk =
+        measure_verb.add_option("--vtk", options->vtk, "Write yarns and liquid of all frames to this folder, for ParaView (.vtp, .pvd)")
+            ->check(given);
+    measure_verb.add_option("--every", options->every, "With --vtk: one frame out of so many")->check(CLI::Range(1, 1000000))->needs(vtk);
     add_common_options(measure_verb, *options);
     measure_verb.callback([&verb, options] { verb = [options] { return measure(*options); }; });
 }

@@ -24,7 +24,7 @@ struct Axis {
 
 Axis axis_of(double least, double most, double from, double to)
 {
-    if (!(most - least > 1e-9 * std::max(std::abs(most), std::abs(least)))) { // all the same
+    if (!(most - least > 1e-4 * std::max(std::abs(most), std::abs(least)))) { // all the same, as far as its numbers tell
         const double half = most == 0 ? 1 : 0.1 * std::abs(most);
         least -= half;
         most += half;
@@ -83,7 +83,7 @@ std::string svg_of(const LineChart& chart)
         }
     const Axis x = axis_of(chart.x.front(), chart.x.back(), left, right), y = axis_of(least, most, bottom, top);
     std::string svg = svg_begin(width, height) + axes(chart, x, y);
-    double legend = left;
+    double legend = 36;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const Stroke& stroke = strokes[i % strokes.size()];
         svg += curve_of(chart, chart.curves[i].values, x, y, stroke);
@@ -91,8 +91,8 @@ std::string svg_of(const LineChart& chart)
                            "stroke-dasharray=\"{4}\"/>\n",
                            legend, legend + 22, height - 16, stroke.colour, stroke.dashes);
         svg += svg_text(legend + 26, height - 12, "start", chart.curves[i].name);
-        constexpr double letter = 6.5;
-        legend += 40 + letter * static_cast<double>(chart.curves[i].name.size());
+        constexpr double letter = 6;
+        legend += 36 + letter * static_cast<double>(chart.curves[i].name.size());
     }
     return svg + "</svg>";
 }

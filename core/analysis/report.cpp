@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* style = R"(
 body { font: 15px/1.45 system-ui, sans-serif; color: #22262e; background: #fff; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { margin-bottom: 0; } h2 { margin-top: 2rem; border-bottom: 1px solid #ccc; }
+h1 { margin-bottom: 0; overflow-wrap: anywhere; } h2 { margin-top: 2rem; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; } td, th { padding: .15rem 1rem .15rem 0; text-align: left; vertical-align: top; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; }
 figure { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; } figure img { max-width: 28rem; } figcaption { color: #555; }
@@ -50,6 +50,7 @@ Label label_of(const std::string& key)
             label = {key.substr(0, key.size() - std::string_view(unit.ending).size()), unit.name, unit.factor};
             break;
         }
+    if (label.name.ends_with("_rise")) label.unit = "K";
     std::replace(label.name.begin(), label.name.end(), '_', ' ');
     return label;
 }
@@ -210,27 +211,54 @@ std::string input(const RunRecord& run)
     return body;
 }
 
-std::string origin(const Json& provenance, const RunRecord& run)
+/// The parts of the physics, and why each was modelled or not.
+std::string parts(const RunRecord& run)
 {
+    std::string rows;
+    for (const PlannedPart& part : run.plan.parts)
+        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>\n", escaped_markup(part.name), part.on ? "on" : "off",
+                            escaped_markup(part.reason));
+    std::vector<std::string> sentences;
+    for (const SwitchedPart& part : run.switched_on) sentences.push_back(hygroloom::in_words(part));
+    return table(rows) + list(sentences);
+}
+
+/// What the user set otherwise than the fidelity has it.
+std::string knobs(const ModelPlan& plan)
+{
+    const Knobs usual = knobs_of(plan.fidelity);
+    std::string rows;
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = plan.knobs.*knob.value;
+        if (value != usual.*knob.value)
+            rows += row(knob.name, fmt::format("{:.6g}", value), fmt::format("{} (in place of {:.6g})", knob.unit, usual.*knob.value));
+    }
+    return rows.empty() ? "" : "<p>Set otherwise than this fidelity has it:</p>\n" + table(rows);
+}
+
+std::string origin(Json provenance, const RunRecord& run, bool finished)
+{
+    provenance.erase("simulated");
+    if (!finished) provenance.erase("wall_s"); // not known
     std::string rows = rows_of(provenance);
     if (run.plan.expected_error) rows += row("error to be expected", rounded_text(100 * *run.plan.expected_error, 2), "%");
     if (!run.date.empty()) rows += row("began", run.date, "");
-    return table(rows) + list(notes_of(run.plan));
+    return table(rows) + knobs(run.plan) + parts(run) + list(notes_of(run.plan));
 }
 
 } // namespace
 
-std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures)
+std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished)
 {
     const Json json = Json::parse(metrics_json(run, metrics));
     const std::string title = escaped_markup(run.fabric + ", " + run.experiment);
     return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
                        "content=\"width=device-width\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"
-                       "<p>Simulated, not measured.</p>\n",
-                       title, style) +
+                       "<p>Simulated, not measured.{2}</p>\n",
+                       title, style, finished ? "" : fmt::format(" The run was cut short at {:.4g} s.", metrics.ledger.time)) +
            section("Results", results(json["metrics"])) + section("Maps", maps(pictures)) + section("Over time", charts(json["series"])) +
            section("Balance", table(rows_of(json["ledger"]))) + section("What went in", input(run)) +
-           section("How it was computed", origin(json["provenance"], run)) + "</body>\n</html>\n";
+           section("How it was computed", origin(json["provenance"], run, finished)) + "</body>\n</html>\n";
 }
 
 } // namespace hygroloom

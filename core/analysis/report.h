@@ -11,7 +11,7 @@ struct ReportPicture {
     Image image;
 };
 
-/// HTML of one file, pictures and curves in it; for browsers and for their printers.
-std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures);
+/// HTML of one file, pictures and curves in it; for browsers and for their printers. finished: the run came to its end.
+std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished);
 
 } // namespace hygroloom

@@ -183,6 +183,14 @@ public:
         files_.push_back({{"name", file}, {"time", time}});
         return file;
     }
+    /// Of a recording that was written to the folder before.
+    void remove_older(const std::filesystem::path& folder) const
+    {
+        std::error_code failed;
+        for (const char* ending : {".pvd", ".vtp.series"})
+            if (std::filesystem::remove(folder / (name_ + ending), failed); failed)
+                throw FileError((folder / (name_ + ending)).string() + ": The file cannot be removed: " + failed.message() + ".");
+    }
     void write(const std::filesystem::path& folder) const
     {
         write_file(folder / (name_ + ".pvd"), "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n" +
@@ -207,6 +215,8 @@ int write_vtk(const Recording& recording, const std::filesystem::path& folder, i
     const bool has_liquid = std::any_of(ledgers.begin(), ledgers.end(), [](const Ledger& ledger) { return ledger.water_free > 0; });
     const Lines lines(recording.run().textile);
     Index yarns("yarns"), liquid("liquid");
+    yarns.remove_older(folder);
+    liquid.remove_older(folder);
     int written = 0;
     const int last = recording.frames() - 1;
     for (int i = 0; i <= last; i = i < last ? std::min(i + every, last) : i + 1) {

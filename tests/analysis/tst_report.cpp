@@ -157,6 +157,19 @@ private Q_SLOTS:
             QCOMPARE(liquid.values<float>("velocity_m_s").size(), static_cast<std::size_t>(3 * (3 - i)));
         }
     }
+    void anotherRecordingTakesTheFolderOver()
+    {
+        record(0.6, 0.6);
+        write_vtk(Recording(file().toStdString()), folder(), 1, [](double) { return true; });
+        QVERIFY(QFile::exists(dir_.filePath("liquid.pvd")));
+        const RunRecord run = run_of_cloth(0.6, 0.6);
+        {
+            RecordingWriter writer(file().toStdString(), run);
+            writer.append(frame_at_time(run.textile, 0, 0));
+        }
+        QCOMPARE(write_vtk(Recording(file().toStdString()), folder(), 1, [](double) { return true; }), 1);
+        QVERIFY(QFile::exists(dir_.filePath("yarns.pvd")) && !QFile::exists(dir_.filePath("liquid.pvd")));
+    }
     void cancellingLeavesNoIndex()
     {
         record(0.6, 0.6);
@@ -167,18 +180,23 @@ private Q_SLOTS:
     }
     void reportNamesResultsInputAndOrigin()
     {
-        const RunRecord run = run_of_cloth(1.2, 1.2);
+        RunRecord run = run_of_cloth(1.2, 1.2);
         MetricsCollector collector;
         collector.start(run);
         for (int i = 0; i < 4; ++i) collector.add(frame_at_time(run.textile, 0.1 * i, 3));
         Metrics metrics = collector.metrics();
         metrics.notes = {"1 < 2 & \"so\""};
+        run.plan.knobs = knobs_of(run.plan.fidelity);
+        run.plan.knobs.particles_per_droplet = 123;
+        run.plan.parts = {{"heat", false, true, "It was switched off by the user.", {}, false}};
         Image image{2, 1, {255, 0, 0, 0, 0, 255}};
-        const QString html = QString::fromStdString(report_html(run, metrics, {{"Top face", image}}));
-        for (const char* part :
-             {"maximum wetted radius top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;", "data:image/png;base64,iVBORw0KGgo",
-              "water imbalance", "cover factor", "fibre_radius_um", "volume_ul", "surface_tension", "fidelity", "<svg"})
+        const QString html = QString::fromStdString(report_html(run, metrics, {{"Top face", image}}, true));
+        for (const char* part : {"maximum wetted radius top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;",
+                                 "data:image/png;base64,iVBORw0KGgo", "water imbalance", "cover factor", "fibre_radius_um", "volume_ul",
+                                 "surface_tension", "fidelity", "<svg", ">123<", "It was switched off by the user."})
             QVERIFY2(html.contains(part), part);
+        QVERIFY(!html.contains("cut short"));
+        QVERIFY(report_html(run, metrics, {}, false).find("cut short at 0.3 s") != std::string::npos);
         const auto from = html.indexOf("base64,") + 7;
         const QByteArray png =
             QByteArray::fromBase64(html.mid(from, html.indexOf('"', from) - from).toLatin1(), QByteArray::AbortOnBase64DecodingErrors);

@@ -299,6 +299,9 @@ private Q_SLOTS:
                 .code,
             0);
         QVERIFY(QFile::exists(folder_.filePath("page.html")) && QFile::exists(folder_.filePath("vtk/yarns.pvd")));
+        QVERIFY(QFile::exists(folder_.filePath("vtk/yarns_000001.vtp")) && !QFile::exists(folder_.filePath("vtk/yarns_000002.vtp")));
+        for (const QStringList& useless : {QStringList{"--every", "2"}, QStringList{"--time", "0"}, QStringList{"--report", ""}})
+            QCOMPARE(run_cli(QStringList{"measure", recording} + useless).code, 2);
         QVERIFY(run_cli({"measure", recording, "--report", folder_.filePath("page.doc")}).err.contains(".html"));
         QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
