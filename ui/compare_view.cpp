@@ -55,6 +55,27 @@ double durationOf(const KeptRun& run)
     return experiment ? experiment->duration_s : 0;
 }
 
+bool isSameRun(const RunRecord& one, const RunRecord& other)
+{
+    return one.fabric == other.fabric && one.experiment == other.experiment && one.date == other.date &&
+           one.textile.ends() == other.textile.ends() && one.textile.picks() == other.textile.picks();
+}
+
+/// At the last recorded moment not after a time. Throws Error where the file at the run's path is of another run by now.
+FaceMap mapOf(const KeptRun& run, double time, MapSide side)
+{
+    const Recording recording(run.path.toStdString());
+    const RunRecord& recorded = recording.run();
+    if (recording.frames() == 0 || !isSameRun(recorded, *run.run)) {
+        throw Error(
+            CompareView::tr("The recording %1 is of another run by now. Open it again to compare that one.").arg(run.path).toStdString());
+    }
+    const auto& ledgers = recording.ledgers();
+    const auto after = std::find_if(ledgers.begin(), ledgers.end(), [time](const Ledger& l) { return l.time > time + 1e-9; });
+    const int index = std::clamp(static_cast<int>(after - ledgers.begin()) - 1, 0, recording.frames() - 1);
+    return faceMap(recorded, recording.frame(index), recording.frame(0), side, crossings_per_cell);
+}
+
 /// The best of the candidates by a criterion, where one is better than another.
 std::optional<double> bestOf(const Comparison& comparison, const Criterion& criterion)
 {
@@ -97,7 +118,7 @@ QTableWidgetItem* cellOf(const Candidate& candidate, const Criterion& criterion,
 CompareView::CompareView(RunHistory& history, QWidget* parent)
     : QWidget(parent), history_(history), list_(new QTreeWidget), table_(new QTableWidget), empty_(new QLabel), origin_(new QLabel),
       save_(new QPushButton(tr("Save &Table…"))), side_by_side_(new QWidget), legend_(new QWidget), face_(new QComboBox),
-      time_(new QSlider(Qt::Horizontal)), shown_time_(new QLabel), value_(new QLabel)
+      time_(new QSlider(Qt::Horizontal)), shown_time_(new QLabel), value_(new QLabel), problem_(new QLabel)
 {
     auto* numbers = new QWidget;
     auto* column = new QVBoxLayout(numbers);
@@ -184,6 +205,11 @@ QWidget* CompareView::buildMaps()
     layout->setSpacing(4);
     layout->addWidget(side_by_side_, 1);
     layout->addWidget(empty_, 1);
+    problem_->setWordWrap(true);
+    problem_->setTextFormat(Qt::PlainText);
+    problem_->setContentsMargins(8, 0, 8, 0);
+    problem_->setVisible(false);
+    layout->addWidget(problem_);
     layout->addWidget(value_);
     layout->addLayout(foot);
     value_->setContentsMargins(8, 0, 8, 0);
@@ -200,6 +226,14 @@ const KeptRun* CompareView::find(const QString& path) const
     const auto& runs = history_.runs();
     const auto found = std::find_if(runs.begin(), runs.end(), [&path](const KeptRun& run) { return run.path == path; });
     return found == runs.end() ? nullptr : &*found;
+}
+
+QString CompareView::nameOf(const KeptRun& run) const
+{
+    const auto& runs = history_.runs();
+    const auto same =
+        std::count_if(runs.begin(), runs.end(), [&run](const KeptRun& other) { return other.run->fabric == run.run->fabric; });
+    return same > 1 ? tr("%1: %2").arg(run.number).arg(fabricOf(run)) : fabricOf(run);
 }
 
 std::vector<KeptRun> CompareView::compared() const
@@ -279,7 +313,7 @@ void CompareView::refreshList()
         auto* item = new QTreeWidgetItem(list_);
         item->setData(0, Qt::UserRole, run.path);
         const QString fidelity = QString::fromLatin1(name_of(run.run->plan.fidelity));
-        item->setText(0, fabricOf(run));
+        item->setText(0, nameOf(run));
         item->setText(1, QString::fromStdString(run.run->experiment));
         item->setText(2, fidelity.left(1).toUpper() + fidelity.mid(1));
         item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("cut short"));
@@ -308,7 +342,10 @@ Comparison CompareView::comparison() const
     made.experiment = runs.front().run->experiment;
     made.criteria = criteria_of(experiment ? experiment->type : ExperimentType::droplet);
     made.ranked_by = made.criteria.front();
-    for (const KeptRun& run : runs) { made.candidates.push_back(candidate_of(*run.run, *run.metrics, made.criteria)); }
+    for (const KeptRun& run : runs) {
+        made.candidates.push_back(candidate_of(*run.run, *run.metrics, made.criteria));
+        made.candidates.back().fabric = nameOf(run).toStdString();
+    }
     made.complete = true;
     return made;
 }
@@ -332,8 +369,8 @@ void CompareView::refreshTable()
     const std::vector<KeptRun> runs = compared();
     for (int column = 0; column < table_->columnCount(); ++column) {
         const KeptRun& run = runs[static_cast<std::size_t>(column)];
-        auto* head = new QTableWidgetItem(fabricOf(run));
-        head->setToolTip("<p>" + (fabricOf(run) + ". " + originOf(*run.run, false)).toHtmlEscaped() + "</p>");
+        auto* head = new QTableWidgetItem(nameOf(run));
+        head->setToolTip("<p>" + (nameOf(run) + ". " + originOf(*run.run, false)).toHtmlEscaped() + "</p>");
         table_->setHorizontalHeaderItem(column, head);
         one_fidelity = one_fidelity && run.run->plan.fidelity == runs.front().run->plan.fidelity;
     }
@@ -351,19 +388,24 @@ void CompareView::refreshMaps()
                         ? tr("Nothing has been run yet. Run an experiment on one fabric and then on another, or open recordings; "
                              "they are listed above.")
                         : tr("Tick the runs above that are to stand side by side."));
-    QStringList paths;
-    for (const KeptRun& run : runs) { paths << run.path; }
+    QStringList paths, titles, drawn;
+    for (const KeptRun& run : runs) {
+        paths << run.path;
+        titles << nameOf(run);
+        drawn << titles.back() + "\n" + QString::fromStdString(run.run->date);
+    }
     face_->setEnabled(!runs.empty());
     time_->setEnabled(!runs.empty());
-    if (paths == mapped_) { return; }
+    if (paths == mapped_ && drawn == drawn_) { return; }
     mapped_ = paths;
+    drawn_ = drawn;
     qDeleteAll(maps_);
     maps_.clear();
     maximum_ = 0;
     value_->clear();
-    for (const KeptRun& run : runs) {
-        auto* map = new WaterMap(fabricOf(run));
-        map->setAccessibleName(tr("Water on %1").arg(fabricOf(run)));
+    for (const QString& title : titles) {
+        auto* map = new WaterMap(title);
+        map->setAccessibleName(tr("Water on %1").arg(title));
         connect(map, &WaterMap::pointed, value_, &QLabel::setText);
         row_->insertWidget(static_cast<int>(maps_.size()), map, 1);
         maps_.push_back(map);
@@ -375,37 +417,49 @@ void CompareView::readMaps()
 {
     shown_time_->setText(mapped_.isEmpty() ? QString() : momentText(moment(), duration()));
     if (mapped_.isEmpty()) {
+        ++asked_;
         reader_.drop();
+        showProblem({});
         update();
         return;
     }
     const MapSide side = face_->currentIndex() == 0 ? MapSide::top : MapSide::bottom;
-    reader_.run([this, runs = compared(), of = mapped_, side, time = moment()](const NewestJob::Turn& turn) {
+    reader_.run([this, runs = compared(), asked = ++asked_, side, time = moment()](const NewestJob::Turn& turn) {
         std::vector<FaceMap> maps;
         QString problem;
         try {
             for (const KeptRun& run : runs) {
                 if (turn.outdated()) { return; }
-                const Recording recording(run.path.toStdString());
-                const auto& ledgers = recording.ledgers();
-                const auto after = std::find_if(ledgers.begin(), ledgers.end(), [time](const Ledger& l) { return l.time > time + 1e-9; });
-                const int index = std::clamp(static_cast<int>(after - ledgers.begin()) - 1, 0, recording.frames() - 1);
-                maps.push_back(faceMap(*run.run, recording.frame(index), recording.frame(0), side, crossings_per_cell));
+                maps.push_back(mapOf(run, time, side));
             }
         } catch (const std::exception& error) {
             problem = QString::fromStdString(error.what());
         }
-        turn.deliver([this, maps, of, problem] {
-            if (!problem.isEmpty()) { Q_EMIT failed(problem); }
-            if (of != mapped_ || maps.size() != maps_.size()) { return; }
-            for (std::size_t i = 0; i < maps.size(); ++i) {
-                maximum_ = std::max(maximum_, maps[i].cells.maximum());
-                maps_[i]->setMap(maps[i].cells, maps[i].stain, maps[i].size);
-            }
-            showRange();
-            Q_EMIT mapsChanged();
+        turn.deliver([this, maps, asked, problem] {
+            if (asked != asked_) { return; }
+            showProblem(problem);
+            if (problem.isEmpty()) { showMaps(maps); }
         });
     });
+}
+
+void CompareView::showMaps(const std::vector<FaceMap>& maps)
+{
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        maximum_ = std::max(maximum_, maps[i].cells.maximum());
+        maps_[i]->setMap(maps[i].cells, maps[i].stain, maps[i].size);
+    }
+    showRange();
+    Q_EMIT mapsChanged();
+}
+
+/// In the view, as the same may come at each step of the slider.
+void CompareView::showProblem(const QString& sentence)
+{
+    problem_->setText(sentence);
+    problem_->setVisible(!sentence.isEmpty());
+    if (sentence.isEmpty()) { return; }
+    for (WaterMap* map : maps_) { map->clear(); }
 }
 
 void CompareView::showRange()
@@ -425,6 +479,13 @@ void CompareView::paintEvent(QPaintEvent*)
                colors_);
 }
 
+std::string CompareView::tableCsv() const
+{
+    Comparison ranked = comparison();
+    rank(ranked);
+    return comparison_csv(ranked);
+}
+
 void CompareView::saveTable()
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -432,7 +493,7 @@ void CompareView::saveTable()
         QFileDialog::getSaveFileName(this, tr("Save Table"), QDir(folder).filePath("comparison.csv"), tr("Tables (*.csv)"));
     if (chosen.isEmpty()) { return; }
     try {
-        write_file((chosen.endsWith(".csv", Qt::CaseInsensitive) ? chosen : chosen + ".csv").toStdString(), comparison_csv(comparison()));
+        write_file((chosen.endsWith(".csv", Qt::CaseInsensitive) ? chosen : chosen + ".csv").toStdString(), tableCsv());
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));
     }

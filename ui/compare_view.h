@@ -34,6 +34,8 @@ public:
     const std::vector<WaterMap*>& maps() const { return maps_; }
     const QTableWidget* table() const { return table_; }
     void setWaterColors(WaterColors colors);
+    /// The numbers as a CSV file, the best run first.
+    std::string tableCsv() const;
 
 Q_SIGNALS:
     /// A run of the list is to be looked at by itself.
@@ -48,6 +50,8 @@ private:
     QWidget* buildList();
     QWidget* buildMaps();
     const KeptRun* find(const QString& path) const;
+    /// The fabric, with the run's number where the history has more runs of it.
+    QString nameOf(const KeptRun& run) const;
     std::vector<KeptRun> compared() const;
     double duration() const;
     double moment() const;
@@ -59,6 +63,8 @@ private:
     void refreshTable();
     void refreshMaps();
     void readMaps();
+    void showMaps(const std::vector<FaceMap>& maps);
+    void showProblem(const QString& sentence);
     void showRange();
     Comparison comparison() const;
     void saveTable();
@@ -78,8 +84,11 @@ private:
     QSlider* time_;
     QLabel* shown_time_;
     QLabel* value_;
+    QLabel* problem_;
     std::vector<WaterMap*> maps_;
     QStringList mapped_; ///< what the maps are of
+    QStringList drawn_;  ///< their titles and when they ran, by which other maps are told
+    long asked_ = 0;     ///< for maps, so many times
     double maximum_ = 0; ///< kg/m2, of all moments of these runs that were looked at
     WaterColors colors_ = WaterColors::blue;
     NewestJob reader_;

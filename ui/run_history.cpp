@@ -34,10 +34,13 @@ void RunHistory::keep(const KeptRun& run)
     const auto same = std::find_if(runs_.begin(), runs_.end(), [&run](const KeptRun& known) { return known.path == run.path; });
     if (same == runs_.end()) {
         runs_.push_back(run);
+        runs_.back().number = ++count_;
     } else {
-        const bool saved = same->saved || run.saved;
+        const KeptRun known = *same;
         *same = run;
-        same->saved = saved;
+        same->saved = known.saved || run.saved;
+        same->elapsed = std::max(known.elapsed, run.elapsed);
+        same->number = known.number;
     }
     Q_EMIT changed();
 }
@@ -48,19 +51,41 @@ void RunHistory::markSaved(const QString& path)
     Q_EMIT changed();
 }
 
-void RunHistory::dropOldest(double most_bytes)
+void RunHistory::forget(const QString& path)
 {
+    const auto gone =
+        std::remove_if(runs_.begin(), runs_.end(), [&path](const KeptRun& run) { return QFileInfo(run.path) == QFileInfo(path); });
+    if (gone != runs_.end()) {
+        runs_.erase(gone, runs_.end());
+        Q_EMIT changed();
+    }
+}
+
+/// end() where none may go.
+std::vector<KeptRun>::iterator RunHistory::nextToDrop()
+{
+    if (runs_.empty()) { return runs_.end(); }
+    const auto newest = std::prev(runs_.end());
+    const auto spare = std::find_if(runs_.begin(), newest, [](const KeptRun& run) { return run.own && run.saved; });
+    if (spare != newest) { return spare; }
+    const auto oldest = std::find_if(runs_.begin(), newest, [](const KeptRun& run) { return run.own; });
+    return oldest != newest ? oldest : runs_.end();
+}
+
+int RunHistory::dropOldest(double most_bytes)
+{
+    const auto bytes_of = [](const KeptRun& run) { return run.own ? static_cast<double>(QFileInfo(run.path).size()) : 0.0; };
     double bytes = 0;
-    for (auto run = runs_.end(); run != runs_.begin();) {
-        --run;
-        if (run->saved) { continue; }
-        bytes += static_cast<double>(QFileInfo(run->path).size());
-        if (bytes > most_bytes) {
-            QFile::remove(run->path);
-            run = runs_.erase(run);
-        }
+    for (const KeptRun& run : runs_) { bytes += bytes_of(run); }
+    int lost = 0;
+    for (auto run = nextToDrop(); bytes > most_bytes && run != runs_.end(); run = nextToDrop()) {
+        bytes -= bytes_of(*run);
+        lost += run->saved ? 0 : 1;
+        QFile::remove(run->path);
+        runs_.erase(run);
     }
     Q_EMIT changed();
+    return lost;
 }
 
 std::vector<KeptRun> RunHistory::unsaved() const

@@ -17,6 +17,9 @@ struct KeptRun {
     std::shared_ptr<const RunRecord> run;
     std::shared_ptr<const Metrics> metrics;
     bool saved = false; ///< in a file that outlives the window
+    bool own = false;   ///< its file goes with the window
+    double elapsed = 0; ///< s from its start to its end in this window; 0: it ran elsewhere
+    int number = 0;     ///< in the order they came; the history counts
 
     bool complete() const { return run->wall > 0; }
 };
@@ -31,8 +34,11 @@ public:
     /// Adds it, or renews what is known of the recording at its path.
     void keep(const KeptRun& run);
     void markSaved(const QString& path);
-    /// Takes away the oldest runs that are not saved, with their recordings, until the others fit into so many bytes.
-    void dropOldest(double most_bytes);
+    /// The recording at this path is another now, or gone.
+    void forget(const QString& path);
+    /// Takes away runs with their own recordings until the others fit into so many bytes: those saved elsewhere first, then the oldest.
+    /// The newest run stays. How many were not saved.
+    int dropOldest(double most_bytes);
     /// Runs that end with the window.
     std::vector<KeptRun> unsaved() const;
 
@@ -40,7 +46,10 @@ Q_SIGNALS:
     void changed();
 
 private:
+    std::vector<KeptRun>::iterator nextToDrop();
+
     std::vector<KeptRun> runs_;
+    int count_ = 0;
 };
 
 /// Why two runs cannot stand side by side, in a sentence; empty when they can.

@@ -13,6 +13,8 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 using namespace hygroloom;
 
 class TestCompareView : public QObject {
@@ -142,18 +144,80 @@ private Q_SLOTS:
         const auto copy = [&](const QString& name) {
             KeptRun run = thick_;
             run.path = folder.filePath(name);
+            run.own = true;
             QFile::copy(thick_.path, run.path);
             return run;
         };
         const KeptRun oldest = copy("oldest"), saved = copy("saved"), newest = copy("newest");
-        for (const KeptRun& run : {oldest, saved, newest}) { history.keep(run); }
+        KeptRun opened = copy("opened");
+        opened.own = false;
+        for (const KeptRun& run : {opened, oldest, saved, newest}) { history.keep(run); }
         history.markSaved(saved.path);
         const double size = static_cast<double>(QFileInfo(thick_.path).size());
-        history.dropOldest(2 * size);
-        QCOMPARE(history.runs().size(), std::size_t{3});
-        history.dropOldest(1.5 * size);
+        QCOMPARE(history.dropOldest(3 * size), 0);
+        QCOMPARE(history.runs().size(), std::size_t{4});
+        QCOMPARE(history.dropOldest(2 * size), 0); // one that is saved elsewhere is no loss
+        QVERIFY(!QFile::exists(saved.path) && QFile::exists(oldest.path));
+        QCOMPARE(history.dropOldest(1.5 * size), 1);
+        QVERIFY(!QFile::exists(oldest.path));
+        QCOMPARE(history.dropOldest(0), 0); // the newest stays
         QCOMPARE(history.runs().size(), std::size_t{2});
-        QVERIFY(!QFile::exists(oldest.path) && QFile::exists(saved.path) && QFile::exists(newest.path));
+        QVERIFY(QFile::exists(newest.path) && QFile::exists(opened.path));
+    }
+
+    void theTableIsWrittenBestFirst()
+    {
+        const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
+        const KeptRun& best = thickIsBest ? thick_ : thin_;
+        const KeptRun& worse = thickIsBest ? thin_ : thick_;
+        RunHistory history;
+        CompareView view(history);
+        for (const KeptRun& run : {worse, best}) { history.keep(run); }
+        view.choose(worse.path, true);
+        view.choose(best.path, true);
+        const QString csv = QString::fromStdString(view.tableCsv());
+        QVERIFY2(csv.contains("\n1,\"" + QString::fromStdString(best.run->fabric)), qPrintable(csv));
+        QVERIFY2(csv.contains("\n2,\"" + QString::fromStdString(worse.run->fabric)), qPrintable(csv));
+    }
+
+    void runsOfOneFabricAreNumbered()
+    {
+        RunHistory history;
+        CompareView view(history);
+        KeptRun again = thick_;
+        again.path = folder_.filePath("again.hygrorec");
+        QVERIFY(QFile::copy(thick_.path, again.path));
+        for (const KeptRun& run : {thick_, thin_, again}) { history.keep(run); }
+        view.choose(thick_.path, true);
+        const QString fabric = QString::fromStdString(thick_.run->fabric);
+        const auto* list = view.findChild<QTreeWidget*>();
+        QCOMPARE(list->topLevelItem(0)->text(0), "1: " + fabric);
+        QCOMPARE(list->topLevelItem(1)->text(0), QString::fromStdString(thin_.run->fabric));
+        QCOMPARE(list->topLevelItem(2)->text(0), "3: " + fabric);
+        QCOMPARE(view.table()->horizontalHeaderItem(0)->text(), "1: " + fabric);
+        QVERIFY(QString::fromStdString(view.tableCsv()).contains("\"3: " + fabric));
+        QCOMPARE(view.maps()[0]->accessibleName(), "Water on 1: " + fabric);
+    }
+
+    void aRecordingThatWasReplacedIsNotDrawnAsTheOldRun()
+    {
+        RunHistory history;
+        CompareView view(history);
+        view.resize(900, 600);
+        view.show();
+        KeptRun replaced = thick_;
+        replaced.path = folder_.filePath("replaced.hygrorec");
+        QVERIFY(QFile::copy(thin_.path, replaced.path));
+        history.keep(replaced);
+        const auto told = [&view] {
+            const auto labels = view.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [](const QLabel* label) { return label->isVisible() && label->text().contains("another run by now"); });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(told(), 10000);
+        history.forget(replaced.path);
+        QVERIFY(history.runs().empty());
+        QVERIFY(!told());
     }
 
 private:
