@@ -16,16 +16,16 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int calm = 1000; // ms without an edit
+constexpr int delay = 1000; // ms from an edit to its writing
 
 QString lockOf(const QString& file) { return file + ".lock"; }
 
 /// Where the project has its file, and what it is called, in two lines.
 QString originOf(const QString& file) { return file + ".origin"; }
 
-void removeAll(const QString& file)
+void removeKept(const QString& file)
 {
-    for (const QString& each : {file, originOf(file), lockOf(file)}) { QFile::remove(each); }
+    for (const QString& each : {file, originOf(file)}) { QFile::remove(each); }
 }
 
 std::unique_ptr<QLockFile> lockFor(const QString& file)
@@ -42,7 +42,7 @@ Recovery::Recovery(Document& document, QString folder, QObject* parent)
       file_(QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ".hygro")), writer_(std::make_unique<NewestJob>())
 {
     wait_.setSingleShot(true);
-    wait_.setInterval(calm);
+    wait_.setInterval(delay);
     connect(&wait_, &QTimer::timeout, this, &Recovery::keep);
     connect(&document_, &Document::designChanged, this, &Recovery::follow);
     connect(&document_, &Document::modifiedChanged, this, &Recovery::follow);
@@ -52,8 +52,8 @@ Recovery::~Recovery()
 {
     writer_.reset(); // what it is writing is written first
     if (lock_) {
+        removeKept(file_);
         lock_.reset();
-        removeAll(file_);
     }
 }
 
@@ -62,7 +62,7 @@ QString Recovery::standardFolder() { return QStandardPaths::writableLocation(QSt
 void Recovery::follow()
 {
     if (document_.modified()) {
-        wait_.start();
+        if (!wait_.isActive()) { wait_.start(); }
     } else {
         forget();
     }
@@ -72,8 +72,9 @@ void Recovery::keep()
 {
     if (!lock_) {
         QDir().mkpath(folder_);
-        lock_ = lockFor(file_);
-        lock_->tryLock(0);
+        auto lock = lockFor(file_);
+        if (!lock->tryLock(0)) { return; } // tried again at the next edit
+        lock_ = std::move(lock);
     }
     const QString origin = document_.path() + "\n" + document_.title() + "\n";
     writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
@@ -91,10 +92,7 @@ void Recovery::forget()
 {
     wait_.stop();
     if (lock_) { // after what is being written
-        writer_->run([file = file_](const NewestJob::Turn&) {
-            QFile::remove(file);
-            QFile::remove(originOf(file));
-        });
+        writer_->run([file = file_](const NewestJob::Turn&) { removeKept(file); });
     }
 }
 
@@ -108,20 +106,26 @@ std::vector<LeftOver> Recovery::leftOver() const
         }
         QFile origin(originOf(file));
         const QStringList lines = origin.open(QIODevice::ReadOnly) ? QString::fromUtf8(origin.readAll()).split('\n') : QStringList();
-        found.push_back({file, lines.value(0), lines.value(1), info.lastModified()});
+        const QString path = lines.value(0);
+        const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
+        found.push_back({file, path, lines.value(1), info.lastModified(), outdated});
     }
     return found;
 }
 
 bool Recovery::open(const LeftOver& left)
 {
-    if (!document_.openUnsaved(left.file, left.path, left.title)) { return false; }
+    if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
     keep();
     connect(
         this, &Recovery::kept, this, [left] { discard(left); }, Qt::SingleShotConnection);
     return true;
 }
 
-void Recovery::discard(const LeftOver& left) { removeAll(left.file); }
+void Recovery::discard(const LeftOver& left)
+{
+    removeKept(left.file);
+    QFile::remove(lockOf(left.file));
+}
 
 } // namespace hygroloom

@@ -20,6 +20,7 @@ struct LeftOver {
     QString path; ///< where the project was saved before; empty: nowhere
     QString title;
     QDateTime when;
+    bool outdated = false; ///< what is at its path was saved later
 };
 
 /// Writes the design beside other work a moment after it changed, and takes it away once it is saved or given up.
@@ -33,7 +34,8 @@ public:
     static QString standardFolder();
     /// Newest first.
     std::vector<LeftOver> leftOver() const;
-    /// Opens it as unsaved work. False after the document told why not; it is then still there.
+    /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document told
+    /// why not; it is then still there.
     bool open(const LeftOver& left);
     static void discard(const LeftOver& left);
 
