@@ -39,6 +39,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -61,6 +62,13 @@ std::string dependence(const Design& design, const std::string& fabric, const st
         }
     }
     return format_project(part);
+}
+
+/// Also of a window of its own, such as a floating dock.
+bool isPartOf(const QObject* part, const QObject* whole)
+{
+    while (part && part != whole) { part = part->parent(); }
+    return part;
 }
 
 void reveal(QDockWidget* dock)
@@ -277,8 +285,9 @@ void MainWindow::connectParts()
     });
     connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);
     connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
+        run_clock_.start();
         playback_.begin(run, run_path_);
-        history_.dropOldest(most_recorded);
+        makeRoom();
     });
     connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
     connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
@@ -303,7 +312,7 @@ void MainWindow::connectParts()
     connect(compare_, &CompareView::runRequested, this, &MainWindow::showRun);
     connect(compare_, &CompareView::failed, this, &MainWindow::tellProblem);
     connect(&playback_, &Playback::opened, this, [this](const QString& path) {
-        if (!path.startsWith(recordings_.path())) { addRecentFile(path); }
+        if (!ownRecording(path)) { addRecentFile(path); }
         if (path == opening_ && !document_.modified()) {
             document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
         }
@@ -371,13 +380,28 @@ void MainWindow::chooseWhatRan()
     }
 }
 
-/// What is shown, once it is no longer live, with what is known of it so far.
+/// What is shown, once all of it is known.
 void MainWindow::keepRun()
 {
-    if (playback_.run() && !playback_.live() && playback_.metrics() && !playback_.path().isEmpty()) {
-        history_.keep({playback_.path(), playback_.run(), playback_.metrics(), !playback_.path().startsWith(recordings_.path())});
+    const QString& path = playback_.path();
+    if (!playback_.run() || !playback_.metrics() || !playback_.whole() || path.isEmpty()) { return; }
+    KeptRun kept{path, playback_.run(), playback_.metrics()};
+    kept.own = ownRecording(path);
+    kept.saved = !kept.own;
+    kept.elapsed = path == run_path_ ? run_elapsed_ : 0;
+    history_.keep(kept);
+}
+
+void MainWindow::makeRoom()
+{
+    const int lost = history_.dropOldest(most_recorded);
+    if (lost == 1) { statusBar()->showMessage(tr("The oldest run was dropped to make room; its recording was not saved."), 10000); }
+    if (lost > 1) {
+        statusBar()->showMessage(tr("The %1 oldest runs were dropped to make room; their recordings were not saved.").arg(lost), 10000);
     }
 }
+
+bool MainWindow::ownRecording(const QString& path) const { return recordings_.isValid() && path.startsWith(recordings_.path() + "/"); }
 
 /// Where drops are to fall, as long as no run shows where they fell.
 void MainWindow::refreshDrops()
@@ -507,7 +531,8 @@ void MainWindow::showMaterialIssue(int material)
 /// what can be read.
 void MainWindow::takeTypedValue()
 {
-    const QPointer<QWidget> field = focusWidget();
+    QWidget* focus = QApplication::focusWidget();
+    const QPointer<QWidget> field = isPartOf(focus, this) ? focus : focusWidget();
     if (!qobject_cast<QLineEdit*>(field) && !qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QComboBox*>(field)) { return; }
     field->clearFocus();
     if (field && field->isVisible()) { // the editor of a name in a list is gone by now
@@ -526,6 +551,7 @@ void MainWindow::startRun()
     RunOptions options;
     options.fidelity = simulation_panel_->fidelity();
     options.may_go_on_on_cpu = true;
+    run_elapsed_ = 0;
     run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
     options.recording = run_path_.toStdString();
     run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_panel_->backend());
@@ -534,9 +560,13 @@ void MainWindow::startRun()
 
 void MainWindow::showRunEnd(SimulationRun::Outcome outcome, const QString& sentence)
 {
+    run_elapsed_ = run_clock_.isValid() ? 1e-3 * static_cast<double>(run_clock_.elapsed()) : 0;
+    run_clock_.invalidate();
     playback_.end();
     refreshActions();
-    if (outcome == SimulationRun::Outcome::device_failed && simulation_panel_->backend() != "cpu") {
+    const bool goes_on = !next_.isEmpty();
+    if (goes_on) { playback_.open(std::exchange(next_, {})); }
+    if (!goes_on && outcome == SimulationRun::Outcome::device_failed && simulation_panel_->backend() != "cpu") {
         QMessageBox box(QMessageBox::Question, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence),
                         QMessageBox::Yes | QMessageBox::No, this);
         box.setTextFormat(Qt::PlainText);

@@ -10,6 +10,7 @@
 #include "ui/simulation_run.h"
 #include "ui/viewport.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
 #include <QTemporaryDir>
@@ -91,7 +92,10 @@ private:
     /// Of results that are stale, in a sentence.
     QString whyStale() const;
     void keepRun();
+    void makeRoom();
+    bool ownRecording(const QString& path) const;
     void showRun(const QString& recording);
+    void openRecording(const QString& path);
     void refreshIssueCount();
     void showIssue(const QString& where);
     void showFabricIssue(const QString& where, const QString& part);
@@ -112,6 +116,7 @@ private:
     void findCommand();
     void about();
     // main_window_files.cpp
+    void offer(const LeftOver& left);
     void newProject();
     void chooseFile();
     bool save();
@@ -139,7 +144,10 @@ private:
     NewestJob copier_;
     int runs_ = 0;
     QString run_path_;
+    QElapsedTimer run_clock_;
+    double run_elapsed_ = 0; ///< s, of the run at run_path_ once it has ended
     QString opening_; ///< the recording whose design is to be taken with it
+    QString next_;    ///< the recording to open once the run that was stopped has ended
     Workspace workspace_ = Workspace::design;
     QByteArray states_[3]; ///< by workspace
     QByteArray first_states_[3];

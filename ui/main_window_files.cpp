@@ -89,7 +89,7 @@ bool MainWindow::openFile(const QString& path)
             return false;
         }
         opening_ = QFileInfo(path).absoluteFilePath();
-        playback_.open(opening_);
+        openRecording(opening_);
         return true;
     }
     if (!mayDiscard() || !document_.open(path)) {
@@ -107,7 +107,17 @@ void MainWindow::showRun(const QString& recording)
 {
     if (!run_.running() || mayStopRun()) {
         opening_.clear();
-        playback_.open(recording);
+        openRecording(recording);
+    }
+}
+
+/// A run that was stopped is handled first, so that it is kept.
+void MainWindow::openRecording(const QString& path)
+{
+    if (run_.running()) {
+        next_ = path;
+    } else {
+        playback_.open(path);
     }
 }
 
@@ -120,20 +130,24 @@ void MainWindow::openShippedExample()
 
 void MainWindow::offerLeftOver()
 {
-    const std::vector<LeftOver> all = recovery_.leftOver();
-    if (all.empty()) { return; }
-    const LeftOver& left = all.front();
+    for (const LeftOver& left : recovery_.leftOver()) { offer(left); }
+}
+
+void MainWindow::offer(const LeftOver& left)
+{
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was kept"),
                     tr("Hygroloom ended before “%1” was saved. Open what was kept of it?").arg(name), QMessageBox::NoButton, this);
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat)));
+    const QString when = tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat));
+    const QString later = tr("The file %1 was saved later; what was kept opens beside it, and saving asks for a name.").arg(left.path);
+    box.setInformativeText(left.outdated ? when + " " + later : when);
     QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     box.addButton(tr("&Ask Again Later"), QMessageBox::RejectRole);
     box.setDefaultButton(open);
     box.exec();
-    if (box.clickedButton() == open) {
+    if (box.clickedButton() == open && mayDiscard()) {
         recovery_.open(left);
     } else if (box.clickedButton() == discard) {
         Recovery::discard(left);
@@ -192,6 +206,10 @@ void MainWindow::saveRecordingAs()
     if (!playback_.run() || playback_.live()) {
         return;
     }
+    if (copier_.busy()) {
+        tellProblem(tr("Another recording is still being saved. Save this one when that is done."));
+        return;
+    }
     const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                                                       : QFileInfo(document_.path()).absolutePath();
     const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) + ".hygrorec";
@@ -209,6 +227,7 @@ void MainWindow::saveRecordingAs()
         turn.deliver([this, from, to, why] {
             if (why.isEmpty()) {
                 history_.markSaved(from);
+                history_.forget(to); // what was there before
                 addRecentFile(to);
                 statusBar()->showMessage(tr("Saved %1.").arg(to), 4000);
             } else {
@@ -345,7 +364,7 @@ bool MainWindow::mayDropRuns()
 {
     constexpr double a_while = 30; // s
     double longest = 0;
-    for (const KeptRun& run : history_.unsaved()) { longest = std::max(longest, run.run->wall); }
+    for (const KeptRun& run : history_.unsaved()) { longest = std::max({longest, run.elapsed, run.run->wall}); }
     return longest < a_while ||
            mayStop(
                tr("Runs are not saved"), tr("Close without saving the recordings?"),

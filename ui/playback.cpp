@@ -40,6 +40,7 @@ void Playback::reset()
     run_.reset();
     path_.clear();
     live_ = false;
+    whole_ = false;
     follow_ = true;
     times_.clear();
     kept_.clear();
@@ -101,6 +102,7 @@ void Playback::complete(const std::shared_ptr<const RunRecord>& run)
 
 void Playback::end()
 {
+    whole_ = whole_ || live_;
     live_ = false;
     Q_EMIT framesChanged();
     Q_EMIT metricsChanged();
@@ -253,9 +255,11 @@ void Playback::scan(const QString& path)
                 if (index % 25 != 24 && index != frames - 1) {
                     continue;
                 }
-                turn.deliver([this, generation, maximum, metrics = std::make_shared<const Metrics>(collector.metrics())] {
+                turn.deliver([this, generation, maximum, whole = index == frames - 1,
+                              metrics = std::make_shared<const Metrics>(collector.metrics())] {
                     if (*generation == generation_) {
                         metrics_ = metrics;
+                        whole_ = whole;
                         maximum_saturation_ = maximum;
                         Q_EMIT metricsChanged();
                     }

@@ -34,6 +34,8 @@ public:
     /// Another with each run that is shown; run() alone changes also when a live one is complete.
     long generation() const { return generation_; }
     bool live() const { return live_; }
+    /// Whether metrics() are of all frames there will be.
+    bool whole() const { return whole_; }
     /// Empty when nothing is shown.
     const QString& path() const { return path_; }
     int frames() const { return static_cast<int>(times_.size()); }
@@ -73,6 +75,7 @@ private:
     std::shared_ptr<const RunRecord> run_;
     QString path_;
     bool live_ = false;
+    bool whole_ = false;
     bool follow_ = true;
     std::vector<double> times_;
     std::map<int, std::shared_ptr<const Frame>> kept_;

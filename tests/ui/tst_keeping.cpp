@@ -23,6 +23,8 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <algorithm>
+
 using namespace hygroloom;
 
 class TestKeeping : public QObject {
@@ -207,6 +209,56 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(crashed), 5000); // kept anew
         QVERIFY(recovery.leftOver().empty());
         QCOMPARE(QDir(folder.path()).entryList({"*.hygro"}).size(), 1);
+    }
+
+    void keptWorkThatIsOlderThanItsFileOpensAsUntitled()
+    {
+        QTemporaryDir folder;
+        const QString crashed = folder.filePath("crashed.hygro");
+        QVERIFY(QFile::copy(project(), crashed));
+        QFile kept(crashed);
+        QVERIFY(kept.open(QIODevice::ReadWrite) &&
+                kept.setFileTime(QDateTime(QDate(2020, 1, 1), QTime(12, 0)), QFileDevice::FileModificationTime));
+        kept.close();
+        QFile origin(crashed + ".origin");
+        QVERIFY(origin.open(QIODevice::WriteOnly));
+        origin.write((project() + "\ndrop.hygro\n").toUtf8());
+        origin.close();
+        Document document;
+        Recovery recovery(document, folder.path());
+        const std::vector<LeftOver> left = recovery.leftOver();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(left.front().outdated);
+        QVERIFY(recovery.open(left.front()));
+        QVERIFY(document.path().isEmpty() && document.modified());
+    }
+
+    void aRunThatIsStoppedForAnotherRecordingIsKept()
+    {
+        run();
+        const QString first = window_->playback().path();
+        const QString saved = folder_.filePath("first.hygrorec");
+        QVERIFY(QFile::copy(first, saved));
+        window_->document().edit("a longer experiment", {}, [](Design& d) { d.experiments[0].duration_s = 30; });
+        QSignalSpy arrived(&window_->simulation(), &SimulationRun::frameArrived);
+        window_->startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);
+        const QString second = window_->playback().path();
+        meet<QMessageBox>([](QMessageBox* box) {
+            for (QAbstractButton* button : box->buttons()) {
+                if (button->text().remove('&') == "Stop the Run") {
+                    button->click();
+                    return;
+                }
+            }
+        });
+        QVERIFY(window_->openFile(saved));
+        QTRY_COMPARE_WITH_TIMEOUT(window_->playback().path(), saved, 10000);
+        const auto& runs = window_->runs().runs();
+        const auto stopped = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) { return run.path == second; });
+        QVERIFY(stopped != runs.end());
+        QVERIFY(!stopped->complete() && stopped->own && !stopped->saved);
+        QVERIFY(stopped->elapsed > 0);
     }
 
     void whatWasGivenUpIsNotKept()
