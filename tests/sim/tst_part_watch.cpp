@@ -340,8 +340,7 @@ private Q_SLOTS:
         other->load(scene);
         other->go_on_from(one->state());
         Frame begun = other->frame();
-        begun.vapour =
-            before.vapour; // what the liquid has squeezed condenses in the first exchange; until then frames were to leave it out
+        begun.vapour = before.vapour; // what the liquid has squeezed is told only now, and condenses in the first exchange
         QVERIFY(same(begun, before));
         const Frame without = advance(*one, 0.2), with = advance(*other, 0.2);
         QVERIFY(std::abs(with.ledger.water_imbalance()) <= 1e-12 * (with.ledger.water_initial + with.ledger.water_delivered));
