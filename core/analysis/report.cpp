@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -127,8 +128,9 @@ std::string chart(const Json& series, const char* title, const char* unit, doubl
     LineChart chart{title, "time, s", unit, series["time_s"].get<std::vector<double>>(), {}};
     for (const auto& [key, name] : curves) {
         if (!series.contains(key)) continue;
-        std::vector<double> values = series[key].get<std::vector<double>>();
-        for (double& value : values) value *= factor;
+        std::vector<double> values;
+        for (const Json& value : series[key]) // null is what JSON has for a number that is none
+            values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : factor * value.get<double>());
         if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; })) chart.curves.push_back({name, values});
     }
     return chart.curves.empty() || chart.x.size() < 2 ? "" : "<figure>" + svg_of(chart) + "</figure>\n";
