@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+# Runs sixteen small scenes with one build and writes what they recorded, as hashes, and their metrics into a folder. To see whether a
+# change keeps every byte, run it with both builds and compare: fingerprints.sh OLD/bin old; fingerprints.sh NEW/bin new; diff -r old new
+# Usage: fingerprints.sh <folder of hygroloom-cli> <folder to write> [<fingerprint program>, if it is not in that folder's tests/]
+set -eu
+bin=$1
+out=$2
+fingerprint=${3:-$bin/tests/fingerprint}
+data=$(dirname "$0")/../data/fingerprints/scenes.hygro
+mkdir -p "$out"
+
+scene() {
+  name=$1
+  shift
+  "$bin/hygroloom-cli" simulate "$data" "$@" --backend cpu --json --quiet -o "$out/$name.hygrorec" > "$out/$name.all"
+  "$fingerprint" "$out/$name.hygrorec" > "$out/$name.fields"
+  # Sentences, versions and times may change; numbers may not.
+  grep -E '^ *("[a-z_0-9]+": *)?(-?[0-9.e+-]+|true|false|null|[[{]),?$' "$out/$name.all" |
+    grep -vE '"(wall|expected)[a-z_]*"|"threads"' > "$out/$name.numbers"
+  rm "$out/$name.all" "$out/$name.hygrorec"
+}
+
+scene droplet-draft --experiment droplet --fidelity draft --threads 2
+scene droplet-one-thread --experiment droplet --fidelity draft --threads 1
+scene droplet-standard --experiment "small droplet" --fidelity standard
+scene droplet-double --experiment "small droplet" --fidelity draft --set fidelity.double_precision=1
+scene drop-after-drop --experiment "drop after drop" --fidelity draft
+scene droplet-on-stripes --fabric stripes --experiment droplet --fidelity draft
+scene swelling --experiment swelling --fidelity draft
+scene management --experiment management --fidelity standard
+scene management-in-bundles --experiment management --fidelity draft --set fidelity.crossings_per_cell=2
+scene management-in-drops --experiment "management in drops" --fidelity draft
+scene vertical --experiment vertical --fidelity draft
+scene horizontal --fabric stripes --experiment horizontal --fidelity standard
+scene drying --experiment drying --fidelity standard
+scene drying-on-stripes --fabric stripes --experiment drying --fidelity reference
+scene conditioning --experiment conditioning --fidelity draft --threads 1
+scene sweat --experiment sweat --fidelity standard
+scene everything --experiment "small droplet" --fidelity draft --physics heat=on,vapour=on,sorption=on
