@@ -3,7 +3,7 @@
 #include "app/cli.h"
 
 #include "core/project/project_file.h"
-#include "core/sim/recording.h"
+#include "core/run/recording.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>

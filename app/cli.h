@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/design/validate.h"
-#include "core/sim/fidelity.h"
+#include "core/plan/fidelity.h"
 
 #include <CLI/CLI.hpp>
 

@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/project/mesh_file.h"
-#include "core/sim/recording.h"
+#include "core/run/recording.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "app/cli_run.h"
 
-#include "core/sim/expectation.h"
+#include "core/plan/expectation.h"
 
 namespace hygroloom {
 

@@ -5,7 +5,7 @@
 #include "app/cli.h"
 
 #include "core/analysis/metrics.h"
-#include "core/sim/backend.h"
+#include "core/solver/backend.h"
 
 #include <chrono>
 #include <functional>

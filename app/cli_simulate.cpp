@@ -5,7 +5,7 @@
 #include "app/cli_metrics.h"
 
 #include "core/base/text.h"
-#include "core/sim/plan_json.h"
+#include "core/plan/plan_json.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>

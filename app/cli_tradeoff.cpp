@@ -5,8 +5,8 @@
 #include "app/run_apart.h"
 
 #include "core/base/text.h"
+#include "core/plan/expectation.h"
 #include "core/project/atomic_file.h"
-#include "core/sim/expectation.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The window. Opens the project or recording named on the command line, or the shipped example.
-#include "ui/appearance.h"
-#include "ui/main_window.h"
+#include "ui/basics/appearance.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -2,8 +2,8 @@
 // Which backends this build and this machine have.
 #pragma once
 
-#include "core/sim/backend.h"
-#include "core/sim/fidelity.h"
+#include "core/plan/fidelity.h"
+#include "core/solver/backend.h"
 
 namespace hygroloom {
 

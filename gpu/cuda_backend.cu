@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The solver on a GPU. The one file that pulls in CUB and instantiates every stage for the device.
-#include "core/sim/solver.h"
+#include "core/solver/solver.h"
 #include "gpu/cuda_backend.h"
 #include "gpu/cuda_executor.cuh"
 

@@ -2,7 +2,7 @@
 // The CUDA backend; cuda_absent.cpp answers where the program was built without CUDA.
 #pragma once
 
-#include "core/sim/backend.h"
+#include "core/solver/backend.h"
 
 namespace hygroloom {
 

@@ -6,9 +6,9 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/sim/order.h"
-#include "core/sim/stage_clock.h"
-#include "core/sim/team.h"
+#include "core/solver/order.h"
+#include "core/solver/stage_clock.h"
+#include "core/solver/team.h"
 #include "gpu/cuda_stages.cuh"
 #include "gpu/grid_executor.cuh"
 
@@ -82,8 +82,7 @@ __device__ inline void call_for_threads(const Counted& counted, int times, const
         if (is_last_block(came)) next(0);
 }
 
-template <typename Stage, typename Next>
-__global__ void run_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
+template <typename Stage, typename Next> __global__ void run_stage(Counted counted, int times, Stage stage, Next next, unsigned* came)
 {
     call_for_threads(counted, times, stage, next, came);
 }
@@ -186,10 +185,7 @@ public:
             copy_from_gpu(&value, data_ + index, sizeof(T));
             return value;
         }
-        void write(std::size_t index, T value)
-        {
-            copy_to_gpu(data_ + index, &value, sizeof(T));
-        }
+        void write(std::size_t index, T value) { copy_to_gpu(data_ + index, &value, sizeof(T)); }
         T* data() { return data_; }
         const T* data() const { return data_; }
         std::size_t size() const { return size_; }
@@ -292,10 +288,10 @@ public:
         cudaEvent_t copied_ = nullptr;  ///< on the GPU
         Buffer<unsigned char> on_gpu_;
         std::byte* pinned_ = nullptr;
-        std::vector<std::byte> plain_;  ///< where no memory could be pinned
-        std::size_t room_ = 0;          ///< bytes
-        std::size_t bytes_ = 0;         ///< of what was taken
-        bool waits_on_gpu_ = false;     ///< until it is fetched
+        std::vector<std::byte> plain_; ///< where no memory could be pinned
+        std::size_t room_ = 0;         ///< bytes
+        std::size_t bytes_ = 0;        ///< of what was taken
+        bool waits_on_gpu_ = false;    ///< until it is fetched
         bool at_once_ = false;
     };
 
@@ -344,7 +340,7 @@ public:
             const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
             const Lap lap(stage_clock_.get(), name);
             constexpr auto kernel = [] {
-                if constexpr (blocks_beside<Stage> > 0)
+                if constexpr (blocks_beside < Stage >> 0)
                     return run_bounded_stage<Stage, Next>;
                 else
                     return run_stage<Stage, Next>;
@@ -387,7 +383,9 @@ public:
     /// waiting for its turn.
     template <typename Order> double go_through(const Order& order, int most)
     {
-        const auto seconds_since = [](auto start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+        const auto seconds_since = [](auto start) {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        };
         const int all = blocks_that_fit<Order>(most);
         if (all == 0) {
             const auto start = std::chrono::steady_clock::now();
@@ -405,8 +403,8 @@ public:
             start_in_grid<many_grid_threads>(order, most, share);
         else
             start_in_grid<few_grid_threads>(order, most, share);
-        // A copy that waits would stand in the way of other scenes' work, which comes through the same queues. And with several scenes, threads
-        // that look again and again would keep each other from the processors.
+        // A copy that waits would stand in the way of other scenes' work, which comes through the same queues. And with several scenes,
+        // threads that look again and again would keep each other from the processors.
         check_cuda(cudaEventRecord(stepped_, own_stream), "the liquid's steps");
         check_cuda(together > 1 ? cudaEventSynchronize(stepped_) : cudaStreamSynchronize(own_stream), "the liquid's steps");
         return seconds_since(start);
@@ -464,7 +462,8 @@ private:
             if (clock_ == nullptr) return;
             float milliseconds = 0;
             cudaEventRecord(events_[1], own_stream);
-            if (cudaEventSynchronize(events_[1]) == cudaSuccess && cudaEventElapsedTime(&milliseconds, events_[0], events_[1]) == cudaSuccess)
+            if (cudaEventSynchronize(events_[1]) == cudaSuccess &&
+                cudaEventElapsedTime(&milliseconds, events_[0], events_[1]) == cudaSuccess)
                 clock_->add(name_, 1e-3 * static_cast<double>(milliseconds));
             for (cudaEvent_t event : events_) cudaEventDestroy(event);
         }
@@ -520,12 +519,14 @@ private:
     {
         constexpr int many = 50000; // with as many threads as each stage can have
         if (stage_clock_ || !cooperates_ || most > many) return 0;
-        return fits_in_grid<Order, few_grid_threads>() && fits_in_grid<Order, many_grid_threads>() ? processors_ : 0; // one on each fills it
+        return fits_in_grid<Order, few_grid_threads>() && fits_in_grid<Order, many_grid_threads>() ? processors_
+                                                                                                   : 0; // one on each fills it
     }
     template <typename Order, int threads> static bool fits_in_grid()
     {
         int fit = 0;
-        check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order, threads>, threads, 0), "asking for its room");
+        check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fit, go_through_in_grid<Order, threads>, threads, 0),
+                   "asking for its room");
         return fit > 0;
     }
     template <int threads, typename Order> void start_in_grid(const Order& order, int most, int share)
@@ -554,8 +555,8 @@ private:
     cudaEvent_t stepped_ = nullptr;           ///< the end of a kernel that goes through an order
     Buffer<GridMeeting> meeting_;             ///< see GridMemory
     Buffer<int> sums_;                        ///< the same
-    Buffer<int> many_, number_, member_; ///< see SortMemory
-    Buffer<unsigned char> scratch_;      ///< to add up with
+    Buffer<int> many_, number_, member_;      ///< see SortMemory
+    Buffer<unsigned char> scratch_;           ///< to add up with
 };
 
 } // namespace hygroloom

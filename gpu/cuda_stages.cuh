@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/lanes.h"
-#include "core/sim/order.h"
-#include "core/sim/steps/liquid.h"
-#include "core/sim/steps/yarn_exchange.h"
+#include "core/solver/order.h"
+#include "core/solver/steps/liquid.h"
+#include "core/solver/steps/yarn_exchange.h"
 
 #include <type_traits>
 
@@ -16,7 +16,7 @@ template <typename Stage> constexpr int threads_each() { return is_wide<Stage> ?
 
 /// Whether two stages in turn are better two kernels, where there are kernels: each with as many threads at once as its registers allow.
 template <typename Stage> constexpr bool stands_apart = false;
-template <typename First, typename Second> constexpr bool stands_apart<InTurn<First, Second>> = is_wide<First> && is_wide<Second>;
+template <typename First, typename Second> constexpr bool stands_apart<InTurn<First, Second>> = is_wide<First>&& is_wide<Second>;
 
 /// Blocks that a processor is to have room for side by side, where a stage waits for its own arithmetic so long that others' beside it are
 /// worth numbers that go to memory and back; 0: as many as its registers allow.

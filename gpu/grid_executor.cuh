@@ -3,7 +3,7 @@
 // Such kernels are launched cooperatively, so all blocks of one run at a time, and several scenes' share the GPU.
 #pragma once
 
-#include "core/sim/order.h"
+#include "core/solver/order.h"
 #include "gpu/cuda_stages.cuh"
 
 #include <cub/block/block_reduce.cuh>

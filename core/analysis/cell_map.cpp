@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 
 #include <fmt/format.h>
 

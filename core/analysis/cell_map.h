@@ -24,7 +24,8 @@ struct CellMap {
     double maximum() const;
 };
 
-/// What a map counts water from: a run's first frame, without the test's own water, liquid and bound, where the sample is wet from the start.
+/// What a map counts water from: a run's first frame, without the test's own water, liquid and bound, where the sample is wet from the
+/// start.
 Frame start_of_maps(const RunRecord& run, Frame first);
 
 /// Cells at the far edges may hold fewer crossings; their water is per their own area.

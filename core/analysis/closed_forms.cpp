@@ -3,7 +3,7 @@
 
 #include "core/analysis/laboratory.h"
 #include "core/physics/water.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 
 #include <numeric>
 

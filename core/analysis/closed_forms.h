@@ -2,7 +2,7 @@
 // What a run must come to whatever its resolution, where a closed form says so.
 #pragma once
 
-#include "core/sim/runner.h"
+#include "core/run/runner.h"
 
 #include <map>
 #include <string>

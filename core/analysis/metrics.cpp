@@ -2,7 +2,7 @@
 #include "core/analysis/metrics.h"
 
 #include "core/base/units.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "core/analysis/laboratory.h"
 #include "core/analysis/management.h"
-#include "core/sim/frame.h"
-#include "core/sim/runner.h"
+#include "core/run/runner.h"
+#include "core/scene/frame.h"
 
 #include <optional>
 

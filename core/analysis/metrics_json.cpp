@@ -2,7 +2,7 @@
 #include "core/analysis/metrics.h"
 
 #include "core/base/units.h"
-#include "core/sim/plan_json.h"
+#include "core/plan/plan_json.h"
 
 #include <nlohmann/json.hpp>
 

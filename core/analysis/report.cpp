@@ -5,8 +5,8 @@
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/design/fabric_quantities.h"
+#include "core/plan/plan_json.h"
 #include "core/project/project_json.h"
-#include "core/sim/plan_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/analysis/metrics.h"
-#include "core/sim/stage_clock.h"
+#include "core/solver/stage_clock.h"
 
 #include <array>
 #include <map>

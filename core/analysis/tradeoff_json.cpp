@@ -3,7 +3,7 @@
 #include "core/analysis/tradeoff.h"
 
 #include "core/base/error.h"
-#include "core/sim/plan_json.h"
+#include "core/plan/plan_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // A recording as files that ParaView and others of VTK open: yarn segments as lines with what they hold, free liquid as points.
 #pragma once
 
-#include "core/sim/recording.h"
+#include "core/run/recording.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Whole drops on cloth: nothing gets through yarn, nothing is lost.
-#include "core/sim/host_cloth.h"
+#include "core/solver/host_cloth.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 

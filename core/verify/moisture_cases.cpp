@@ -2,7 +2,7 @@
 // Fibres, vapour and heat of single segments against Crank, the wet bulb, the isotherm and IAPWS.
 #include "core/physics/air.h"
 #include "core/physics/sorption.h"
-#include "core/sim/steps/yarn_lines.h"
+#include "core/solver/steps/yarn_lines.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/analysis/metrics.h"
-#include "core/sim/backend.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
+#include "core/solver/backend.h"
 
 namespace hygroloom {
 

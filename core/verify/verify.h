@@ -2,7 +2,7 @@
 // Set-ups with known answers, run through a backend as a simulation would be: computed by the solver, expected from a closed form.
 #pragma once
 
-#include "core/sim/backend.h"
+#include "core/solver/backend.h"
 
 #include <algorithm>
 #include <cmath>

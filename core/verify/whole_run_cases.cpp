@@ -2,7 +2,7 @@
 // Whole runs: what must stay, stays; and every machine computes the same.
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/sim/runner.h"
+#include "core/run/runner.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 

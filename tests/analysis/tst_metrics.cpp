@@ -3,7 +3,7 @@
 #include "core/analysis/cell_map.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 #include "tests/support/drop_design.h"
 
 #include <QFile>

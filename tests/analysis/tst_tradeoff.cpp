@@ -4,7 +4,7 @@
 #include "core/analysis/tradeoff.h"
 #include "core/base/error.h"
 #include "core/physics/water.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 #include "tests/support/spot_design.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a step of the free liquid costs: a drop in the air, and the same drop lying on textile F of the paper; and how that grows with the
 // number of particles.
-#include "core/sim/cpu_executor.h"
-#include "core/sim/solver.h"
+#include "core/solver/cpu_executor.h"
+#include "core/solver/solver.h"
 #include "tests/benchmarks/scenes.h"
 
 #include <benchmark/benchmark.h>

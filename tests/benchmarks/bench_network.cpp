@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a step of the yarn network costs per segment, beside a copy of the bytes it must touch; and what visiting only the cloth near the
 // water saves. Textile F of the paper, draft's radial cells.
-#include "core/sim/cpu_executor.h"
-#include "core/sim/solver.h"
+#include "core/solver/cpu_executor.h"
+#include "core/solver/solver.h"
 #include "tests/benchmarks/scenes.h"
 
 #include <benchmark/benchmark.h>

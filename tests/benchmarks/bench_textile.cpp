@@ -2,7 +2,7 @@
 // How fast the textile is made: meshes of yarns and fibres, and the network that is simulated. Textile F of the paper.
 #include "core/geometry/mesh_stream.h"
 #include "core/project/project_file.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 
 #include <benchmark/benchmark.h>
 

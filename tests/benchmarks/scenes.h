@@ -2,9 +2,9 @@
 // What the benchmarks run: a drop and wet cloth, of textile F of the paper.
 #pragma once
 
+#include "core/plan/model_plan.h"
 #include "core/project/project_file.h"
-#include "core/sim/model_plan.h"
-#include "core/sim/scene.h"
+#include "core/scene/scene.h"
 
 namespace hygroloom {
 

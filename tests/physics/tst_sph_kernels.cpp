@@ -2,7 +2,7 @@
 // Properties every SPH kernel must have, and the surface forces built on it.
 #include "core/base/random.h"
 #include "core/physics/fluid_forces.h"
-#include "core/sim/droplet.h"
+#include "core/solver/droplet.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Prints a hash of each recorded field of a recording, over all frames: fingerprint drop.hygrorec. Two programs that print the same computed
-// the same bytes. It reads HDF5 alone and knows nothing of the program, so that moves inside the program cannot change it.
-// Who ran it, when and on what (/provenance, wall times) is left out.
+// Prints a hash of each recorded field of a recording, over all frames: fingerprint drop.hygrorec. Two programs that print the same
+// computed the same bytes. It reads HDF5 alone and knows nothing of the program, so that moves inside the program cannot change it. Who ran
+// it, when and on what (/provenance, wall times) is left out.
 #include <hdf5.h>
 
 #include <cstdint>

@@ -21,20 +21,20 @@ scene() {
   rm "$out/$name.all" "$out/$name.hygrorec"
 }
 
-scene droplet-draft --experiment droplet --fidelity draft --threads 2
-scene droplet-one-thread --experiment droplet --fidelity draft --threads 1
-scene droplet-standard --experiment "small droplet" --fidelity standard
-scene droplet-double --experiment "small droplet" --fidelity draft --set fidelity.double_precision=1
-scene drop-after-drop --experiment "drop after drop" --fidelity draft
+scene droplet-draft --fabric "Textile F" --experiment droplet --fidelity draft --threads 2
+scene droplet-one-thread --fabric "Textile F" --experiment droplet --fidelity draft --threads 1
+scene droplet-standard --fabric "Textile F" --experiment "small droplet" --fidelity standard
+scene droplet-double --fabric "Textile F" --experiment "small droplet" --fidelity draft --set fidelity.double_precision=1
+scene drop-after-drop --fabric "Textile F" --experiment "drop after drop" --fidelity draft
 scene droplet-on-stripes --fabric stripes --experiment droplet --fidelity draft
-scene swelling --experiment swelling --fidelity draft
-scene management --experiment management --fidelity standard
-scene management-in-bundles --experiment management --fidelity draft --set fidelity.crossings_per_cell=2
-scene management-in-drops --experiment "management in drops" --fidelity draft
-scene vertical --experiment vertical --fidelity draft
+scene swelling --fabric "Textile F" --experiment swelling --fidelity draft
+scene management --fabric "Textile F" --experiment management --fidelity standard
+scene management-in-bundles --fabric "Textile F" --experiment management --fidelity draft --set fidelity.crossings_per_cell=2
+scene management-in-drops --fabric "Textile F" --experiment "management in drops" --fidelity draft
+scene vertical --fabric "Textile F" --experiment vertical --fidelity draft
 scene horizontal --fabric stripes --experiment horizontal --fidelity standard
-scene drying --experiment drying --fidelity standard
+scene drying --fabric "Textile F" --experiment drying --fidelity standard
 scene drying-on-stripes --fabric stripes --experiment drying --fidelity reference
-scene conditioning --experiment conditioning --fidelity draft --threads 1
-scene sweat --experiment sweat --fidelity standard
-scene everything --experiment "small droplet" --fidelity draft --physics heat=on,vapour=on,sorption=on
+scene conditioning --fabric "Textile F" --experiment conditioning --fidelity draft --threads 1
+scene sweat --fabric "Textile F" --experiment sweat --fidelity standard
+scene everything --fabric "Textile F" --experiment "small droplet" --fidelity draft --physics heat=on,vapour=on,sorption=on

@@ -2,9 +2,9 @@
 // Runs side by side. The recordings are short runs of the example, so that reading them is part of what is tested.
 #include "core/analysis/metrics.h"
 #include "core/project/project_file.h"
-#include "core/sim/runner.h"
+#include "core/run/runner.h"
 #include "gpu/backends.h"
-#include "ui/compare_view.h"
+#include "ui/results/compare_view.h"
 
 #include <QLabel>
 #include <QSignalSpy>

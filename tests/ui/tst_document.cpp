@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/project/project_file.h"
-#include "ui/candidates_panel.h"
-#include "ui/document.h"
-#include "ui/examples.h"
-#include "ui/experiment_panel.h"
-#include "ui/fabric_panel.h"
-#include "ui/issues_panel.h"
-#include "ui/point_paper.h"
-#include "ui/quantity_edit.h"
-#include "ui/weave_editor.h"
+#include "ui/basics/examples.h"
+#include "ui/basics/quantity_edit.h"
+#include "ui/document/document.h"
+#include "ui/panels/candidates_panel.h"
+#include "ui/panels/experiment_panel.h"
+#include "ui/panels/fabric_panel.h"
+#include "ui/panels/issues_panel.h"
+#include "ui/weave/point_paper.h"
+#include "ui/weave/weave_editor.h"
 
 #include <QComboBox>
 #include <QRegularExpression>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The experiment panel: the course of the climate, the project's own liquids, where an issue leads; and the results of a run.
+#include "core/plan/model_plan.h"
 #include "core/project/project_file.h"
-#include "core/sim/model_plan.h"
 #include "tests/support/drop_design.h"
-#include "ui/chart.h"
-#include "ui/climate_course.h"
-#include "ui/examples.h"
-#include "ui/experiment_panel.h"
-#include "ui/issues_panel.h"
-#include "ui/liquid_panel.h"
-#include "ui/quantity_edit.h"
-#include "ui/results_panel.h"
-#include "ui/simulation_run.h"
+#include "ui/basics/examples.h"
+#include "ui/basics/quantity_edit.h"
+#include "ui/panels/climate_course.h"
+#include "ui/panels/experiment_panel.h"
+#include "ui/panels/issues_panel.h"
+#include "ui/panels/liquid_panel.h"
+#include "ui/results/chart.h"
+#include "ui/results/results_panel.h"
+#include "ui/results/simulation_run.h"
 
 #include <QDir>
 #include <QLabel>

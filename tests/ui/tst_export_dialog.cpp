@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Exporting from the window: the size foretold, the file written, cancelled, refused, and the choice remembered.
-#include "ui/document.h"
-#include "ui/examples.h"
-#include "ui/export_dialog.h"
-#include "ui/playback.h"
-#include "ui/quantity_edit.h"
+#include "ui/basics/examples.h"
+#include "ui/basics/quantity_edit.h"
+#include "ui/document/document.h"
+#include "ui/export/export_dialog.h"
+#include "ui/results/playback.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The page that says what was understood of an imported draft.
 #include "core/base/error.h"
-#include "ui/import_dialog.h"
+#include "ui/weave/import_dialog.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a designer has made is not lost: not while it is typed, nor when it is saved over, nor in a crash. Needs a display: xvfb-run.
 #include "core/project/project_file.h"
-#include "ui/appearance.h"
-#include "ui/compare_view.h"
-#include "ui/experiment_panel.h"
-#include "ui/main_window.h"
-#include "ui/quantity_edit.h"
-#include "ui/simulation_panel.h"
-#include "ui/textile_canvas.h"
-#include "ui/weave_editor.h"
+#include "ui/basics/appearance.h"
+#include "ui/basics/quantity_edit.h"
+#include "ui/panels/experiment_panel.h"
+#include "ui/picture/textile_canvas.h"
+#include "ui/results/compare_view.h"
+#include "ui/results/simulation_panel.h"
+#include "ui/weave/weave_editor.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

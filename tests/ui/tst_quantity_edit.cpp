@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/quantity_edit.h"
+#include "ui/basics/quantity_edit.h"
 
 #include <QSignalSpy>
 #include <QTest>

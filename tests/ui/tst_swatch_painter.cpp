@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Pictures of fabrics without a window: drawn once, found again, drawn anew when the fabric differs. Needs a display: xvfb-run.
 #include "core/project/library.h"
-#include "ui/swatch_painter.h"
+#include "ui/picture/swatch_painter.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -2,12 +2,12 @@
 // The picture of the fabric: what is drawn how finely, choosing, measuring, cutting open. Needs a display: xvfb-run.
 #include "core/base/units.h"
 #include "core/project/project_file.h"
-#include "core/sim/droplet.h"
-#include "ui/appearance.h"
-#include "ui/main_window.h"
-#include "ui/point_paper.h"
-#include "ui/view_bar.h"
-#include "ui/weave_editor.h"
+#include "core/solver/droplet.h"
+#include "ui/basics/appearance.h"
+#include "ui/picture/view_bar.h"
+#include "ui/weave/point_paper.h"
+#include "ui/weave/weave_editor.h"
+#include "ui/window/main_window.h"
 
 #include <QElapsedTimer>
 #include <QSettings>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The weave editor's tools and actions, with mouse and keys.
 #include "core/project/project_file.h"
-#include "ui/appearance.h"
-#include "ui/document.h"
-#include "ui/examples.h"
-#include "ui/point_paper.h"
-#include "ui/weave_editor.h"
-#include "ui/weave_notes.h"
+#include "ui/basics/appearance.h"
+#include "ui/basics/examples.h"
+#include "ui/document/document.h"
+#include "ui/weave/point_paper.h"
+#include "ui/weave/weave_editor.h"
+#include "ui/weave/weave_notes.h"
 
 #include <QAction>
 #include <QApplication>
@@ -190,7 +190,8 @@ private Q_SLOTS:
         QVERIFY2(text.contains("Ends that never interlace: 1, 2."), qPrintable(text));
     }
 
-    /// A repeat this large takes tens of milliseconds to check and to draw anew: that waits until the stroke ends, and what is painted shows.
+    /// A repeat this large takes tens of milliseconds to check and to draw anew: that waits until the stroke ends, and what is painted
+    /// shows.
     void paintingALargeRepeatWaitsForTheStrokesEnd()
     {
         std::vector<std::uint8_t> up(std::size_t(largest_repeat) * largest_repeat);
@@ -201,7 +202,8 @@ private Q_SLOTS:
         const QSignalSpy painted(paper, &PointPaper::painted), changed(document_.get(), &Document::designChanged);
         const auto square = [&](int end) { return paper->squareOf(end, 1).center(); };
         const auto mouse = [&](QEvent::Type type, int end) {
-            QMouseEvent event(type, square(end), paper->viewport()->mapToGlobal(square(end)), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+            QMouseEvent event(type, square(end), paper->viewport()->mapToGlobal(square(end)), Qt::LeftButton, Qt::LeftButton,
+                              Qt::NoModifier);
             QApplication::sendEvent(paper->viewport(), &event);
         };
         const QImage before = paper->viewport()->grab().toImage();

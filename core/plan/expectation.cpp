@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/plan/expectation.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/plan/bundles.h"
+#include "core/plan/plan_json.h"
+#include "core/solver/droplet.h"
+#include "core/solver/state.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace hygroloom {
+
+extern const char measured_scenes_json[];
+
+namespace {
+
+using Json = nlohmann::json;
+
+MeasuredScene scene_from(const Json& json)
+{
+    MeasuredScene scene;
+    scene.fabric = json.at("scene").at("fabric");
+    scene.experiment = json.at("scene").at("experiment");
+    scene.backend = json.at("provenance").at("backend");
+    scene.device = json.at("provenance").at("device");
+    scene.date = json.at("provenance").at("date").get<std::string>().substr(0, 10);
+    const Json& load = json.at("provenance").at("load_at_start");
+    if (!load.is_null()) scene.load = load;
+    for (const Json& p : json.at("points")) {
+        if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
+        MeasuredRun run;
+        run.plan = plan_from_json(p.at("plan").dump());
+        for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
+        run.seconds = p.at("wall_s");
+        run.bytes = p.at("peak_bytes");
+        const SceneCounts& counts = run.plan.counts;
+        if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
+            throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
+        if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
+        scene.runs.push_back(std::move(run));
+    }
+    return scene;
+}
+
+/// Segments that are simulated: bundles', where yarns go in bundles.
+double cells_of(const ModelPlan& plan)
+{
+    const int wanted = plan.crossings_per_cell;
+    return wanted > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count : plan.segments;
+}
+
+double frames_of(const ModelPlan& plan) { return plan.counts.duration / std::max(1e-9, plan.frame_interval); }
+
+struct NetworkCount {
+    double steps = 0;
+    double segments = 0; ///< that are visited
+};
+
+NetworkCount count_network(const ModelPlan& plan)
+{
+    NetworkCount count;
+    if (!plan.on("wicking") && !plan.on("sorption") && !plan.on("vapour")) return count;
+    count.segments = cells_of(plan) * (plan.on("growth") ? plan.counts.wet_share : 1.0);
+    constexpr double standard_error = 5e-4;
+    const double finer = std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error)); // the step's error falls with its square
+    count.steps = frames_of(plan) * std::max(1.0, finer);
+    if (plan.on("liquid")) count.steps += plan.counts.duration / plan.knobs.network_step_limit;
+    // From a pool steps go with the way of the front, which goes with the root of time.
+    constexpr double usual = 120; // s
+    if (!plan.on("liquid") && plan.counts.type == name_of(ExperimentType::moisture_management))
+        count.steps *= std::sqrt(plan.counts.duration / usual);
+    return count;
+}
+
+/// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
+double distance(const ModelPlan& a, const ModelPlan& b)
+{
+    double far = std::abs(a.counts.suction - b.counts.suction);
+    if (a.counts.type != b.counts.type) far += 100;
+    if (a.on("liquid") != b.on("liquid")) far += 10;
+    if (a.on("wicking") != b.on("wicking")) far += 1;
+    return far + 0.1 * std::abs(std::log(std::max(1.0, a.counts.drops) / std::max(1.0, b.counts.drops)));
+}
+
+struct Nearest {
+    const MeasuredScene* scene = nullptr;
+    const MeasuredRun* run = nullptr;
+};
+
+/// Whether the measured run is set as the plan, but for knobs that change nothing in the plan's scene; where neither goes in bundles, how
+/// large they might have been does not count.
+bool set_alike(const ModelPlan& measured, const ModelPlan& plan)
+{
+    Knobs knobs = measured.knobs;
+    if (measured.crossings_per_cell == 1 && plan.crossings_per_cell == 1) {
+        knobs.crossings_per_cell = plan.knobs.crossings_per_cell;
+        knobs.crossings_per_even_cell = plan.knobs.crossings_per_even_cell;
+    }
+    for (const KnobInfo& knob : knob_table())
+        if (plan.idle_knobs.contains(knob.name)) knobs.*knob.value = plan.knobs.*knob.value;
+    return knobs == plan.knobs;
+}
+
+/// The run that was set as this one, or that of its fidelity, in the scene that is least unlike.
+Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    Nearest nearest;
+    double least = 100; // a scene of another type tells nothing
+    for (const MeasuredScene& scene : measured)
+        for (const MeasuredRun& run : scene.runs) {
+            if (run.plan.fidelity != plan.fidelity) continue;
+            const bool as_set = set_alike(run.plan, plan);
+            if (!as_set && !run.settings.empty()) continue;
+            const double far = distance(plan, run.plan) + (as_set ? 0.0 : 1e-3);
+            if (far >= least) continue;
+            least = far;
+            nearest = {&scene, &run};
+        }
+    return nearest;
+}
+
+[[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
+{
+    throw Error(fmt::format("{}: It must be {}; \"{}\" was given.", option, allowed, text));
+}
+
+/// A number and the word after it.
+std::pair<double, std::string> number_and_unit(const std::string& text)
+{
+    double value = -1;
+    const auto [last, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || !std::isfinite(value)) return {-1, ""};
+    return {value, std::string(last, text.data() + text.size())};
+}
+
+} // namespace
+
+MeasuredScene measured_scene(const std::string& json, const std::string& file)
+try {
+    return scene_from(Json::parse(json));
+} catch (const std::exception& e) {
+    throw Error(fmt::format("{}: The measured trade-off cannot be read: {}", file, e.what()));
+}
+
+const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend)
+{
+    static const std::map<std::string, std::vector<MeasuredScene>> scenes = [] {
+        std::map<std::string, std::vector<MeasuredScene>> lists;
+        for (const Json& scene : Json::parse(measured_scenes_json)) {
+            MeasuredScene read = scene_from(scene);
+            lists[read.backend].push_back(std::move(read));
+        }
+        return lists;
+    }();
+    static const std::vector<MeasuredScene> none;
+    const auto found = scenes.find(backend);
+    return found == scenes.end() ? none : found->second;
+}
+
+LiquidCount count_liquid(const ModelPlan& plan)
+{
+    if (!plan.on("liquid")) return {};
+    const SceneCounts& scene = plan.counts;
+    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
+    const double particles = std::max(1, plan.particles_per_droplet);
+    const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
+    constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
+    constexpr double moving_times = 7, waking_times = 6;            // capillary times
+    constexpr double usual_step = 0.85;                             // of the longest
+    constexpr double drinking = 0.68;                               // times its volume over the cloth's uptake
+    constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
+    constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is drunk
+    const double spacing = std::cbrt(volume / particles);
+    const LiquidSteps longest =
+        longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
+    const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
+    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
+    const bool drunk = plan.on("wicking") && scene.uptake > 0;
+    const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
+    const double gone = drunk ? std::sqrt(drinks / until_empty) : 0; // share of the drop, in the end
+    double flows = drunk ? drinks : rest;
+    if (settle_share > 0) {
+        const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
+        flows = std::min(awake_share * drinks, gone / settle_share * waking_times * capillary_time(settle_share * volume));
+    }
+    const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
+    const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles), least_left, most_left);
+    const double flowing = 1.0 - (1.0 - left) * gone; // share of the particles
+    return {(moves + flows) / step, particles * scene.drops * (moves + flows * flowing) / (moves + flows)};
+}
+
+double rough_work(const ModelPlan& plan, const std::string& backend)
+{
+    const LiquidCount liquid = count_liquid(plan);
+    const NetworkCount network = count_network(plan);
+    constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
+    const double frames = shown * plan.segments * frames_of(plan);
+    if (backend == "cuda") {
+        // Seconds on an H200: a step takes a while however little there is to do.
+        constexpr double start = 0.12, liquid_step = 1.2e-4, particle = 3e-9, network_step = 2e-4, segment = 1e-9;
+        return start + frames + liquid.steps * (liquid_step + particle * liquid.particles) +
+               network.steps * (network_step + segment * network.segments);
+    }
+    // Seconds on two cores of an AMD EPYC: per particle and liquid step, and per segment and step of the yarns, and to set up.
+    constexpr double particle = 1.5e-6, segment = 0.7e-6, start = 0.01;
+    constexpr double at_cloth = 0.1; // of the work, with particles at the cloth, of which there are as many as long as the drop lasts
+    const double busy = (1.0 - at_cloth) * liquid.particles + at_cloth * plan.particles_per_droplet * plan.counts.drops;
+    const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
+    return start + frames + liquid.steps * busy * particle * wider + network.steps * network.segments * segment;
+}
+
+double rough_bytes(const ModelPlan& plan)
+{
+    const double particles = plan.particles_per_droplet * plan.counts.drops;
+    const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
+    const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
+    const double shape = plan.on("liquid") ? 24.0 : 0.0; // of a cell, as particles meet it
+    // What is shown of a segment, and what is simulated of a cell.
+    return 180.0 * plan.segments + cells_of(plan) * (220.0 + shape + 8.0 * shells) +
+           wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+}
+
+void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    const Nearest nearest = nearest_run(plan, measured);
+    plan.expected_error.reset();
+    if (!nearest.run) {
+        const std::string backend = measured.empty() ? "cpu" : measured.front().backend;
+        plan.expected_seconds = rough_work(plan, backend);
+        plan.expected_bytes = 40e6 + rough_bytes(plan);
+        plan.expectation_source = fmt::format("A rough guess from unit costs of {}: no scene of this kind was measured at this fidelity.",
+                                              backend == "cuda" ? "an NVIDIA H200" : "2 cores of an AMD EPYC");
+        return;
+    }
+    const MeasuredRun& run = *nearest.run;
+    const MeasuredScene& scene = *nearest.scene;
+    plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
+    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
+    const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
+    const bool as_set = set_alike(run.plan, plan) && !cut;
+    if (as_set) plan.expected_error = run.error;
+    plan.expectation_source =
+        fmt::format("From {} on {}, measured on {} ({}): {} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
+                    scene.fabric, scene.device, scene.date, rounded_text(run.seconds, 3), plan.expected_seconds / run.seconds,
+                    run.error && as_set ? " The error is that scene's against its reference."
+                    : as_set            ? " Its error against the reference was not measured."
+                                        : " The error with these knobs and parts was not measured.");
+}
+
+std::string error_text(const ModelPlan& plan)
+{
+    if (!plan.expected_error) return "error not measured";
+    if (*plan.expected_error <= 0) return "no error, as errors are measured against it";
+    return fmt::format("error {} %", rounded_text(100 * *plan.expected_error, 2));
+}
+
+ModelPlan expected_of_all(const std::vector<ModelPlan>& plans)
+{
+    ModelPlan all = plans.front();
+    if (plans.size() == 1) return all;
+    for (std::size_t i = 1; i < plans.size(); ++i) {
+        all.expected_seconds += plans[i].expected_seconds;
+        all.expected_bytes = std::max(all.expected_bytes, plans[i].expected_bytes);
+        if (!plans[i].expected_error || !all.expected_error)
+            all.expected_error.reset();
+        else
+            all.expected_error = std::max(*all.expected_error, *plans[i].expected_error);
+    }
+    all.expectation_source = fmt::format("That is the largest error of {} runs, and the time of all, one after the other.", plans.size());
+    return all;
+}
+
+double parse_error_target(const std::string& text)
+{
+    const auto [value, unit] = number_and_unit(text);
+    const double error = unit == "%" ? value / 100 : value;
+    if ((!unit.empty() && unit != "%") || !(error > 0 && error <= 1)) refuse("--error", "a share over 0 and up to 100 %, such as 5%", text);
+    return error;
+}
+
+double parse_time_target(const std::string& text)
+{
+    const auto [value, unit] = number_and_unit(text);
+    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : -1;
+    if (!(value * factor > 0)) refuse("--time", "a time over 0 in s, min or h, such as 10s", text);
+    return value * factor;
+}
+
+FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const FidelityTarget& target)
+{
+    if (target.error) {
+        const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
+        const auto found = std::find_if(plans.begin(), plans.end(), keeps);
+        if (found != plans.end())
+            return {found->fidelity, fmt::format("The cheapest that is expected to keep the error below {:g} %: {:.2g} %. {}",
+                                                 100 * *target.error, 100 * *found->expected_error, found->expectation_source)};
+        return {plans.back().fidelity,
+                fmt::format("No fidelity is known from measurements to keep the error below {:g} % in a scene of this "
+                            "kind, so the finest is taken.",
+                            100 * *target.error)};
+    }
+    const double most = target.seconds.value_or(0);
+    const auto found = std::find_if(plans.rbegin(), plans.rend(), [&](const ModelPlan& p) { return p.expected_seconds <= most; });
+    if (found != plans.rend())
+        return {found->fidelity, fmt::format("The finest that is expected to take at most {:g} s: {:.2g} s. {}", most,
+                                             found->expected_seconds, found->expectation_source)};
+    return {plans.front().fidelity,
+            fmt::format("No fidelity is expected to take at most {:g} s, so the coarsest is taken; it is expected to "
+                        "take {:.2g} s. {}",
+                        most, plans.front().expected_seconds, plans.front().expectation_source)};
+}
+
+} // namespace hygroloom

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run will cost and how far it will lie from the reference, from measured runs of scenes of its kind and from its own counts.
+#pragma once
+
+#include "core/plan/model_plan.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+/// One measured variant of a scene; tradeoff made it.
+struct MeasuredRun {
+    ModelPlan plan;
+    KnobSettings settings;       ///< that differed from the fidelity's
+    double seconds = 0;          ///< of wall time
+    double bytes = 0;            ///< largest resident set
+    std::optional<double> error; ///< against the reference, relative; none: not measured
+};
+
+struct MeasuredScene {
+    std::string fabric, experiment, backend, device, date;
+    double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
+    std::vector<MeasuredRun> runs; ///< those with a time
+};
+
+/// What a file of tradeoff holds of it. Throws Error with the name of the file.
+MeasuredScene measured_scene(const std::string& json, const std::string& file);
+
+/// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
+const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
+
+/// What the free liquid of a run is counted to come to: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
+/// times the steps and the particles that it takes at standard).
+struct LiquidCount {
+    double steps = 0;
+    double particles = 0; ///< on average over the steps
+};
+
+/// From the plan's counts and knobs; nothing where no liquid is on. A drop moves until it rests, a few capillary times long. Then, as long
+/// as yarns drink it, it is awake for a share of the time, and where they drink slowly for some capillary times of each share of it that
+/// has gone; what has gone goes with the root of time. Where the cloth under it holds little its particles shrink together, and most of
+/// them last until it is gone; else they vanish one after the other. Calibrated on ratios of what 43 drops of 2 to 15 ul took at
+/// draft and at standard: tests/data/liquid_counts, DECISIONS.md.
+LiquidCount count_liquid(const ModelPlan& plan);
+
+/// Work of a run in seconds of one measured machine, a rough guess that only its ratio to that of a run of the same kind makes useful.
+double rough_work(const ModelPlan& plan, const std::string& backend);
+/// Memory that grows with the scene, bytes: its arrays, its geometry and its frames, without the program.
+double rough_bytes(const ModelPlan& plan);
+
+/// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of
+/// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
+void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
+
+/// "error 4.8 %", or that it was not measured, or that there is none by definition.
+std::string error_text(const ModelPlan& plan);
+
+/// What is expected of several runs at one fidelity, one after the other: their times together, the largest of their errors (none where one
+/// is not known). Precondition: there is one.
+ModelPlan expected_of_all(const std::vector<ModelPlan>& plans);
+
+/// What the user wants of --fidelity auto: one of both.
+struct FidelityTarget {
+    std::optional<double> error;   ///< at most, relative
+    std::optional<double> seconds; ///< at most
+};
+
+/// "5%", "0.05" -> 0.05. Throws Error naming the option, the range and the text.
+double parse_error_target(const std::string& text);
+/// "10s", "10", "2min", "1h" -> s. Throws Error likewise.
+double parse_time_target(const std::string& text);
+
+/// A fidelity, and why.
+struct FidelityChoice {
+    Fidelity fidelity = Fidelity::standard;
+    std::string reason;
+};
+
+/// The cheapest plan that is expected to keep the error, or the finest that is expected to keep the time. plans: of all fidelities, the
+/// coarsest first. Where none is known to keep it: the reference for an error, the draft for a time, and the reason says so.
+FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const FidelityTarget& target);
+
+} // namespace hygroloom

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a scene needs to be simulated, decided before the run and told with the reason: people read this.
+#pragma once
+
+#include "core/geometry/textile.h"
+#include "core/plan/fidelity.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+namespace hygroloom {
+
+/// One part of the physics, on or off, and why, with the number that decided.
+struct PlannedPart {
+    std::string name; ///< "liquid", "wicking", "sorption", "vapour", "heat", "growth"
+    bool on = false;
+    bool forced = false; ///< by the user
+    std::string reason;
+    std::optional<double> share =
+        std::nullopt;     ///< of the water at stake, or of a rate, that it changes at most as far as can be told before the run
+    bool watched = false; ///< left out because that share is small; the run switches it on if it is not: see PartWatch
+};
+
+/// Of a rate, for a kelvin: surface tension over viscosity follows temperature so, saturation pressure faster.
+constexpr double change_per_kelvin = 0.02;
+
+/// What of a scene decides its cost.
+struct SceneCounts {
+    std::string type;       ///< of the experiment
+    double drops = 0;       ///< that fall
+    double drop_volume = 0; ///< m3, of each
+    double duration = 0;    ///< s
+    double wet_share = 0;   ///< of the sample that can get wet, at most
+    double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
+    double uptake = 0;      ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity
+    double pores = 0;       ///< m3/m2, of all yarns that draw liquid
+    double drop_base = 0;   ///< area that a small drop first stands on, over its volume to the power 2/3: see base_of_drop()
+    double capillarity = 0; ///< m3/s2, surface tension of the liquid over its density
+    double viscosity = 0;   ///< m2/s
+};
+
+struct ModelPlan {
+    Fidelity fidelity = Fidelity::standard;
+    std::string fidelity_reason; ///< why auto took it; empty: the user named it
+    Knobs knobs;                 ///< the fidelity's, with what the user set on top; what of them this scene needs stands below
+    std::map<std::string, std::string> idle_knobs; ///< that change nothing in this scene: name -> why, in a clause: "no drop falls"
+    std::vector<PlannedPart> parts;
+    double water_at_stake = 0; ///< kg, what shares of the water are of: all that comes, or that fibres exchange
+    TextileRegion region;
+    std::string region_reason;
+    int particles_per_droplet = 0;
+    int segments = 0;
+    int fibre_shells = 0;       ///< radial cells in a fibre
+    int crossings_per_cell = 1; ///< ends, and picks, in a bundle that is simulated as one
+    double frame_interval = 0;  ///< s
+    double rest_tolerance = 0;  ///< see Scene; 0: all of the sample is visited
+    std::string resolution_reason;
+    SceneCounts counts;
+    double expected_seconds = 0;
+    double expected_bytes = 0;
+    std::optional<double> expected_error; ///< against the reference, relative; none: not measured
+    std::string expectation_source;
+
+    bool on(const std::string& part) const;
+    bool watches(const std::string& part) const;
+};
+
+/// What a run did otherwise than the user may expect, in sentences: that yarns went in bundles, that a knob he set had no effect.
+std::vector<std::string> notes_of(const ModelPlan& plan);
+
+/// The same plan with a part switched on while it runs.
+ModelPlan with_part(ModelPlan plan, const std::string& part);
+
+/// What the user may force: "heat" -> false.
+using ForcedParts = std::map<std::string, bool>;
+
+/// Parses "heat=off,vapour=on". Throws Error naming the parts.
+ForcedParts parse_forced_parts(const std::string& text);
+
+/// The textile as the experiment takes it: build_textile(), but with the paper's closure a fabric that gives no contact angle of its own
+/// has that of cotton, whatever its fibres are.
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
+
+/// Precondition: validate() found no error. Throws Error when the experiment cannot be run on the fabric, or a knob is set out of its
+/// range.
+ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity,
+                     const ForcedParts& forced = {}, const KnobSettings& settings = {});
+
+} // namespace hygroloom

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/plan/plan_json.h"
+
+#include "core/base/error.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hygroloom {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json knobs_json(const Knobs& knobs)
+{
+    Json json = Json::object();
+    for (const KnobInfo& knob : knob_table()) {
+        const double value = knobs.*knob.value;
+        json[knob.name] = knob.whole ? Json(static_cast<long>(value)) : Json(value);
+    }
+    return json;
+}
+
+/// Recordings of older versions hold some of the knobs, among the resolution; the others are those of the fidelity.
+Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
+{
+    Knobs knobs = knobs_of(fidelity);
+    const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
+    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
+    if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
+    if (!values.contains("crossings_per_cell")) knobs.crossings_per_cell = 1; // each was a cell
+    if (!values.contains("crossings_per_even_cell")) knobs.crossings_per_even_cell = 1;
+    return knobs;
+}
+
+SceneCounts counts_from_json(const Json& json)
+{
+    return {json.at("type"),
+            json.at("drops"),
+            json.at("drop_volume_m3"),
+            json.at("duration_s"),
+            json.at("wet_share"),
+            json.at("suction"),
+            json.value("uptake_m3_s", 0.0),
+            json.value("pores_m", 0.0),
+            json.value("drop_base", 0.0),
+            json.value("capillarity_m3_s2", 0.0),
+            json.value("viscosity_m2_s", 0.0)};
+}
+
+PlannedPart part_from_json(const Json& json)
+{
+    PlannedPart part{json.at("name"), json.at("on"), json.at("forced"), json.at("reason"), {}, json.value("watched", false)};
+    if (json.contains("share") && !json.at("share").is_null()) part.share = json.at("share").get<double>();
+    return part;
+}
+
+} // namespace
+
+std::string plan_json(const ModelPlan& plan)
+{
+    Json parts = Json::array();
+    for (const PlannedPart& p : plan.parts)
+        parts.push_back({{"name", p.name},
+                         {"on", p.on},
+                         {"forced", p.forced},
+                         {"share", p.share ? Json(*p.share) : Json(nullptr)},
+                         {"watched", p.watched},
+                         {"reason", p.reason}});
+    const Json json{
+        {"fidelity", name_of(plan.fidelity)},
+        {"fidelity_reason", plan.fidelity_reason},
+        {"knobs", knobs_json(plan.knobs)},
+        {"idle_knobs", plan.idle_knobs},
+        {"parts", parts},
+        {"water_at_stake_kg", plan.water_at_stake},
+        {"region",
+         {{"first_end", plan.region.first_end},
+          {"first_pick", plan.region.first_pick},
+          {"ends", plan.region.ends},
+          {"picks", plan.region.picks},
+          {"reason", plan.region_reason}}},
+        {"resolution",
+         {{"particles_per_droplet", plan.particles_per_droplet},
+          {"segments", plan.segments},
+          {"fibre_shells", plan.fibre_shells},
+          {"crossings_per_cell", plan.crossings_per_cell},
+          {"frame_interval_s", plan.frame_interval},
+          {"network_step_limit_s", plan.knobs.network_step_limit},
+          {"saturation_change", plan.knobs.saturation_change},
+          {"step_error", plan.knobs.step_error},
+          {"density_tolerance", plan.knobs.density_tolerance},
+          {"settle_share", plan.knobs.settle_share},
+          {"rest_tolerance", plan.rest_tolerance},
+          {"reason", plan.resolution_reason}}},
+        {"counts",
+         {{"type", plan.counts.type},
+          {"drops", plan.counts.drops},
+          {"drop_volume_m3", plan.counts.drop_volume},
+          {"duration_s", plan.counts.duration},
+          {"wet_share", plan.counts.wet_share},
+          {"suction", plan.counts.suction},
+          {"uptake_m3_s", plan.counts.uptake},
+          {"pores_m", plan.counts.pores},
+          {"drop_base", plan.counts.drop_base},
+          {"capillarity_m3_s2", plan.counts.capillarity},
+          {"viscosity_m2_s", plan.counts.viscosity}}},
+        {"expected",
+         {{"time_s", plan.expected_seconds},
+          {"memory_bytes", plan.expected_bytes},
+          {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
+          {"source", plan.expectation_source}}},
+    };
+    return json.dump(2);
+}
+
+ModelPlan plan_from_json(const std::string& text)
+try {
+    const Json json = Json::parse(text);
+    ModelPlan plan;
+    plan.fidelity = fidelity_from_name(json.at("fidelity"));
+    plan.fidelity_reason = json.value("fidelity_reason", "");
+    for (const Json& p : json.at("parts")) plan.parts.push_back(part_from_json(p));
+    plan.water_at_stake = json.value("water_at_stake_kg", 0.0);
+    if (json.contains("idle_knobs")) plan.idle_knobs = json.at("idle_knobs").get<std::map<std::string, std::string>>();
+    const Json& region = json.at("region");
+    plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
+    plan.region_reason = region.at("reason");
+    const Json& resolution = json.at("resolution");
+    plan.particles_per_droplet = resolution.at("particles_per_droplet");
+    plan.segments = resolution.at("segments");
+    plan.fibre_shells = resolution.at("fibre_shells");
+    plan.crossings_per_cell = resolution.value("crossings_per_cell", 1);
+    plan.frame_interval = resolution.at("frame_interval_s");
+    plan.knobs = knobs_from_json(json, plan.fidelity);
+    plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);
+    plan.resolution_reason = resolution.at("reason");
+    if (json.contains("counts")) plan.counts = counts_from_json(json.at("counts"));
+    const Json& expected = json.at("expected");
+    if (expected.contains("error") && !expected.at("error").is_null()) plan.expected_error = expected.at("error").get<double>();
+    plan.expected_seconds = expected.at("time_s");
+    plan.expected_bytes = expected.at("memory_bytes");
+    plan.expectation_source = expected.at("source");
+    return plan;
+} catch (const Json::exception& e) {
+    throw Error(std::string("The model plan cannot be read: ") + e.what());
+}
+
+std::string switched_json(const std::vector<SwitchedPart>& parts)
+{
+    Json json = Json::array();
+    for (const SwitchedPart& part : parts)
+        json.push_back({{"name", part.name},
+                        {"time_s", part.time},
+                        {"share", part.share},
+                        {"limit", part.limit},
+                        {"estimate", part.estimate ? Json(*part.estimate) : Json(nullptr)},
+                        {"kept_off", part.kept_off.empty() ? Json(nullptr) : Json(part.kept_off)}});
+    return json.dump();
+}
+
+std::vector<SwitchedPart> switched_from_json(const std::string& text)
+try {
+    std::vector<SwitchedPart> parts;
+    for (const Json& json : Json::parse(text)) {
+        SwitchedPart& part = parts.emplace_back();
+        part.name = json.at("name");
+        part.time = json.at("time_s");
+        part.share = json.at("share");
+        part.limit = json.at("limit");
+        if (!json.at("estimate").is_null()) part.estimate = json.at("estimate").get<double>();
+        if (!json.at("kept_off").is_null()) part.kept_off = json.at("kept_off");
+    }
+    return parts;
+} catch (const Json::exception& e) {
+    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
+}
+
+} // namespace hygroloom

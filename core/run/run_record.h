@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run was, for its recording and for whoever shows it.
+#pragma once
+
+#include "core/plan/model_plan.h"
+#include "core/plan/switched_part.h"
+
+namespace hygroloom {
+
+/// Everything that describes a run but its frames.
+struct RunRecord {
+    Design design;
+    std::string fabric;
+    std::string experiment;
+    ModelPlan plan;
+    Textile textile;
+    std::uint64_t seed = 1;
+    int threads = 0;
+    std::string backend;                   ///< "cpu", "cuda"
+    std::string device;                    ///< in words, and where it went on when that failed
+    std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time; also those kept off
+    std::string date;                      ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
+    double wall = 0;                       ///< s, of the run; 0 while it runs
+};
+
+} // namespace hygroloom

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  run/hdf5_file.cpp
+  run/part_watch.cpp
+  run/recording.cpp
+  run/runner.cpp
+)

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/scene/coarse_scene.h"
+
+#include "core/plan/bundles.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hygroloom {
+namespace {
+
+/// A cloth's ends and picks as those of a coarser one.
+struct Blocks {
+    Bundles ends, picks;
+
+    /// visit(fine segment, coarse segment, part of the fine one that is in the coarse one)
+    template <typename Visit> void each_part(const Visit& visit) const
+    {
+        const int fine_crossings = ends.yarns * picks.yarns, coarse_crossings = ends.count * picks.count;
+        for (int end = 0; end < ends.yarns; ++end)
+            for (int pick = 0; pick < picks.yarns; ++pick)
+                for (int across = ends.first_of(end); across <= ends.last_of(end); ++across)
+                    for (int along = picks.first_of(pick); along <= picks.last_of(pick); ++along) {
+                        const double share = ends.share(end, across) * picks.share(pick, along);
+                        visit(static_cast<std::size_t>(end * picks.yarns + pick), static_cast<std::size_t>(across * picks.count + along),
+                              share);
+                        visit(static_cast<std::size_t>(fine_crossings + pick * ends.yarns + end),
+                              static_cast<std::size_t>(coarse_crossings + along * ends.count + across), share);
+                    }
+    }
+    std::size_t coarse_segments() const { return static_cast<std::size_t>(2 * ends.count * picks.count); }
+    /// How many yarns a coarse segment stands for side by side.
+    double yarns_of(std::size_t coarse_segment) const { return coarse_segment < coarse_segments() / 2 ? ends.size() : picks.size(); }
+};
+
+template <typename T> std::vector<double> summed(const Blocks& blocks, const std::vector<T>& values)
+{
+    std::vector<double> sums(values.empty() ? 0 : blocks.coarse_segments());
+    if (!values.empty())
+        blocks.each_part([&](std::size_t i, std::size_t c, double share) { sums[c] += share * static_cast<double>(values[i]); });
+    return sums;
+}
+
+/// Of a bundle, the mean of its yarns.
+std::vector<double> lengths(const Blocks& blocks, const std::vector<double>& fine)
+{
+    std::vector<double> coarse = summed(blocks, fine);
+    for (std::size_t c = 0; c < coarse.size(); ++c) coarse[c] /= blocks.yarns_of(c);
+    return coarse;
+}
+
+/// A block hangs in the liquid if half of it does; those that hang deepest do in any case.
+std::vector<std::uint8_t> fed_blocks(const Blocks& blocks, const std::vector<std::uint8_t>& fine)
+{
+    const std::vector<double> hanging = summed(blocks, fine);
+    if (hanging.empty()) return {};
+    const double deepest = *std::max_element(hanging.begin(), hanging.end());
+    const double enough = std::min(0.5 * blocks.ends.size() * blocks.picks.size(), deepest) * (1 - 1e-12);
+    std::vector<std::uint8_t> fed;
+    for (double crossings : hanging) fed.push_back(crossings > 0 && crossings >= enough);
+    return fed;
+}
+
+std::vector<std::uint8_t> types(const Blocks& blocks, const std::vector<std::uint8_t>& fine)
+{
+    std::vector<std::uint8_t> coarse;
+    for (int end = 0; end < blocks.ends.count; ++end) coarse.push_back(fine[static_cast<std::size_t>(blocks.ends.middle_of(end))]);
+    for (int pick = 0; pick < blocks.picks.count; ++pick)
+        coarse.push_back(fine[static_cast<std::size_t>(blocks.ends.yarns + blocks.picks.middle_of(pick))]);
+    return coarse;
+}
+
+std::vector<float> warp_up_shares(const Blocks& blocks, const std::vector<std::uint8_t>& warp_up)
+{
+    std::vector<std::uint8_t> of_segments = warp_up; // of the warp's, which come in the order of crossings
+    of_segments.resize(2 * warp_up.size());
+    std::vector<double> shares = summed(blocks, of_segments);
+    shares.resize(shares.size() / 2);
+    for (double& share : shares) share /= blocks.ends.size() * blocks.picks.size();
+    return {shares.begin(), shares.end()};
+}
+
+/// So many yarns side by side, each segment of which meets so many.
+void bundle(YarnParameters& yarn, double yarns, double crossed)
+{
+    yarn.pore_area *= yarns;
+    yarn.fibre_area *= yarns;
+    yarn.open_vapour *= yarns;
+    yarn.face_area *= yarns * crossed;
+}
+
+/// kg of liquid and bound water that a face's segments have more than at the start.
+void add_up_faces(Frame& frame, const Scene& scene)
+{
+    frame.water_top = frame.water_bottom = 0;
+    std::size_t segment = 0;
+    for (std::size_t line = 0; line < scene.type.size(); ++line) {
+        const YarnParameters& yarn = scene.yarns[scene.type[line]];
+        const bool is_warp = line < static_cast<std::size_t>(scene.ends);
+        const auto start = static_cast<double>(static_cast<float>(yarn.initial_regain)); // as frames show it
+        const auto picks = static_cast<std::size_t>(scene.picks), crossed = is_warp ? picks : static_cast<std::size_t>(scene.ends);
+        for (std::size_t i = 0; i < crossed; ++i, ++segment) {
+            const std::size_t crossing = is_warp ? segment : i * picks + line - static_cast<std::size_t>(scene.ends);
+            const double fibres = scene.length[segment] * yarn.fibre_area * yarn.fibre_density;
+            const double gained =
+                static_cast<double>(frame.liquid[segment]) + fibres * (static_cast<double>(frame.regain[segment]) - start);
+            ((scene.warp_up[crossing] != 0) == is_warp ? frame.water_top : frame.water_bottom) += gained;
+        }
+    }
+}
+
+} // namespace
+
+Scene coarsened(const Scene& fine, int crossings_per_cell)
+{
+    const Blocks blocks{bundles_of(fine.ends, crossings_per_cell), bundles_of(fine.picks, crossings_per_cell)};
+    const double ends = blocks.ends.size(), picks = blocks.picks.size();
+    Scene coarse = fine;
+    coarse.ends = blocks.ends.count;
+    coarse.picks = blocks.picks.count;
+    coarse.length = lengths(blocks, fine.length);
+    coarse.pores = summed(blocks, fine.pores);
+    coarse.shift.clear();
+    coarse.warp_up_share = warp_up_shares(blocks, fine.warp_up);
+    coarse.warp_up.clear();
+    for (float share : coarse.warp_up_share) coarse.warp_up.push_back(share >= 0.5f);
+    coarse.threads_per_cell = crossings_per_cell;
+    coarse.type = types(blocks, fine.type);
+    coarse.initial_liquid = summed(blocks, fine.initial_liquid);
+    coarse.fed = fed_blocks(blocks, fine.fed);
+    coarse.cell_area *= ends * picks;
+    coarse.warp_pitch *= ends;
+    coarse.weft_pitch *= picks;
+    for (std::size_t type = 0; type < coarse.yarns.size(); ++type) {
+        const bool is_warp = type < static_cast<std::size_t>(coarse.warp_types);
+        bundle(coarse.yarns[type], is_warp ? ends : picks, is_warp ? picks : ends);
+    }
+    for (CrossingParameters& crossing : coarse.crossing) // of all the yarns' crossings
+        for (double* conductance : {&crossing.liquid_conductance, &crossing.heat_conductance, &crossing.vapour_conductance})
+            *conductance *= ends * picks;
+    return coarse;
+}
+
+Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
+{
+    const Blocks blocks{{fine.ends, coarse.ends}, {fine.picks, coarse.picks}};
+    const Frame cells = std::exchange(frame, {});
+    frame.time = cells.time;
+    frame.ledger = cells.ledger;
+    const auto segments = static_cast<std::size_t>(fine.segments());
+    for (auto* values : {&frame.saturation, &frame.liquid, &frame.regain, &frame.vapour, &frame.temperature}) values->resize(segments);
+    const std::size_t shells = cells.shells.size() / cells.regain.size();
+    frame.shells.resize(shells * segments);
+    blocks.each_part([&](std::size_t i, std::size_t c, double share) {
+        const auto add = [&](std::vector<float>& to, std::size_t at, float value) {
+            to[at] += static_cast<float>(share * static_cast<double>(value));
+        };
+        add(frame.saturation, i, cells.saturation[c]);
+        add(frame.regain, i, cells.regain[c]);
+        add(frame.vapour, i, cells.vapour[c]);
+        add(frame.temperature, i, cells.temperature[c]);
+        for (std::size_t k = 0; k < shells; ++k) add(frame.shells, i * shells + k, cells.shells[c * shells + k]);
+        const double part = share * fine.length[i] / (blocks.yarns_of(c) * coarse.length[c]); // of the cell's pores
+        frame.liquid[i] += static_cast<float>(part * static_cast<double>(cells.liquid[c]));
+    });
+    add_up_faces(frame, fine);
+    return frame;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A cloth simulated in bundles of neighbouring yarns, and its frames shown yarn by yarn.
+#pragma once
+
+#include "core/scene/frame.h"
+#include "core/scene/scene.h"
+
+namespace hygroloom {
+
+/// The cloth of which each crossing stands for a block of about so many ends and as many picks. Its faces, pores, fibres and water add up
+/// to the same; along and across bundles passes what passes along and across their yarns side by side. A bundle lies on a face with as
+/// much of it as its yarns do.
+/// Precondition: no liquid is free, and the yarns of a bundle are of one type.
+Scene coarsened(const Scene& fine, int crossings_per_cell);
+
+/// What a frame of coarsened(fine, …) means for each segment of the fine scene: all of a block are alike. Masses add up to the same; the
+/// faces' totals are those of the fine weave.
+Frame refined(Frame frame, const Scene& coarse, const Scene& fine);
+
+} // namespace hygroloom

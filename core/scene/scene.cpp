@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/scene/scene.h"
+
+#include "core/physics/heat_moisture.h"
+#include "core/physics/wicking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+/// How warm the air is over a temperature, and what it exchanges with the faces: its own layer and, in series, the still air among the
+/// hairs that stand over the yarns.
+SceneClimate scene_climate(const Climate& climate, double time, double reference, double sample, double hair)
+{
+    const double temperature = kelvin_from_celsius(climate.temperature_c);
+    const double convection = convective_heat_transfer(climate.air_speed_m_s, sample);
+    const auto behind = [&](double outside, double inside) { return 1.0 / (1.0 / outside + hair / inside); };
+    return {time, temperature - reference, climate.relative_humidity,
+            behind(convection + radiative_heat_transfer(temperature), air_conductivity),
+            behind(mass_transfer(convection, temperature), vapour_diffusivity(temperature))};
+}
+
+void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, const Experiment& experiment)
+{
+    ClimateParameters& climate = scene.climate;
+    climate.temperature = kelvin_from_celsius(experiment.climate.temperature_c);
+    const auto [width, height] = sample_extent_mm(experiment);
+    const double sample = metre_from_mm(std::max(width, height));
+    const double hair = std::max(0.0, 0.5 * (metre_from_mm(textile.quantities.thickness_mm) - textile.thickness));
+    const auto at = [&](const Climate& air, double time) { return scene_climate(air, time, climate.temperature, sample, hair); };
+    const SceneClimate start = at(experiment.climate, 0);
+    climate.humidity = start.humidity;
+    climate.vapour = climate.humidity * saturation_concentration(climate.temperature);
+    climate.heat_transfer = start.heat_transfer;
+    climate.mass_transfer = start.mass_transfer;
+    if (!experiment.climates.empty()) scene.course.push_back(start);
+    for (const ClimateMoment& moment : experiment.climates) scene.course.push_back(at(moment.climate, moment.time_s));
+
+    const LiquidAt here = liquid_at(liquid, climate.temperature);
+    climate.surface_tension = here.surface_tension;
+    climate.viscosity = here.viscosity;
+    climate.density = here.density;
+    // A parabola through the values 15 K colder, here and 15 K warmer.
+    constexpr double apart = 15;
+    const auto ease = [&](double temperature) { return water_surface_tension(temperature) / water_viscosity(temperature); };
+    const double middle = ease(climate.temperature), cold = ease(climate.temperature - apart) / middle,
+                 warm = ease(climate.temperature + apart) / middle;
+    climate.flow_slope = (warm - cold) / (2 * apart);
+    climate.flow_curve = (warm + cold - 2) / (2 * apart * apart);
+}
+
+FibreDiffusivity diffusivity_of(const Material& fibre)
+{
+    if (!fibre.diffusion.two_stage) return {DiffusionLaw::constant, fibre.diffusion.constant_m2_s};
+    return {two_stage_law(fibre) == "wool" ? DiffusionLaw::wool_two_stage : DiffusionLaw::cotton_two_stage, 0};
+}
+
+constexpr double paper_pore_radius = 0.2e-3; // m, R_c of the paper's table A1
+
+/// The paper's printed parameters (its table A1, eqs. 12 and 14), with the liquid's surface tension where it has the fibre's.
+PoreFlow paper_flow(const YarnType& type, const ClimateParameters& climate)
+{
+    constexpr double sine_of_beta = 0.34202014332566873; // 20 degrees
+    const double full = saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, paper_pore_radius, climate.viscosity);
+    return pore_flow(3.0 * sine_of_beta * sine_of_beta * full / type.tortuosity, 1.0,
+                     capillary_pressure(climate.surface_tension, type.contact_angle, paper_pore_radius), climate.density);
+}
+
+/// What the paper's closure makes of a yarn's uptake: the same bundle scaled up to its pores (permeability as their square, suction as
+/// their inverse), and as much as the fibre's regain is of cotton's, the fibre of its table A1.
+double paper_uptake(const YarnType& type)
+{
+    return paper_pore_radius / bundle_pore_radius(metre_from_um(type.fibre.fibre_radius_um), type.packing) * type.fibre.standard_regain /
+           find_library_material("cotton")->standard_regain;
+}
+
+PoreFlow flow_in(const YarnType& type, Closure closure, const ClimateParameters& climate)
+{
+    if (closure == Closure::paper) return paper_flow(type, climate);
+    const double diffusivity =
+        saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, type.pore_radius, climate.viscosity) / type.tortuosity;
+    return pore_flow(diffusivity, closure == Closure::li_zhu ? 1.0 / 3.0 : spreading_exponent,
+                     capillary_pressure(climate.surface_tension, type.contact_angle, type.pore_radius), climate.density);
+}
+
+YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure closure, const ClimateParameters& climate)
+{
+    const Material& fibre = type.fibre;
+    YarnParameters yarn;
+    yarn.pore_area = type.area * (1.0 - type.packing);
+    yarn.fibre_area = type.area * type.packing;
+    yarn.fibre_radius = metre_from_um(fibre.fibre_radius_um);
+    yarn.fibre_density = fibre.density_kg_m3;
+    yarn.fibre_specific_heat = fibre.specific_heat_j_kgk;
+    yarn.fibre_conductivity = fibre.thermal_conductivity_w_mk;
+    yarn.isotherm = {fibre.standard_regain, fibre.saturation_regain, fibre.gab.monolayer_regain, fibre.gab.c, fibre.gab.k};
+    yarn.diffusivity = diffusivity_of(fibre);
+    if (fibre.heat_of_wetting_j_g > 0) {
+        const double by_law = heat_of_wetting(yarn.isotherm);
+        if (by_law > 0) yarn.sorption_heat_scale = 1e3 * fibre.heat_of_wetting_j_g / by_law;
+    }
+    const PoreFlow flow = flow_in(type, closure, climate);
+    yarn.exponent = flow.exponent;
+    yarn.liquid_diffusivity = flow.diffusivity;
+    yarn.fall = flow.fall;
+    yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / type.tortuosity;
+    yarn.face_area = type.section.width * crossing_pitch;
+    yarn.adhesion = work_of_adhesion(climate.surface_tension, type.contact_angle);
+    yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
+    if (yarn.liquid_diffusivity > 0) {
+        const bool paper = closure == Closure::paper;
+        const double own_radius = paper ? bundle_pore_radius(yarn.fibre_radius, type.packing) : type.pore_radius;
+        yarn.suction_radius = (paper ? paper_pore_radius : type.pore_radius) / std::cos(type.contact_angle);
+        // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
+        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing) *
+                           capillary_pressure(climate.surface_tension, type.contact_angle, own_radius) /
+                           (climate.viscosity * 0.25 * type.section.height);
+        if (paper) yarn.intake_flux *= paper_uptake(type);
+    }
+    return yarn;
+}
+
+/// A prism between the two axes, as wide as the yarns overlap: liquid and vapour pass across the fibres of each, half the way in each.
+CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft_type, const YarnParameters& warp,
+                                 const YarnParameters& weft, const ClimateParameters& climate)
+{
+    const double area = warp_type.section.width * weft_type.section.width;
+    const double half_warp = 0.5 * warp_type.section.height, half_weft = 0.5 * weft_type.section.height;
+    const auto in_series = [&](double a, double b) { return a > 0 && b > 0 ? area / (half_warp / a + half_weft / b) : 0.0; };
+    // The obstruction of the crossing: how much less permeable a bundle is across its fibres than along them (Gebart).
+    const auto across = [](const YarnType& type, const YarnParameters& yarn) {
+        const double obstruction =
+            permeability_across(yarn.fibre_radius, type.packing) / permeability_along(yarn.fibre_radius, type.packing);
+        return yarn.liquid_diffusivity * obstruction * (1.0 - type.packing);
+    };
+    CrossingParameters crossing;
+    crossing.liquid_conductance = climate.density * in_series(across(warp_type, warp), across(weft_type, weft));
+    crossing.heat_conductance = in_series(mean_conductivity(warp_type.packing, warp.fibre_conductivity, 0),
+                                          mean_conductivity(weft_type.packing, weft.fibre_conductivity, 0));
+    crossing.vapour_conductance =
+        in_series(warp.vapour_diffusivity * (1.0 - warp_type.packing), weft.vapour_diffusivity * (1.0 - weft_type.packing));
+    return crossing;
+}
+
+ContactShape make_shape(const YarnSystem& system, std::size_t own)
+{
+    const YarnType& type = system.types[own];
+    ContactShape shape{0.5 * type.section.height, 0.5 * type.section.width, {}};
+    const std::size_t paths = system.paths.size() / system.types.size();
+    for (std::size_t p = own * paths; p < (own + 1) * paths; ++p) {
+        const YarnPath& path = system.paths[p];
+        for (std::size_t i = 0; i < path.height.size(); ++i)
+            for (double value : {path.height[i], path.slope[i], path.half_height[i], path.half_width[i]})
+                shape.profiles.push_back(static_cast<float>(value));
+    }
+    return shape;
+}
+
+double mean_area(const YarnSystem& system)
+{
+    double area = 0;
+    for (int yarn = 0; yarn < system.count; ++yarn)
+        area += system.types[system.order[static_cast<std::size_t>(yarn) % system.order.size()]].area;
+    return area / system.count;
+}
+
+/// The types of yarn, what they are like where they cross, and which each end and pick is of.
+void add_yarns(Scene& scene, const Textile& textile, const Experiment& experiment)
+{
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        const auto before = static_cast<int>(scene.yarns.size());
+        for (std::size_t type = 0; type < system.types.size(); ++type) {
+            scene.yarns.push_back(make_yarn(system.types[type], textile.system(other_kind(kind)).pitch, experiment.closure, scene.climate));
+            scene.shapes.push_back(make_shape(system, type));
+        }
+        for (int yarn = 0; yarn < system.count; ++yarn)
+            scene.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
+    }
+    const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
+    scene.warp_types = static_cast<int>(warps);
+    for (std::size_t warp = 0; warp < warps; ++warp)
+        for (std::size_t weft = 0; weft < wefts; ++weft) {
+            const YarnType &over = textile.warp.types[warp], &under = textile.weft.types[weft];
+            scene.crossing.push_back(make_crossing(over, under, scene.yarns[warp], scene.yarns[warps + weft], scene.climate));
+            scene.crossing.back().warp_rise = over.rise[weft];
+            scene.crossing.back().weft_rise = under.rise[warp];
+        }
+    // The open space between the yarns of the layer serves the vapour of both systems, each in its own direction.
+    const double open = std::max(0.0, 1.0 - (mean_area(textile.warp) / textile.warp.pitch + mean_area(textile.weft) / textile.weft.pitch) /
+                                                textile.thickness);
+    for (std::size_t type = 0; type < scene.yarns.size(); ++type) {
+        const double pitch = type < warps ? textile.warp.pitch : textile.weft.pitch;
+        scene.yarns[type].open_vapour =
+            vapour_diffusivity(scene.climate.temperature) * std::pow(open, 1.5) * pitch * textile.thickness; // Bruggeman
+    }
+    scene.warp_pitch = textile.warp.pitch;
+    scene.weft_pitch = textile.weft.pitch;
+    scene.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
+}
+
+std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
+{
+    std::vector<SceneDroplet> droplets;
+    for (const Droplet& d : falling_drops(experiment)) {
+        SceneDroplet drop;
+        drop.time = d.time_s;
+        drop.volume = cubic_metre_from_ul(d.volume_ul);
+        drop.speed = d.speed_m_s;
+        const double radius = std::cbrt(3.0 * drop.volume / (4.0 * pi));
+        drop.centre = {metre_from_mm(d.at_mm[0]), metre_from_mm(d.at_mm[1]),
+                       textile.half_thickness() + metre_from_mm(d.height_mm) + radius};
+        droplets.push_back(drop);
+    }
+    std::stable_sort(droplets.begin(), droplets.end(), [](const SceneDroplet& a, const SceneDroplet& b) { return a.time < b.time; });
+    return droplets;
+}
+
+/// Everything of the strip's end that hangs in the liquid; the strip's lowest yarn is its first.
+void hang_in_liquid(Scene& scene, const Textile& textile, const Experiment& experiment)
+{
+    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    const double pitch = experiment.along_weft ? textile.warp.pitch : textile.weft.pitch;
+    const int deep = std::max(1, static_cast<int>(std::lround(metre_from_mm(experiment.immersion_mm) / pitch)));
+    for (int end = 0; end < scene.ends; ++end)
+        for (int pick = 0; pick < scene.picks; ++pick)
+            if ((experiment.along_weft ? end : pick) < deep)
+                for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                    scene.fed[static_cast<std::size_t>(textile.segment(kind, end, pick))] = 1;
+    (experiment.along_weft ? scene.gravity_along_weft : scene.gravity_along_warp) = gravity_acceleration;
+}
+
+/// The water of a drying test: the fibres drink first, the rest fills all pores alike, as far as they hold it.
+void wet_evenly(Scene& scene, double water_per_area)
+{
+    const double water = water_per_area * scene.cell_area * scene.crossings();
+    double wanted = 0, pores = 0;
+    const auto yarn_of = [&](std::size_t i) -> std::size_t {
+        const auto crossings = static_cast<std::size_t>(scene.crossings());
+        const std::size_t line = i < crossings
+                                     ? i / static_cast<std::size_t>(scene.picks)
+                                     : static_cast<std::size_t>(scene.ends) + (i - crossings) / static_cast<std::size_t>(scene.ends);
+        return scene.type[line];
+    };
+    std::vector<double> thirst; // regain each type can still bind
+    for (const YarnParameters& yarn : scene.yarns)
+        thirst.push_back(scene.sorption ? equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain : 0.0);
+    const auto segments = static_cast<std::size_t>(scene.segments());
+    for (std::size_t i = 0; i < segments; ++i) {
+        const YarnParameters& yarn = scene.yarns[yarn_of(i)];
+        wanted += thirst[yarn_of(i)] * yarn.fibre_area * yarn.fibre_density * scene.length[i];
+        pores += yarn.pore_area * scene.length[i];
+    }
+    const double drunk = wanted > 0 ? std::min(1.0, water / wanted) : 0.0;
+    const double saturation = std::clamp((water - drunk * wanted) / (scene.climate.density * pores), 0.0, 1.0);
+    scene.initial_bound = drunk * wanted;
+    for (std::size_t type = 0; type < scene.yarns.size(); ++type) scene.yarns[type].initial_regain += drunk * thirst[type];
+    scene.initial_liquid.resize(segments);
+    for (std::size_t i = 0; i < segments; ++i)
+        scene.initial_liquid[i] = saturation * scene.climate.density * scene.yarns[yarn_of(i)].pore_area * scene.length[i];
+    scene.initial_humidity = water > 0 ? 1.0 : -1.0;
+}
+
+/// In equilibrium with another climate.
+void start_in(Scene& scene, const Climate& initial)
+{
+    const double temperature = kelvin_from_celsius(initial.temperature_c);
+    scene.initial_warmth = temperature - scene.climate.temperature;
+    scene.initial_humidity = initial.relative_humidity;
+    for (YarnParameters& yarn : scene.yarns)
+        yarn.initial_regain = equilibrium_regain(yarn.isotherm, initial.relative_humidity, temperature);
+}
+
+void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, const ModelPlan& plan)
+{
+    const double volume = cubic_metre_from_ul(experiment.volume_ul);
+    constexpr double pouring = 5; // s, to dispense the liquid of a horizontal test
+    if (plan.on("liquid")) scene.droplets = make_droplets(textile, experiment);
+    switch (experiment.type) {
+    case ExperimentType::droplet: break;
+    case ExperimentType::moisture_management:
+        if (experiment.drop_ul == 0) scene.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
+        break;
+    case ExperimentType::horizontal_wicking: scene.pools.push_back({0, pouring, volume / pouring, true}); break;
+    case ExperimentType::vertical_wicking: hang_in_liquid(scene, textile, experiment); break;
+    case ExperimentType::drying: wet_evenly(scene, 1e-3 * experiment.initial_water_g_m2); break;
+    case ExperimentType::conditioning: start_in(scene, experiment.initial); break;
+    case ExperimentType::sweat:
+        scene.sweat = 1e-3 * experiment.rate_g_m2_h / 3600.0 / scene.climate.density;
+        scene.sweat_on_top = experiment.from_top;
+        break;
+    }
+}
+
+} // namespace
+
+LiquidAt liquid_at(const Liquid& liquid, double temperature)
+{
+    constexpr double known = 293.15;
+    return {1e-3 * liquid.surface_tension_mn_m * water_surface_tension(temperature) / water_surface_tension(known),
+            1e-3 * liquid.viscosity_mpa_s * water_viscosity(temperature) / water_viscosity(known),
+            liquid.density_kg_m3 * water_density(temperature) / water_density(known)};
+}
+
+SceneClimate air_at(const Scene& scene, double time)
+{
+    const ClimateParameters& start = scene.climate;
+    if (scene.course.empty()) return {time, start.air_warmth, start.humidity, start.heat_transfer, start.mass_transfer};
+    const auto after = std::upper_bound(scene.course.begin(), scene.course.end(), time,
+                                        [](double at, const SceneClimate& moment) { return at < moment.time; });
+    const SceneClimate& last = *(after - 1);
+    SceneClimate now = last;
+    if (after == scene.course.end()) return now;
+    const double share = (time - last.time) / (after->time - last.time);
+    const auto between = [&](double SceneClimate::*value) { now.*value += share * (*after.*value - last.*value); };
+    between(&SceneClimate::air_warmth);
+    between(&SceneClimate::humidity);
+    between(&SceneClimate::heat_transfer);
+    between(&SceneClimate::mass_transfer);
+    return now;
+}
+
+void set_parts(Scene& scene, const ModelPlan& plan)
+{
+    scene.wicking = plan.on("wicking");
+    scene.sorption = plan.on("sorption");
+    scene.vapour = plan.on("vapour");
+    scene.heat = plan.on("heat");
+    scene.fibre_shells = plan.fibre_shells;
+}
+
+Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed)
+{
+    Scene scene;
+    scene.ends = textile.ends();
+    scene.picks = textile.picks();
+    scene.length.resize(static_cast<std::size_t>(scene.segments()));
+    scene.shift.resize(static_cast<std::size_t>(scene.segments()));
+    scene.warp_up.resize(static_cast<std::size_t>(scene.crossings()));
+    for (int end = 0; end < scene.ends; ++end)
+        for (int pick = 0; pick < scene.picks; ++pick) {
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const auto segment = static_cast<std::size_t>(textile.segment(kind, end, pick));
+                scene.length[segment] = textile.segment_length(kind, end, pick);
+                scene.shift[segment] = static_cast<float>(textile.shift_at_crossing(kind, end, pick));
+            }
+            scene.warp_up[static_cast<std::size_t>(end * scene.picks + pick)] = textile.warp_up(end, pick);
+        }
+    scene.cell_area = textile.warp.pitch * textile.weft.pitch;
+    scene.half_thickness = textile.half_thickness();
+    add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
+    add_yarns(scene, textile, experiment);
+    scene.particles_per_droplet = plan.particles_per_droplet;
+    set_parts(scene, plan);
+    set_up(scene, textile, experiment, plan);
+    if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
+    constexpr double swelling = 1e-3;          // m3 per kg: bound water takes as much room as liquid
+    if (experiment.swelling) scene.swelling = swelling;
+    scene.network_step = plan.knobs.network_step_limit;
+    scene.calm_network_step = experiment.duration_s;
+    scene.step_error = plan.knobs.step_error;
+    scene.rest_tolerance = plan.rest_tolerance;
+    scene.saturation_change = plan.knobs.saturation_change;
+    scene.liquid_step_factor = plan.knobs.liquid_step_factor;
+    scene.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
+    scene.density_tolerance = plan.knobs.density_tolerance;
+    scene.settle_share = plan.knobs.settle_share;
+    scene.double_precision = plan.knobs.double_precision != 0;
+    scene.seed = seed;
+    return scene;
+}
+
+} // namespace hygroloom

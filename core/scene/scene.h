@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Everything a backend ever sees of a run: plain numbers and flat arrays in SI units.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/geometry/textile.h"
+#include "core/physics/sorption.h"
+#include "core/plan/model_plan.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+constexpr double water_quantum = 0x1.0p-64; ///< kg; liquid passes from particles to yarns in whole quanta, so nothing is lost to rounding
+
+/// What the moisture model needs to know of one type of yarn.
+struct YarnParameters {
+    double pore_area = 0;           ///< m2, of the section
+    double fibre_area = 0;          ///< m2
+    double fibre_radius = 0;        ///< m
+    double fibre_density = 0;       ///< kg/m3
+    double fibre_specific_heat = 0; ///< J/(kg K)
+    double fibre_conductivity = 0;  ///< W/(m K)
+    Isotherm isotherm;
+    FibreDiffusivity diffusivity;
+    double sorption_heat_scale = 1; ///< of the law of sorption heats
+    double liquid_diffusivity = 0;  ///< m2/s at saturation, tortuosity included; 0: does not wick
+    double exponent = 2;            ///< of the saturation in it
+    double fall = 0;                ///< s, see PoreFlow
+    double vapour_diffusivity = 0;  ///< m2/s in the pores, tortuosity included
+    double open_vapour = 0;         ///< m4/s, diffusivity of vapour in air times the open cross-section beside a yarn
+    double suction_radius = 0;      ///< m, pore radius / cos(contact angle): smaller sucks harder; 0: does not wick
+    double intake_flux = 0;         ///< kg/(m2 s) through the skin of a dry yarn
+    double face_area = 0;           ///< m2 of one segment's skin that drinks from drops
+    double adhesion = 0;            ///< J/m2, work of adhesion
+    double initial_regain = 0;
+    double resting_regain = 0; ///< in equilibrium with the climate: a segment that has it and no liquid is not visited
+};
+
+/// How a warp and a weft yarn touch at a crossing.
+struct CrossingParameters {
+    double liquid_conductance = 0; ///< kg/s for a unit difference of spreading potential
+    double heat_conductance = 0;   ///< W/K
+    double vapour_conductance = 0; ///< m3/s
+    double warp_rise = 0;          ///< m, of the warp's centreline over the middle plane where it is up, or under it
+    double weft_rise = 0;
+};
+
+/// A liquid at a temperature: its own values at 20 C, changing with temperature as water's do.
+struct LiquidAt {
+    double surface_tension, viscosity, density; ///< N/m, Pa s, kg/m3
+};
+LiquidAt liquid_at(const Liquid& liquid, double temperature);
+
+/// Air and liquid.
+struct ClimateParameters {
+    double temperature = 0;     ///< K, of the air at the start: what warmth counts from; the liquid's numbers are for it
+    double air_warmth = 0;      ///< K, of the air over temperature
+    double vapour = 0;          ///< kg/m3 far from the fabric
+    double humidity = 0;        ///< 0..1
+    double heat_transfer = 0;   ///< W/(m2 K), radiation included
+    double mass_transfer = 0;   ///< m/s
+    double flow_slope = 0;      ///< 1/K, of surface tension / viscosity with warmth, over its value
+    double flow_curve = 0;      ///< 1/K2
+    double surface_tension = 0; ///< N/m
+    double viscosity = 0;       ///< Pa s
+    double density = 0;         ///< kg/m3
+};
+
+/// How much faster liquid of this warmth flows: surface tension / viscosity over that at the climate's temperature.
+HL_FN double flow_factor(const ClimateParameters& climate, double warmth)
+{
+    const double factor = 1.0 + warmth * (climate.flow_slope + warmth * climate.flow_curve);
+    return factor < 0.2 ? 0.2 : factor > 5.0 ? 5.0 : factor;
+}
+
+/// The air at one moment; between moments it changes evenly.
+struct SceneClimate {
+    double time = 0;
+    double air_warmth = 0;
+    double humidity = 0;
+    double heat_transfer = 0;
+    double mass_transfer = 0;
+};
+
+/// Liquid fed onto a face as one standing pool, which the yarns under it drink.
+struct ScenePool {
+    double start = 0, end = 0; ///< s
+    double rate = 0;           ///< m3/s
+    bool top = true;
+};
+
+/// The shape of one type of yarn as the liquid meets it.
+struct ContactShape {
+    double half_height = 0; ///< m, at a crossing
+    double half_width = 0;  ///< m
+    /// Per type it crosses before, type it crosses after and whether it changes sides between them (the order of YarnSystem::paths):
+    /// height, slope, half height, half width of every sample from crossing to crossing.
+    std::vector<float> profiles;
+};
+
+struct SceneDroplet {
+    double time = 0;
+    double volume = 0; ///< m3
+    Vec3d centre;
+    double speed = 0; ///< downwards
+};
+
+/// A smooth box, open at its top, with liquid inside; a plate if its sides are far away. It stands over the cloth.
+struct SceneVessel {
+    Vec3d low, high;
+    double adhesion = 0; ///< J/m2, work of adhesion
+};
+
+/// Free liquid that is there from the start.
+struct SceneLiquid {
+    std::vector<Vec3d> places;
+    std::vector<Vec3d> velocities;
+    double particle_volume = 0; ///< m3; drops that come later are made of the same
+};
+
+struct Scene {
+    int ends = 0;
+    int picks = 0;
+    std::vector<double> length;            ///< m, one per segment
+    std::vector<double> pores;             ///< m3, one per segment; empty: its yarn's pore area times its length
+    std::vector<float> shift;              ///< m, of each segment's middle beside its yarn's place; empty: none
+    std::vector<std::uint8_t> warp_up;     ///< one per crossing, end x picks + pick
+    std::vector<float> warp_up_share;      ///< of the crossings that each stands for; empty: each is one
+    int threads_per_cell = 1;              ///< ends, and picks, that each stands for, about
+    double cell_area = 0;                  ///< m2 of fabric per crossing
+    double half_thickness = 0;             ///< m
+    double warp_pitch = 0, weft_pitch = 0; ///< m, from end to end and from pick to pick
+    int warp_types = 1;
+    std::vector<YarnParameters> yarns;        ///< per type: the warp's, then the weft's
+    std::vector<ContactShape> shapes;         ///< of the same types
+    int profile_samples = 0;                  ///< of each of their profiles
+    std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
+    std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
+    ClimateParameters climate;
+    std::vector<SceneDroplet> droplets; ///< in order of time
+    SceneLiquid liquid;
+    std::optional<SceneVessel> vessel;
+    double gravity = gravity_acceleration; ///< m/s2, downwards, on the free liquid
+    bool shows_pressure = false;           ///< whether frames show the free liquid's pressure
+    std::vector<SceneClimate> course;      ///< of the climate, the first at 0 s; empty: constant
+    std::vector<ScenePool> pools;          ///< in the middle of the sample
+    double sweat = 0;                      ///< m/s (m3 of liquid per m2 and s) fed to one face
+    bool sweat_on_top = false;
+    std::vector<double> initial_liquid; ///< kg per segment; empty: dry
+    double initial_bound = 0;           ///< kg of the fibres' water at the start that was added for the experiment
+    double initial_warmth = 0;          ///< K, of the sample
+    double initial_humidity = -1;       ///< of its pores; less than 0: the climate's
+    std::vector<std::uint8_t> fed;      ///< per segment, whether it hangs in liquid and stays full; empty: none does
+    double gravity_along_warp = 0;      ///< m/s2 towards pick 0
+    double gravity_along_weft = 0;      ///< m/s2 towards end 0
+    bool face_only = false;             ///< the sample's edge is closed to vapour and heat
+    double swelling = 0;                ///< m3 of pore lost per kg of water that fibres bind
+    int particles_per_droplet = 0;
+    int fibre_shells = 1;
+    bool shows_shells = false; ///< whether frames show the regain of each shell
+    bool wicking = true, sorption = true, vapour = true, heat = true;
+    double network_step = 0;       ///< s, longest while drops are about
+    double calm_network_step = 0;  ///< s, longest without drops; 0: the same
+    double rest_tolerance = 0;     ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
+                                   ///< the visited region grows where there is more. 0: all of the sample is visited
+    double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
+    double saturation_change = 0;  ///< largest a step aims at, for the step's length
+    double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
+    int steps_between_drinks = 1;  ///< of the free liquid
+    double density_tolerance = 0.01;
+    bool double_precision = false; ///< of the free liquid's particles
+    double settle_share = 0;       ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
+    std::uint64_t seed = 1;
+
+    int crossings() const { return ends * picks; }
+    int segments() const { return 2 * crossings(); }
+    int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
+};
+
+/// The air at a moment (s).
+SceneClimate air_at(const Scene& scene, double time);
+
+/// Switches parts on and off as the plan has them; nothing else of the scene, and nothing of its start, changes.
+void set_parts(Scene& scene, const ModelPlan& plan);
+
+/// Precondition: plan_model() made the plan for these.
+Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed);
+
+} // namespace hygroloom

@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  scene/coarse_scene.cpp
+  scene/scene.cpp
+)

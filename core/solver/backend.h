@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A machine that can run the physics: the CPU, or a GPU.
+#pragma once
+
+#include "core/scene/frame.h"
+#include "core/solver/stage_clock.h"
+
+#include <cstddef>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+struct Scene;
+
+/// One way to run scenes. advance() and frame() belong to the scene loaded last.
+class Backend {
+public:
+    virtual ~Backend() = default;
+    virtual std::string name() const = 0;   ///< "cpu", "cuda"
+    virtual std::string device() const = 0; ///< in words
+    /// 0 for all of the machine. Results do not depend on it.
+    virtual void set_threads(int threads) = 0;
+    virtual void load(const Scene& scene) = 0;
+    /// Gives back the memory that the scene takes, where the backend can.
+    virtual void unload() {}
+    /// Advances towards the given time, by at least one step and by about 0.05 s of wall time at most; returns the time reached.
+    virtual double advance(double until) = 0;
+    virtual Frame frame() = 0;
+    /// The same as frame() gives now, to be had later: from any thread, while advance() goes on, but before the next frame is taken or
+    /// another scene is loaded. Where there is nothing to wait for it is there at once.
+    virtual std::future<Frame> take_frame()
+    {
+        std::promise<Frame> now;
+        now.set_value(frame());
+        return now.get_future();
+    }
+    /// All that its scene has come to at a frame, on whatever machine it is to go on.
+    virtual std::vector<std::byte> state() = 0;
+    /// After load() of the same scene: goes on from what a backend had come to. Parts that were off may be on now (see set_parts()); fibres
+    /// then begin with the regain they had. Throws Error if it was another scene.
+    virtual void go_on_from(const std::vector<std::byte>& state) = 0;
+    virtual long liquid_steps() const = 0;
+    virtual int particles() const = 0;
+    /// From now on adds up what each stage takes, where the backend can.
+    virtual void time_stages() {}
+    /// The longest first; none when not asked for, or when the backend cannot tell.
+    virtual std::vector<StageTime> stage_times() { return {}; }
+};
+
+std::unique_ptr<Backend> make_cpu_backend();
+
+/// A backend that this build or machine may have.
+struct BackendInfo {
+    std::string name;
+    std::string device;
+    bool usable = false;
+    std::string reason; ///< why not, in a sentence
+};
+
+} // namespace hygroloom

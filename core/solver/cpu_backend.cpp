@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/scene/scene.h"
+#include "core/solver/backend.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <thread>
+
+namespace hygroloom {
+
+namespace in_single {
+std::unique_ptr<Backend> make_cpu_solver(); // cpu_solver.cpp
+}
+namespace in_double {
+std::unique_ptr<Backend> make_cpu_solver();
+}
+
+namespace {
+
+std::string processor_name()
+{
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    return "processor";
+}
+
+/// Runs each scene in the precision it asks for.
+class CpuBackend : public Backend {
+public:
+    std::string name() const override { return "cpu"; }
+    std::string device() const override { return fmt::format("{}, {} thread(s)", processor_name(), threads_); }
+    void set_threads(int threads) override
+    {
+        const int all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        threads_ = threads > 0 ? threads : all;
+        solver_->set_threads(threads_);
+    }
+    void load(const Scene& scene) override
+    {
+        if (scene.double_precision != is_double_) {
+            solver_ = scene.double_precision ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
+            is_double_ = scene.double_precision;
+            solver_->set_threads(threads_);
+            if (times_stages_) solver_->time_stages();
+        }
+        solver_->load(scene);
+    }
+    double advance(double until) override { return solver_->advance(until); }
+    Frame frame() override { return solver_->frame(); }
+    std::vector<std::byte> state() override { return solver_->state(); }
+    void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
+    long liquid_steps() const override { return solver_->liquid_steps(); }
+    int particles() const override { return solver_->particles(); }
+    void time_stages() override
+    {
+        times_stages_ = true;
+        solver_->time_stages();
+    }
+    std::vector<StageTime> stage_times() override { return solver_->stage_times(); }
+
+private:
+    std::unique_ptr<Backend> solver_ = in_single::make_cpu_solver();
+    bool is_double_ = false;
+    bool times_stages_ = false;
+    int threads_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+} // namespace
+
+std::unique_ptr<Backend> make_cpu_backend() { return std::make_unique<CpuBackend>(); }
+
+} // namespace hygroloom

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  solver/cpu_backend.cpp
+  solver/cpu_solver.cpp
+  solver/droplet.cpp
+  solver/host_cloth.cpp
+)
+
+# What depends on the particles' number type, once more in double precision.
+add_library(hygroloom_core_double OBJECT solver/cpu_solver.cpp solver/droplet.cpp solver/host_cloth.cpp)
+target_compile_definitions(hygroloom_core_double PRIVATE HYGROLOOM_DOUBLE)
+target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eigen TBB::tbb)
+target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)

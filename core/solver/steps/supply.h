@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid that comes to the yarns without drops: from a bath they hang in, a pool on a face, or an even feed.
+#pragma once
+
+#include "core/base/portable.h"
+#include "core/solver/steps/yarn_exchange.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Segments that hang in the liquid are full and have its temperature.
+struct KeepFed {
+    Segments s;
+    double density;
+
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        if (s.fed[i] == 0) return;
+        const YarnParameters& yarn = s.yarn_of(i);
+        s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+        s.warmth[i] = 0;
+        s.supplied[i] += density * s.pores[i] - s.liquid[i];
+        s.liquid[i] = density * s.pores[i];
+    }
+};
+
+/// Where a face is fed: within a circle round the sample's middle.
+struct FedFace {
+    bool top = true;
+    double radius = 0; ///< m; less than 0: the whole face
+    double warp_pitch = 0, weft_pitch = 0;
+    int places = 1; ///< along each side of a crossing's cell that are looked at; more in bundles of yarns
+
+    /// Part of a segment that lies on the fed face, and there within the circle.
+    HL_FN double share(const Segments& s, int i) const
+    {
+        const int crossing = s.crossing_of(i);
+        const double warp = s.warp_up_share ? static_cast<double>(s.warp_up_share[crossing]) : s.warp_up[crossing] != 0 ? 1.0 : 0.0;
+        const double on_face = s.is_warp(i) == top ? warp : 1.0 - warp;
+        if (radius < 0 || on_face <= 0) return on_face;
+        int inside = 0;
+        for (int place = 0; place < places * places; ++place)
+            inside += is_inside(s, crossing, beside(place / places), beside(place % places));
+        return on_face * inside / (places * places);
+    }
+    HL_FN double beside(int place) const { return (place + 0.5) / places - 0.5; }
+    HL_FN bool is_inside(const Segments& s, int crossing, double beside_end, double beside_pick) const
+    {
+        const double x = (crossing / s.picks + beside_end - 0.5 * (s.ends - 1)) * warp_pitch,
+                     y = (crossing % s.picks + beside_pick - 0.5 * (s.picks - 1)) * weft_pitch;
+        return x * x + y * y <= radius * radius;
+    }
+};
+
+/// What stages count for the host in a step of the yarns.
+struct YarnTotals {
+    std::int64_t asked = 0, given = 0; ///< quanta
+    std::int64_t swollen = 0;          ///< segments, see Swell
+    std::int64_t wicking_error = 0;    ///< quanta
+    std::int64_t bound_error = 0;      ///< quanta
+    std::int64_t heat_error = 0;       ///< see EstimateExchange
+    int largest_change = 0;            ///< of saturation: see TrackChange
+    int reach[4] = {-1, -1, -1, -1};   ///< where liquid, vapour or heat has come: see Reach
+};
+
+/// What each fed segment could take now, in quanta, summed up.
+struct AskPool {
+    Segments s;
+    FedFace face;
+    double density;
+    double dt;
+    double evenly; ///< kg offered to each in this step; less than 0: as much as suction draws through its skin
+    std::int64_t* total;
+
+    HL_FN std::int64_t wanted(int i) const
+    {
+        const double share = face.share(s, i);
+        if (share <= 0) return 0;
+        const double capacity = density * s.pores[i];
+        const double room = capacity - s.liquid[i] - static_cast<double>(s.absorbed[i]) * water_quantum;
+        if (room <= 0) return 0;
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double drawn = share * (evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity);
+        return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
+    }
+    HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
+};
+
+/// Gives each what it asked for, or the same share of it, in whole quanta; sums up what is given.
+struct TakeFromPool {
+    AskPool ask;
+    std::int64_t offered; ///< quanta, for all who asked
+    std::int64_t* total;
+
+    HL_FN double share() const
+    {
+        const std::int64_t asked = *ask.total;
+        return asked > offered ? static_cast<double>(offered) / static_cast<double>(asked) * (1.0 - 1e-12) : 1.0;
+    }
+    HL_FN std::int64_t operator()(int index) const
+    {
+        const int i = ask.s.visited_segment(index);
+        const auto quanta = static_cast<std::int64_t>(share() * static_cast<double>(ask.wanted(i)));
+        if (quanta > 0) ask.s.absorbed[i] += quanta;
+        return quanta;
+    }
+};
+
+/// Fibres that bound water narrow the pores; never below a twentieth, nor below the liquid in them, of which GiveBack takes what is too
+/// much. Counts where that is the least given back or more.
+struct Swell {
+    Segments s;
+    double density;
+    double swelling;      ///< m3 per kg
+    double least_surplus; ///< kg
+    std::int64_t* total;  ///< of segments with so much
+
+    HL_FN std::int64_t operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double dry = yarn.pore_area * s.length[i];
+        double pores = dry - swelling * s.bound[i];
+        if (pores < 0.05 * dry) pores = 0.05 * dry;
+        s.work0[i] = s.liquid[i] - density * pores;
+        if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
+        s.pores[i] = pores;
+        return s.work0[i] >= least_surplus;
+    }
+};
+
+/// Finds where the cloth is no longer at rest near the border of what is visited.
+struct FindReach {
+    Segments s;
+    ClimateParameters climate;
+    double tolerance; ///< of saturation humidity; of ten kelvin
+    int near;         ///< threads from the border that count
+    Reach reach;
+
+    HL_FN bool is_near(int crossing) const
+    {
+        const Unvisited& out = s.unvisited;
+        const int end = crossing / s.picks, pick = crossing % s.picks;
+        return (out.ends_before > 0 && end < out.ends_before + near) || (out.ends_after > 0 && s.ends - 1 - end < out.ends_after + near) ||
+               (out.picks_before > 0 && pick < out.picks_before + near) ||
+               (out.picks_after > 0 && s.picks - 1 - pick < out.picks_after + near);
+    }
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        if (!is_near(s.crossing_of(i))) return;
+        const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
+        const double moister = s.vapour[i] / air - climate.vapour, warmer = s.warmth[i] - climate.air_warmth;
+        const double most_moister = tolerance * saturation_concentration(climate.temperature), most_warmer = 10.0 * tolerance;
+        const bool rests = s.liquid[i] <= 1e-9 * climate.density * s.pores[i] && moister < most_moister && moister > -most_moister &&
+                           warmer < most_warmer && warmer > -most_warmer;
+        if (!rests) reach.include(s, s.crossing_of(i));
+    }
+};
+
+/// How much rates of change differ from those of the step before: the leading error of an implicit Euler step.
+struct RateHistory {
+    double* rate; ///< of the step before, per segment
+    double dt, dt_before;
+    bool known; ///< whether there was a step before
+
+    HL_FN double error(int i, double change) const
+    {
+        const double now = change / dt;
+        const double difference = now > rate[i] ? now - rate[i] : rate[i] - now;
+        rate[i] = now;
+        return known ? difference * dt * dt / (dt + dt_before) : 0.0;
+    }
+};
+
+/// Error of the liquid that wicking moved since before[], summed up in quanta, yarn by yarn.
+struct EstimateWicking {
+    Segments s;
+    RateHistory history;
+    const double* before;
+    std::int64_t* sum;
+
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
+    {
+        const YarnLine line = s.visited_line(index);
+        std::int64_t quanta = 0;
+        team.each(line.first, line.last,
+                  [&](int i) { quanta += static_cast<std::int64_t>(history.error(i, s.liquid[i] - before[i]) / water_quantum); });
+        team.add(sum, quanta);
+    }
+};
+
+/// Error of the fibres' water and of the heat since the last exchange, in quanta of each, yarn by yarn. What there was then stands in
+/// bound and heat, which are brought up to date.
+struct EstimateExchange {
+    Segments s;
+    RateHistory bound_history, heat_history;
+    double* bound;
+    double* heat;
+    YarnTotals* totals;
+
+    static constexpr double heat_quantum = 0x1.0p-50; ///< J
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
+    {
+        const YarnLine line = s.visited_line(index);
+        std::int64_t water = 0, joules = 0;
+        team.each(line.first, line.last, [&](int i) {
+            const double bound_now = s.bound[i];
+            const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
+            water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
+            const bool bath_warm = s.fed != nullptr && s.fed[i] != 0; // its temperature is set, not found
+            if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);
+            bound[i] = bound_now;
+            heat[i] = heat_now;
+        });
+        team.add(&totals->bound_error, water);
+        team.add(&totals->heat_error, joules);
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

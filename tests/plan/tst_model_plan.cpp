@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The plan: what it leaves out, and that it says why with a number.
+#include "core/base/error.h"
+#include "core/plan/plan_json.h"
+#include "core/scene/scene.h"
+#include "tests/support/drop_design.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+ModelPlan plan_of(const Design& d, Fidelity fidelity = Fidelity::standard, const ForcedParts& forced = {})
+{
+    return plan_model(d, d.fabrics[0], d.experiments[0], fidelity, forced);
+}
+
+/// The number after some words of a reason.
+double number_after(const std::string& reason, const QString& words)
+{
+    const QRegularExpressionMatch match = QRegularExpression(words + " ([0-9.e+-]+)").match(QString::fromStdString(reason));
+    return match.hasMatch() ? match.captured(1).toDouble() : std::nan("");
+}
+
+/// Ends in stripes of cotton and polyester, the picks of cotton.
+Design striped(int cotton, int polyester)
+{
+    Design design = drop_design();
+    Fabric& fabric = design.fabrics[0];
+    fabric.contact_angle_deg.reset();
+    fabric.extra_yarns.push_back(fabric.warp);
+    fabric.extra_yarns[0].material = {{"polyester", 1.0}};
+    fabric.extra_yarns[0].diameter_mm = 0.15;
+    design.experiments[0].sample_mm = {20, 20}; // more than the drop can wet
+    if (cotton > 0) fabric.warp_order.push_back({0, cotton});
+    if (polyester > 0) fabric.warp_order.push_back({1, polyester});
+    return design;
+}
+} // namespace
+
+class TestModelPlan : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aDropOnCottonNeedsLiquidWickingSorptionAndHeat()
+    {
+        const ModelPlan plan = plan_of(drop_design());
+        for (const char* part : {"liquid", "wicking", "sorption", "heat"}) QVERIFY(plan.on(part));
+        for (const PlannedPart& part : plan.parts) QVERIFY(!part.reason.empty());
+        QCOMPARE(plan.segments, 2 * plan.region.ends * plan.region.picks);
+    }
+    void repellentClothNeedsOnlyTheLiquid()
+    {
+        const ModelPlan plan = plan_of(drop_design(120));
+        QVERIFY(plan.on("liquid"));
+        for (const char* part : {"wicking", "sorption", "vapour", "heat"}) QVERIFY(!plan.on(part));
+    }
+    void anAngleJustUnder90IsToldInFull()
+    {
+        const ModelPlan plan = plan_of(drop_design(89.96));
+        const auto wicking = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "wicking"; });
+        QVERIFY2(wicking->on && wicking->reason.find("89.96 degrees, under 90") != std::string::npos, wicking->reason.c_str());
+    }
+    void thePapersClosureTakesAllFibresForAlikeButForTheirRegain()
+    {
+        const auto warp_of = [](const char* fibre, Closure closure, std::optional<double> angle) {
+            Design design = drop_design();
+            Fabric& fabric = design.fabrics[0];
+            fabric.warp.material = fabric.weft.material = {{fibre, 1.0}};
+            fabric.contact_angle_deg = angle;
+            Experiment& experiment = design.experiments[0];
+            experiment.closure = closure;
+            const ModelPlan plan = plan_of(design);
+            return build_scene(design, textile_of_run(design, fabric, experiment, plan.region), experiment, plan, 1).yarns[0];
+        };
+        const YarnParameters cotton = warp_of("cotton", Closure::paper, {});
+        constexpr double cosine = 0.81915204428899179; // of cotton's 35 degrees
+        QVERIFY(std::abs(cotton.suction_radius / (0.2e-3 / cosine) - 1) < 1e-12);
+        for (const auto& [fibre, share] : {std::pair("wool", 0.145 / 0.071), std::pair("polyester", 0.004 / 0.071)}) {
+            const YarnParameters yarn = warp_of(fibre, Closure::paper, {});
+            QCOMPARE(yarn.liquid_diffusivity, cotton.liquid_diffusivity);
+            QCOMPARE(yarn.suction_radius, cotton.suction_radius);
+            QCOMPARE(yarn.adhesion, cotton.adhesion);
+            QVERIFY2(std::abs(yarn.intake_flux / cotton.intake_flux / share - 1) < 1e-12, fibre);
+            QVERIFY(warp_of(fibre, Closure::kissa, {}).liquid_diffusivity != yarn.liquid_diffusivity);
+        }
+        // 3 sin2(20 deg) gamma cos(60 deg) 0.2 mm / (20 mu 1.2) at 25 C: 0.07197 N/m, 0.8900 mPa s (IAPWS).
+        const YarnParameters finished = warp_of("wool", Closure::paper, 60);
+        QVERIFY2(std::abs(finished.liquid_diffusivity / 1.1826e-4 - 1) < 0.005, qPrintable(QString::number(finished.liquid_diffusivity)));
+        QCOMPARE(finished.exponent, 1.0);
+    }
+    void thePapersClosureWetsFibresThatRepel()
+    {
+        Design design = drop_design();
+        design.materials.push_back(*find_library_material("wool"));
+        design.materials[0].name = "raw wool";
+        design.materials[0].based_on = "wool";
+        design.materials[0].contact_angle_deg = 95;
+        design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"raw wool", 1.0}};
+        design.fabrics[0].contact_angle_deg.reset();
+        QVERIFY(!plan_of(design).on("wicking"));
+        design.experiments[0].closure = Closure::paper;
+        QVERIFY(plan_of(design).on("wicking"));
+    }
+    void polyesterSorbsTooLittleToMatterInADraft()
+    {
+        Design design = drop_design();
+        design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"polyester", 1.0}};
+        QVERIFY(!plan_of(design, Fidelity::draft).on("vapour"));
+        QVERIFY(plan_of(design, Fidelity::reference).on("sorption"));
+    }
+    void boundsOfStripesAreThoseOfTheWorstYarn() // a drop may fall on a narrow stripe
+    {
+        const auto bound = [](const Design& design, std::size_t part) {
+            return number_after(plan_of(design).parts[part].reason, part == 2 ? "at most" : "takes at most");
+        };
+        const Design cotton = striped(1, 0), polyester = striped(0, 1);
+        for (const Design& mixed : {striped(3, 1), striped(1, 3), striped(1, 40)}) {
+            QCOMPARE(bound(mixed, 2), bound(cotton, 2)); // thirstier than polyester, however few
+            QVERIFY(bound(mixed, 3) >= 0.999 * bound(cotton, 3));
+            QVERIFY(bound(mixed, 3) <= 1.001 * bound(polyester, 3)); // of a finer yarn: less room, a larger stain
+        }
+    }
+    void theThinnestYarnSetsHowFinelyATinyDropIsResolved()
+    {
+        Design thick = striped(1, 0), mixed = striped(9, 1);
+        for (Design* design : {&thick, &mixed}) design->experiments[0].droplets[0].volume_ul = 1e-3;
+        QVERIFY(plan_of(mixed).particles_per_droplet > 1.5 * plan_of(thick).particles_per_droplet);
+    }
+    void oneYarnThatWicksIsEnough()
+    {
+        Design design = drop_design();
+        Fabric& fabric = design.fabrics[0];
+        fabric.contact_angle_deg.reset();
+        Material waxed = *find_library_material("cotton");
+        waxed.name = "waxed cotton";
+        waxed.based_on = "cotton";
+        waxed.contact_angle_deg = 110;
+        design.materials.push_back(waxed);
+        fabric.warp.material = fabric.weft.material = {{"waxed cotton", 1.0}};
+        QVERIFY(!plan_of(design).on("wicking"));
+        fabric.extra_yarns.push_back(drop_design().fabrics[0].warp);
+        fabric.warp_order = {{0, 13}, {1, 2}};
+        QVERIFY(plan_of(design).on("wicking"));
+    }
+    void saturatedAirDriesNothing()
+    {
+        Design design = drop_design();
+        design.experiments[0].climate.relative_humidity = 1.0;
+        QVERIFY(!plan_of(design, Fidelity::reference).on("vapour"));
+    }
+    void moreThanSaturatedAirCondensesOnAllOfTheCloth()
+    {
+        Design design = drop_design(120);
+        const auto condenses = [&] {
+            const ModelPlan plan = plan_of(design);
+            return plan.on("vapour") && plan.on("heat") && !plan.on("growth");
+        };
+        QVERIFY(!condenses());
+        design.experiments[0].climate.relative_humidity = 1.01;
+        QVERIFY(condenses());
+        design.experiments[0].droplets.clear();
+        QVERIFY(condenses());
+        design.experiments[0].climate.relative_humidity = 0.65;
+        design.experiments[0].climates = {{0.1, {25, 1.5, 0}}}; // later
+        QVERIFY(condenses());
+        Experiment conditioning = standard_experiment(ExperimentType::conditioning);
+        conditioning.name = "test";
+        conditioning.initial.relative_humidity = 1; // the fibres are full
+        conditioning.climate.relative_humidity = 1.2;
+        design.experiments = {conditioning};
+        QVERIFY(condenses());
+    }
+    void noDropNoLiquid()
+    {
+        Design design = drop_design();
+        design.experiments[0].droplets.clear();
+        QVERIFY(!plan_of(design).on("liquid"));
+        QVERIFY(!plan_of(design).on("wicking"));
+    }
+    void aFeedMayFallInDrops()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        design.experiments[0].sample_mm = {8, 8};
+        const ModelPlan pool = plan_of(design);
+        QVERIFY(!pool.on("liquid"));
+        QCOMPARE(pool.particles_per_droplet, 0);
+        design.experiments[0].drop_ul = 10;
+        const ModelPlan drops = plan_of(design);
+        QVERIFY(drops.on("liquid") && drops.on("wicking"));
+        const std::string& reason = drops.parts[0].reason;
+        QVERIFY2(reason.starts_with("20 drops of 10 ul bring "), reason.c_str());
+        QVERIFY2(std::abs(number_after(reason, "bring") / (200 * find_liquid(design, "saline")->density_kg_m3 * 1e-3) - 1) < 1e-3,
+                 reason.c_str());
+        QCOMPARE(drops.particles_per_droplet, 8000);
+        QVERIFY(drops.expected_seconds > pool.expected_seconds);
+        QVERIFY(drops.expected_bytes - pool.expected_bytes > 20.0 * 8000 * 200); // all 160 000 particles
+        design.experiments[0].drop_ul = 200;
+        QVERIFY(plan_of(design).parts[0].reason.starts_with("One drop of 200 ul brings "));
+        QVERIFY(!plan_of(design, Fidelity::draft, {{"liquid", false}}).on("wicking")); // nothing else wets it
+    }
+    void aFeedIsCutIntoEqualDrops()
+    {
+        Experiment feed = standard_experiment(ExperimentType::moisture_management);
+        QVERIFY(falling_drops(feed).empty());
+        feed.volume_ul = 0.3;
+        feed.feed_s = 6;
+        feed.drop_ul = 0.1; // 0.3 / 0.1 is a little more than 3 in binary
+        const std::vector<Droplet> drops = falling_drops(feed);
+        QCOMPARE(drops.size(), std::size_t(3));
+        for (std::size_t i = 0; i < 3; ++i) QVERIFY((drops[i] == Droplet{0.3 / 3, 2.0 * static_cast<double>(i), {0, 0}, 2, 0}));
+        feed.drop_ul = 0.14; // the last would be smaller: all are
+        QCOMPARE(falling_drops(feed).size(), std::size_t(3));
+        QCOMPARE(falling_drops(feed)[2].volume_ul, 0.3 / 3);
+        feed.type = ExperimentType::horizontal_wicking;
+        QVERIFY(falling_drops(feed).empty());
+    }
+    void partsCanBeForcedBothWays()
+    {
+        const ModelPlan plan = plan_of(drop_design(), Fidelity::standard, parse_forced_parts("heat=off,vapour=on"));
+        QVERIFY(!plan.on("heat"));
+        QVERIFY(plan.on("vapour"));
+        QVERIFY(!plan.parts.front().forced);
+        for (const PlannedPart& part : plan.parts) QCOMPARE(part.forced, part.name == "heat" || part.name == "vapour");
+        for (const char* wrong : {"heat", "heat=maybe", "warmth=on", "=on", "heat=on,,x"})
+            QVERIFY_EXCEPTION_THROWN(parse_forced_parts(wrong), Error);
+    }
+    void theReferenceLeavesNothingOutForBeingSmall()
+    {
+        const auto reasons = [](Fidelity fidelity) {
+            std::string all;
+            for (const PlannedPart& part : plan_of(drop_design(), fidelity).parts) all += part.reason;
+            return all;
+        };
+        QVERIFY(reasons(Fidelity::draft).find("below 1 % are left out") != std::string::npos);
+        const std::string reference = reasons(Fidelity::reference);
+        QVERIFY2(reference.find("nothing that has an effect is left out") != std::string::npos, reference.c_str());
+        QVERIFY2(reference.find("below 0 %") == std::string::npos, reference.c_str());
+    }
+    void finerFidelityResolvesMore()
+    {
+        const ModelPlan draft = plan_of(drop_design(), Fidelity::draft), reference = plan_of(drop_design(), Fidelity::reference);
+        QVERIFY(draft.particles_per_droplet < reference.particles_per_droplet);
+        QVERIFY(draft.fibre_shells < reference.fibre_shells);
+        QVERIFY(draft.expected_seconds < reference.expected_seconds);
+    }
+    void knobsOfWhatIsNotThereAreIdle()
+    {
+        const auto idle = [](const ModelPlan& plan, const char* knob) { return plan.idle_knobs.contains(knob); };
+        const ModelPlan drop = plan_of(drop_design());
+        for (const KnobInfo& knob : knob_table())
+            QCOMPARE(idle(drop, knob.name), QByteArray(knob.name).startsWith("crossings_")); // free liquid meets single yarns
+        Design design = drop_design(120);
+        QVERIFY(idle(plan_of(design), "steps_between_drinks") && idle(plan_of(design), "fibre_shells"));
+        QVERIFY(!idle(plan_of(design), "settle_share"));
+        design = drop_design();
+        Experiment& experiment = design.experiments[0];
+        experiment = standard_experiment(ExperimentType::drying);
+        const ModelPlan drying = plan_of(design);
+        for (const char* knob : {"particles_per_droplet", "settle_share", "saturation_change", "rest_tolerance", "crossings_per_cell"})
+            QVERIFY2(idle(drying, knob), knob);
+        for (const char* knob : {"crossings_per_even_cell", "step_error", "fibre_shells", "neglected_share"})
+            QVERIFY2(!idle(drying, knob), knob);
+        experiment = standard_experiment(ExperimentType::moisture_management);
+        QVERIFY(!idle(plan_of(design), "saturation_change") && !idle(plan_of(design), "crossings_per_cell"));
+        QVERIFY(idle(plan_of(design), "crossings_per_even_cell"));
+        QCOMPARE(plan_from_json(plan_json(drying)).idle_knobs, drying.idle_knobs);
+    }
+    void whatWasSetInVainIsNoted()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::drying);
+        const auto notes = [&](const KnobSettings& settings) {
+            return notes_of(plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings));
+        };
+        QVERIFY(notes({{"crossings_per_even_cell", 1}}).empty());
+        const std::vector<std::string> told = notes({{"crossings_per_even_cell", 4}, {"settle_share", 0.1}});
+        QCOMPARE(told.size(), std::size_t(2));
+        QVERIFY2(told[0].starts_with("Yarns side by side went in bundles: "), told[0].c_str());
+        QCOMPARE(told[1], std::string("settle_share was set and had no effect: no drop falls."));
+    }
+    void planSurvivesJson()
+    {
+        const ModelPlan plan = plan_of(drop_design());
+        QCOMPARE(plan_json(plan_from_json(plan_json(plan))), plan_json(plan));
+        QVERIFY_EXCEPTION_THROWN(plan_from_json("{}"), Error);
+        QVERIFY_EXCEPTION_THROWN(plan_from_json("[1"), Error);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestModelPlan)
+#include "tst_model_plan.moc"

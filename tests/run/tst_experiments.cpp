@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Every type of experiment on a small sample: balanced after every step, within its bounds, and in the direction it must go.
+#include "core/analysis/metrics.h"
+#include "core/base/units.h"
+#include "core/physics/air.h"
+#include "core/run/runner.h"
+#include "core/scene/scene.h"
+#include "core/solver/backend.h"
+#include "core/solver/cpu_executor.h"
+#include "core/solver/solver.h"
+#include "tests/support/drop_design.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace hygroloom;
+
+namespace {
+
+/// A small sample of cotton and one experiment of a type.
+Design small(ExperimentType type, double contact_angle = 35)
+{
+    Design design = drop_design(contact_angle);
+    Experiment experiment = standard_experiment(type);
+    experiment.name = "test";
+    experiment.sample_mm = type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 25} : std::array<double, 2>{6, 5};
+    experiment.volume_ul = 3;
+    experiment.feed_s = 2;
+    experiment.immersion_mm = 2;
+    experiment.duration_s = type == ExperimentType::drying || type == ExperimentType::conditioning ? 1800 : 10;
+    design.experiments = {experiment};
+    return design;
+}
+
+struct Result {
+    Metrics metrics;
+    std::vector<Frame> frames;
+};
+
+Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {}, const KnobSettings& knobs = {})
+{
+    const auto backend = make_cpu_backend();
+    RunOptions options;
+    options.fidelity = fidelity;
+    options.forced = forced;
+    options.knobs = knobs;
+    RunControl control;
+    Result result;
+    MetricsCollector collector;
+    RunCallbacks callbacks;
+    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+        collector.add(*frame);
+        result.frames.push_back(*frame);
+    };
+    run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks);
+    result.metrics = collector.metrics();
+    return result;
+}
+
+/// Of a design's scene at draft; the plan's decisions as they come.
+Scene scene_of(const Design& design)
+{
+    const Experiment& experiment = design.experiments[0];
+    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {});
+    return build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+}
+
+/// Between any two particles of which one at least lies above a height, m.
+double closest_pair_above(double height, const std::vector<std::array<float, 3>>& places)
+{
+    double closest = 1;
+    for (const auto& above : places) {
+        if (static_cast<double>(above[2]) <= height) continue;
+        for (const auto& other : places) {
+            double squared = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double apart = static_cast<double>(above[axis] - other[axis]);
+                squared += apart * apart;
+            }
+            if (&above != &other) closest = std::min(closest, std::sqrt(squared));
+        }
+    }
+    return closest;
+}
+
+double moved_water(const Ledger& l) { return l.water_delivered + l.water_initial + std::abs(l.water_evaporated) + l.water_bound; }
+double moved_heat(const Ledger& l)
+{
+    return std::abs(l.energy_released) + std::abs(l.energy_lost) + std::abs(l.energy_delivered) + std::abs(l.energy_stored) + 1e-9;
+}
+
+} // namespace
+
+class TestExperiments : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyStepIsBalancedAndBounded_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<int>("closure");
+        QTest::addColumn<bool>("swelling");
+        for (int type = 1; type < experiment_types; ++type)
+            QTest::newRow(name_of(static_cast<ExperimentType>(type))) << type << type % closures << (type % 2 == 0);
+    }
+    void everyStepIsBalancedAndBounded()
+    {
+        QFETCH(int, type);
+        QFETCH(int, closure);
+        QFETCH(bool, swelling);
+        Design design = small(static_cast<ExperimentType>(type));
+        Experiment& experiment = design.experiments[0];
+        experiment.closure = static_cast<Closure>(closure);
+        experiment.swelling = swelling;
+        experiment.duration_s = 5;
+        experiment.climates = {{2, {35, 0.2, 1}}, {4, {10, 0.95, 0}}};
+        const ModelPlan plan =
+            plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        Solver<CpuExecutor> solver;
+        solver.executor().set_threads(2);
+        solver.load(build_scene(design, textile, experiment, plan, 1));
+        int steps = 0;
+        for (double time = 0; time < experiment.duration_s; ++steps) {
+            time = solver.advance(experiment.duration_s, 0.0); // one step
+            const Frame frame = solver.frame();
+            const Ledger& l = frame.ledger;
+            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l),
+                     qPrintable(QString("%1 at %2").arg(l.water_imbalance()).arg(time)));
+            QVERIFY2(std::abs(l.energy_imbalance()) <= 1e-9 * moved_heat(l),
+                     qPrintable(QString("%1 of %2 at %3").arg(l.energy_imbalance()).arg(moved_heat(l)).arg(time)));
+            for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
+                QVERIFY(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f);
+                QVERIFY(frame.regain[i] >= 0 && frame.regain[i] <= 0.2401f);
+                QVERIFY(frame.temperature[i] > 253 && frame.temperature[i] < 340);
+                QVERIFY(std::isfinite(frame.vapour[i]));
+            }
+        }
+        QVERIFY2(steps > 20 && steps < 20000, qPrintable(QString::number(steps)));
+    }
+    void aStripDrinksByTheRootOfTime()
+    {
+        const Result strip = run(small(ExperimentType::vertical_wicking));
+        QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
+        QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3,
+                 qPrintable(QString::number(strip.metrics.wicking->height)));
+        // Height against time doubles when time is four times as long.
+        const Series& s = strip.metrics.series;
+        const double late = s.wick_height.back(), early = s.wick_height[s.wick_height.size() / 4];
+        QVERIFY2(std::abs(late / early - 2) < 0.25, qPrintable(QString::number(late / early)));
+        Design weft = small(ExperimentType::vertical_wicking);
+        weft.experiments[0].along_weft = true; // a balanced cloth
+        QVERIFY(std::abs(run(weft).metrics.wicking->height / strip.metrics.wicking->height - 1) < 0.05);
+        const Result repellent = run(small(ExperimentType::vertical_wicking, 95));
+        QCOMPARE(repellent.metrics.wicking->height, 0.0);
+        QVERIFY(!repellent.metrics.wicking->rate);
+    }
+    void aPoolIsDrunkToTheLastQuantum()
+    {
+        for (ExperimentType type : {ExperimentType::moisture_management, ExperimentType::horizontal_wicking}) {
+            const Metrics m = run(small(type)).metrics;
+            QVERIFY(std::abs(m.ledger.water_delivered - 3e-9 * 998) < 0.02 * 3e-9 * 998);
+            QVERIFY(m.ledger.water_free < 1e-9 * m.ledger.water_delivered);
+            QVERIFY(m.maximum_wetted_radius_top > 1e-3);
+            QCOMPARE(m.management.has_value(), type == ExperimentType::moisture_management);
+        }
+    }
+    void aFeedThatFallsInDropsWetsAsFarAsAPool()
+    {
+        Design design = small(ExperimentType::moisture_management);
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = {16, 16};
+        experiment.volume_ul = 3;
+        const Result pool = run(design);
+        experiment.drop_ul = 1;
+        const Result drops = run(design);
+        const double density = scene_of(design).climate.density;
+        QVERIFY2(std::abs(drops.metrics.ledger.water_delivered / (3e-9 * density) - 1) < 1e-12,
+                 qPrintable(QString::number(drops.metrics.ledger.water_delivered)));
+        std::size_t most = 0;
+        for (const Frame& frame : drops.frames) {
+            const double imbalance = std::abs(frame.ledger.water_imbalance());
+            QVERIFY2(imbalance <= 1e-9 * moved_water(frame.ledger), qPrintable(QString("%1 at %2").arg(imbalance).arg(frame.time)));
+            most = std::max(most, frame.positions.size());
+        }
+        qInfo("free at most %zu particles; at the end %.3g of %.3g mg free", most, 1e6 * drops.metrics.ledger.water_free,
+              1e6 * drops.metrics.ledger.water_delivered);
+        QVERIFY(drops.metrics.ledger.water_free < 1e-3 * drops.metrics.ledger.water_delivered);
+        QVERIFY(drops.metrics.management);
+        for (bool top : {true, false}) {
+            const auto& radius = top ? &Series::radius_top : &Series::radius_bottom;
+            const double fallen = (drops.metrics.series.*radius).back(), stood = (pool.metrics.series.*radius).back();
+            qInfo("%s: %.4g mm by drops, %.4g mm by a pool", top ? "top" : "bottom", 1e3 * fallen, 1e3 * stood);
+            QVERIFY2(stood > 1e-3 && std::abs(fallen / stood - 1) < 0.1, qPrintable(QString("%1 %2").arg(fallen).arg(stood)));
+        }
+    }
+    void dropsAreReleasedClearOfWhatStandsThere()
+    {
+        Design design = drop_design(120, 1.5); // it stays where it falls
+        Experiment& experiment = design.experiments[0];
+        experiment.droplets = {{8, 0, {0, 0}, 0, 0}, {8, 0.5, {0, 0}, 0, 0}, {8, 1, {0.2, 0}, 0, 0}};
+        const Scene scene = scene_of(design);
+        const double spacing = std::cbrt(scene.droplets[0].volume / scene.particles_per_droplet);
+        Solver<CpuExecutor> solver;
+        solver.executor().set_threads(2);
+        solver.load(scene);
+        for (std::size_t drop = 0; drop < 3; ++drop) {
+            double highest = 0;
+            solver.advance(experiment.droplets[drop].time_s, 1e9);
+            const Frame before = solver.frame();
+            for (const auto& place : before.positions) highest = std::max(highest, static_cast<double>(place[2]));
+            solver.advance(experiment.duration_s, 0.0); // one step
+            const Frame frame = solver.frame();
+            QCOMPARE(frame.positions.size(), before.positions.size() + static_cast<std::size_t>(scene.particles_per_droplet));
+            const auto fresh = std::count_if(frame.positions.begin(), frame.positions.end(),
+                                             [&](const auto& place) { return static_cast<double>(place[2]) > highest + 0.5 * spacing; });
+            if (drop > 0) QCOMPARE(fresh, static_cast<std::ptrdiff_t>(scene.particles_per_droplet)); // all of it over all that stood there
+            const double closest = closest_pair_above(drop > 0 ? highest + 0.5 * spacing : 0, frame.positions);
+            qInfo("drop %zu at %.4f s: closest pair with one of its particles %.3f spacings", drop, frame.time, closest / spacing);
+            QVERIFY2(closest > 0.5 * spacing, qPrintable(QString::number(closest / spacing)));
+            QVERIFY(std::abs(frame.ledger.water_imbalance()) <= 1e-9 * moved_water(frame.ledger));
+        }
+    }
+    void dropsAtTheEdgeAndOnTheSameYarnLoseNothing()
+    {
+        Design design = small(ExperimentType::droplet);
+        Experiment& experiment = design.experiments[0];
+        experiment.duration_s = 0.1;
+        experiment.droplets.clear();
+        for (const auto& at : {std::array<double, 2>{3, 2.5}, {-3, 0}, {0, 0}, {0, 1.2}}) {
+            Droplet drop;
+            drop.volume_ul = 0.05;
+            drop.at_mm = at;
+            experiment.droplets.push_back(drop);
+        }
+        const Result result = run(design, Fidelity::draft, {{"vapour", true}}, {{"particles_per_droplet", 100}});
+        for (const Frame& frame : result.frames) {
+            const Ledger& l = frame.ledger;
+            QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l), qPrintable(QString::number(l.water_imbalance())));
+        }
+        QVERIFY(result.frames.back().ledger.water_liquid > 0);
+    }
+    void sweatComesAtItsRate()
+    {
+        Design design = small(ExperimentType::sweat);
+        const Metrics m = run(design).metrics;
+        const TextileRegion region = region_of_sample(design.fabrics[0], 6, 5);
+        const double area = region.ends / design.fabrics[0].ends_per_cm * region.picks / design.fabrics[0].picks_per_cm * 1e-4;
+        const double expected = 0.3 / 3600 * 10 * area; // 300 g/m2 h for 10 s
+        QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected,
+                 qPrintable(QString("%1 %2").arg(m.ledger.water_delivered).arg(expected)));
+    }
+    void sweatOfManyKilogramsIsCounted() // and not only as many quanta as 64 bits hold
+    {
+        Design design = small(ExperimentType::sweat);
+        design.fabrics[0].ends_per_cm = design.fabrics[0].picks_per_cm = 2;
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = {100, 100};
+        experiment.rate_g_m2_h = 1e5;
+        experiment.duration_s = 7200;
+        const Ledger end = run(design).frames.back().ledger;
+        QVERIFY2(std::abs(end.water_delivered - 2) < 1e-9, qPrintable(QString::number(end.water_delivered, 'g', 12))); // kg
+        QVERIFY(end.water_dripped > 1.99 && end.water_dripped < 2);
+        QVERIFY(std::abs(end.water_imbalance()) < 1e-12);
+    }
+    void aWetSampleDriesToItsRegain()
+    {
+        Design design = small(ExperimentType::drying);
+        design.experiments[0].initial_water_g_m2 = 60;
+        const Metrics m = run(design).metrics;
+        QVERIFY(m.drying && m.drying->rate && m.drying->time_to_dry && m.drying->steady_temperature);
+        const double air = kelvin_from_celsius(21);
+        QVERIFY(*m.drying->steady_temperature < air - 1 && *m.drying->steady_temperature > air - 6); // between wet bulb and air
+        QVERIFY(*m.drying->time_to_dry > 60e-3 / *m.drying->rate);
+        QVERIFY(std::abs(m.series.temperature_mean.back() - air) < 0.1);
+        QVERIFY(m.ledger.water_liquid < 1e-12);
+        // Both faces together begin with all of the test's water, whatever of it the fibres have drunk, and end with none.
+        const double both = m.series.water_top.front() + m.series.water_bottom.front();
+        QVERIFY2(std::abs(both - m.ledger.water_delivered) < 1e-6 * both, qPrintable(QString::number(both)));
+        for (const std::vector<double>* face : {&m.series.water_top, &m.series.water_bottom}) {
+            QVERIFY(*std::min_element(face->begin(), face->end()) >= 0);
+            QVERIFY(face->back() < 0.01 * both);
+        }
+        QVERIFY(std::abs(m.series.regain_mean.back() - 0.0697) < 0.002); // cotton at 21 C and 65 %
+    }
+    void aDrySampleTakesUpItsRegainAndWarms()
+    {
+        const Result damp = run(small(ExperimentType::conditioning));
+        QVERIFY(damp.metrics.conditioning);
+        QCOMPARE(damp.metrics.conditioning->regain_start, 0.0);
+        QVERIFY(std::abs(damp.metrics.conditioning->regain_end - 0.0706) < 0.002);
+        QVERIFY(damp.metrics.conditioning->peak_rise > 2 && damp.metrics.conditioning->peak_rise < 25);
+        QVERIFY(damp.metrics.conditioning->half_time && *damp.metrics.conditioning->half_time > 10);
+        // The step's length follows its error: a tighter one changes the answer little.
+        const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
+        QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
+    }
+    void moreThanSaturatedAirCondensesAndWarmsTheCloth_data()
+    {
+        QTest::addColumn<double>("humidity");
+        for (double humidity : {1.01, 1.2, 2.0}) QTest::addRow("%g", humidity) << humidity;
+    }
+    void moreThanSaturatedAirCondensesAndWarmsTheCloth() // without swinging, to where the air takes the heat
+    {
+        QFETCH(double, humidity);
+        Design design = small(ExperimentType::conditioning);
+        design.experiments[0].initial = {20, 1, 0.1};
+        design.experiments[0].climate.relative_humidity = humidity;
+        design.experiments[0].duration_s = 300;
+        const Result result = run(design);
+        const auto warmest = [](const Frame& f) { return double(*std::max_element(f.temperature.begin(), f.temperature.end())); };
+        for (std::size_t k = 1; k < result.frames.size(); ++k) {
+            const Frame &before = result.frames[k - 1], &now = result.frames[k];
+            QVERIFY(now.ledger.water_evaporated < before.ledger.water_evaporated);
+            QVERIFY(now.ledger.water_liquid > before.ledger.water_liquid);
+            QVERIFY(warmest(now) > warmest(before) - 1e-3);
+        }
+        const ClimateParameters air = scene_of(design).climate;
+        const double reached = warmest(result.frames.back());
+        const double taken = air.heat_transfer * (reached - air.temperature);
+        const double given = heat_of_evaporation(reached) * air.mass_transfer * (air.vapour - saturation_concentration(reached));
+        QVERIFY2(std::abs(taken - given) < 0.02 * given, qPrintable(QString("%1 %2 W/m2").arg(taken).arg(given)));
+    }
+    void onlyTheClothNearTheWaterIsVisited_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<int>("fidelity");
+        QTest::newRow("pool, draft") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::draft);
+        QTest::newRow("pool, standard") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::standard);
+        QTest::newRow("drop, draft") << static_cast<int>(ExperimentType::droplet) << static_cast<int>(Fidelity::draft);
+        QTest::newRow("strip, draft") << static_cast<int>(ExperimentType::vertical_wicking) << static_cast<int>(Fidelity::draft);
+    }
+    void onlyTheClothNearTheWaterIsVisited() // and what comes out is the same
+    {
+        QFETCH(int, type);
+        QFETCH(int, fidelity);
+        Design design = small(static_cast<ExperimentType>(type));
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm =
+            experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
+        experiment.volume_ul = 0.5;
+        experiment.droplets[0] = {0.2, 0, {5, -3}, 0.1, 0};
+        experiment.duration_s = experiment.type == ExperimentType::droplet ? 1.5 : 4;
+        experiment.climate.relative_humidity = 0.3;
+        Frame frames[2];
+        int visited = 0;
+        for (bool growth : {false, true}) {
+            const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
+                                              {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
+            const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+            Solver<CpuExecutor> solver;
+            solver.executor().set_threads(2);
+            solver.load(scene);
+            solver.advance(experiment.duration_s, 1e9);
+            frames[growth] = solver.frame();
+            visited = solver.visited_segments();
+            if (!growth) QCOMPARE(visited, scene.segments());
+        }
+        const Frame &whole = frames[0], &part = frames[1];
+        QVERIFY2(visited < 0.7 * static_cast<double>(whole.liquid.size()), qPrintable(QString::number(visited)));
+        QVERIFY(std::abs(part.ledger.water_imbalance()) <= 1e-9 * moved_water(part.ledger));
+        QVERIFY(std::abs(part.ledger.energy_imbalance()) <= 1e-9 * moved_heat(part.ledger));
+        double water = 0, difference = 0, warmth = 0;
+        for (std::size_t i = 0; i < whole.liquid.size(); ++i) {
+            water += static_cast<double>(whole.liquid[i]);
+            difference += std::abs(static_cast<double>(whole.liquid[i] - part.liquid[i]));
+            warmth = std::max(warmth, static_cast<double>(std::abs(whole.temperature[i] - part.temperature[i])));
+        }
+        const double tolerance = fidelity == static_cast<int>(Fidelity::draft) ? 1e-2 : 1e-3;
+        QVERIFY2(difference < tolerance * water, qPrintable(QString::number(difference / water)));
+        QVERIFY2(warmth < 10 * tolerance, qPrintable(QString::number(warmth)));
+        QVERIFY(std::abs(part.ledger.water_evaporated - whole.ledger.water_evaporated) <
+                tolerance * std::abs(whole.ledger.water_evaporated));
+    }
+    void theClothFollowsTheAir()
+    {
+        Design design = small(ExperimentType::conditioning);
+        design.experiments[0].initial = design.experiments[0].climate;
+        design.experiments[0].climates = {{600, {35, 0.3, 1}}};
+        const Result result = run(design);
+        QVERIFY(std::abs(result.frames.back().temperature[0] - kelvin_from_celsius(35)) < 0.2);
+        QVERIFY(result.metrics.conditioning->regain_end < result.metrics.conditioning->regain_start - 0.02);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExperiments)
+#include "tst_experiments.moc"

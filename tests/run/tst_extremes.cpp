@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// More than five hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its
+// bounds.
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/design/design.h"
+#include "core/design/validate.h"
+#include "core/design/yarn_sections.h"
+#include "core/physics/heat_moisture.h"
+#include "core/project/project_file.h"
+#include "core/scene/coarse_scene.h"
+#include "core/solver/cpu_executor.h"
+#include "core/solver/solver.h"
+
+#include <QTest>
+
+#include <fmt/format.h>
+
+#include <map>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr int designs = 700, chunks = 70; // about one in five is refused
+constexpr double longest = 5;             // s of simulated time; whole runs of a few go on to their end
+// Steps get longer and cheaper with fewer particles; with those of a draft some drops would take millions of steps.
+const KnobSettings few_particles{{"particles_per_droplet", 100}};
+
+/// Numbers of one design, from its index alone.
+class Dice {
+public:
+    explicit Dice(int design) : design_(static_cast<std::uint64_t>(design)) {}
+    double share() { return random_uniform(20261121, design_, count_++); }
+    double between(double low, double high) { return low + (high - low) * share(); }
+    double by_decades(double low, double high) { return low * std::pow(high / low, share()); }
+    bool chance(double probability) { return share() < probability; }
+    template <typename T> T one_of(const std::vector<T>& values)
+    {
+        return values[static_cast<std::size_t>(share() * static_cast<double>(values.size()))];
+    }
+
+private:
+    std::uint64_t design_, count_ = 0;
+};
+
+Yarn random_yarn(Dice& dice)
+{
+    Yarn yarn;
+    std::vector<std::string> names;
+    for (const Material& material : material_library()) names.push_back(material.name);
+    yarn.material = {{dice.one_of(names), 1.0}};
+    if (dice.chance(0.3)) {
+        const double share = dice.by_decades(1e-3, 0.5);
+        const std::string other = dice.one_of(names);
+        if (other != yarn.material[0].name) yarn.material = {{yarn.material[0].name, 1 - share}, {other, share}};
+    }
+    yarn.diameter_mm = dice.by_decades(0.05, 1.5);
+    yarn.packing_factor =
+        dice.chance(0.3) ? dice.one_of<double>({loosest_packing, densest_packing}) : dice.between(loosest_packing, densest_packing);
+    yarn.fibres_per_yarn = dice.one_of<int>({1, 2, 30, 500});
+    yarn.twist_per_m = dice.one_of<double>({0, 700, 2000});
+    return yarn;
+}
+
+Climate random_climate(Dice& dice)
+{
+    Climate climate;
+    climate.temperature_c = dice.chance(0.4) ? dice.one_of<double>({-10, 0, 20, 60}) : dice.between(-10, 60);
+    climate.relative_humidity = dice.chance(0.5) ? dice.one_of<double>({0, 0.65, 1, 1.2, most_humidity}) : dice.share();
+    climate.air_speed_m_s = dice.one_of<double>({0, 0.1, 1, 20});
+    return climate;
+}
+
+void add_droplets(Dice& dice, Experiment& experiment)
+{
+    experiment.droplets.clear();
+    const int count = dice.chance(0.1) ? 0 : dice.one_of<int>({1, 1, 1, 3});
+    for (int i = 0; i < count; ++i) {
+        Droplet drop;
+        drop.volume_ul = dice.chance(0.25) ? dice.one_of<double>({1e-6, 5000}) : dice.by_decades(1e-3, 50);
+        drop.time_s = i * 0.2 * std::min(longest, experiment.duration_s);
+        drop.height_mm = drop.volume_ul < 1e-3 ? 0.0 : dice.one_of<double>({0, 2, 20}); // the smallest would fall a million steps long
+        drop.speed_m_s = dice.one_of<double>({0, 0, 0, 1, fastest_droplet_m_s});
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            drop.at_mm[axis] = dice.chance(0.8) ? 0.0 : 0.5 * experiment.sample_mm[axis] * dice.between(-1, 1);
+        experiment.droplets.push_back(drop);
+    }
+}
+
+/// Of one in four: fibres as thin or thick, and as quick or slow to take up water, as there may be.
+void change_fibres(int index, Design& design)
+{
+    Dice dice(index + 2000000); // of their own
+    if (!dice.chance(0.25)) return;
+    Material own = *find_library_material(dice.one_of<std::string>({"cotton", "wool", "polyester"}));
+    own.based_on = own.name;
+    own.name = "own";
+    own.fibre_radius_um = dice.one_of<double>({0.001, 0.001, 8, 200});
+    own.diffusion.constant_m2_s = dice.one_of<double>({1e-30, 1e-20, 1e-9});
+    design.materials = {own};
+    for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->material = {{"own", 1.0}};
+}
+
+Design random_design(int index, double& simulated)
+{
+    Dice dice(index);
+    Design design;
+    Fabric fabric;
+    fabric.name = "cloth";
+    fabric.warp = random_yarn(dice);
+    fabric.weft = dice.chance(0.5) ? fabric.warp : random_yarn(dice);
+    // From far apart to squeezed, so that porosity comes near both its ends.
+    fabric.ends_per_cm = std::clamp(10 / *fabric.warp.diameter_mm * dice.by_decades(0.05, 2), 0.5, 500.0);
+    fabric.picks_per_cm = std::clamp(10 / *fabric.weft.diameter_mm * dice.by_decades(0.05, 2), 0.5, 500.0);
+    if (dice.chance(0.7)) fabric.contact_angle_deg = dice.one_of<double>({0, 1e-6, 60, 89.9, 90, 90.1, 120, 180});
+    if (dice.chance(0.2)) {
+        fabric.extra_yarns = {random_yarn(dice)};
+        fabric.weft_order = {{0, 2}, {1, 1}};
+    }
+    design.fabrics.push_back(fabric);
+    if (dice.chance(0.2)) design.liquids.push_back({"own", dice.by_decades(1, 500), dice.by_decades(0.05, 1000), dice.between(500, 2000)});
+
+    // Free liquid costs most: one in ten.
+    Experiment experiment = standard_experiment(static_cast<ExperimentType>(index % 10 == 0 ? 0 : 1 + index % (experiment_types - 1)));
+    experiment.name = "test";
+    experiment.climate = random_climate(dice);
+    const bool whole = experiment.type != ExperimentType::droplet && dice.chance(0.1);
+    experiment.duration_s = dice.chance(0.2) ? dice.one_of<double>({1e-6, 86400}) : dice.by_decades(0.1, 3600);
+    simulated = whole ? experiment.duration_s : std::min(longest, experiment.duration_s);
+    // Some threads each way, or a single yarn.
+    const double threads = dice.by_decades(1, 25);
+    experiment.sample_mm = {std::clamp(10 * threads / fabric.ends_per_cm, 0.1, 2000.0),
+                            std::clamp(10 * dice.by_decades(1, 25) / fabric.picks_per_cm, 0.1, 2000.0)};
+    if (dice.chance(0.4)) { // 0 to 100 % and back, and other changes
+        const double when = simulated * dice.by_decades(1e-3, 0.3);
+        Climate moist = random_climate(dice), dry = random_climate(dice);
+        if (dice.chance(0.5)) {
+            experiment.climate.relative_humidity = dry.relative_humidity = 0;
+            moist.relative_humidity = 1;
+        }
+        experiment.climates = {{when, moist}, {2 * when, moist}, {2 * when + 1e-6 * dice.by_decades(1, 1e5), dry}};
+    }
+    if (!design.liquids.empty())
+        experiment.liquid = "own";
+    else
+        experiment.liquid = dice.one_of<std::string>({"water", "saline", "sweat"});
+    experiment.closure = static_cast<Closure>(dice.one_of<int>({0, 0, 1, 2}));
+    experiment.swelling = dice.chance(0.3);
+    if (experiment.type == ExperimentType::droplet) add_droplets(dice, experiment);
+    experiment.volume_ul = dice.by_decades(1e-3, 1e4);
+    experiment.feed_s = dice.by_decades(0.01, 10);
+    experiment.along_weft = dice.chance(0.5);
+    experiment.immersion_mm = experiment.sample_mm[1] * dice.between(0.01, 0.99);
+    experiment.initial_water_g_m2 = dice.one_of<double>({0, 1, 100, 1000, 1e5});
+    experiment.initial = random_climate(dice);
+    experiment.rate_g_m2_h = dice.one_of<double>({0, 10, 1000, 1e5});
+    experiment.from_top = dice.chance(0.5);
+    design.experiments.push_back(experiment);
+    change_fibres(index, design);
+    return design;
+}
+
+ForcedParts random_parts(int index)
+{
+    Dice dice(index + 1000000); // of their own
+    ForcedParts forced;
+    if (dice.chance(0.4)) return forced;
+    const bool all = dice.chance(0.5);
+    for (const char* part : {"wicking", "sorption", "vapour", "heat"})
+        if (all || dice.chance(0.4)) forced[part] = all || dice.chance(0.5);
+    return forced;
+}
+
+double moved_water(const Ledger& l) { return l.water_delivered + l.water_initial + std::abs(l.water_evaporated) + l.water_bound; }
+double moved_heat(const Ledger& l)
+{
+    return std::abs(l.energy_released) + std::abs(l.energy_lost) + std::abs(l.energy_delivered) + std::abs(l.energy_stored);
+}
+/// What the cloth holds per kelvin, J/K.
+double heat_capacity_of(const Scene& scene, const Ledger& l)
+{
+    double capacity = (l.water_liquid + l.water_bound) * water_specific_heat;
+    for (std::size_t i = 0; i < scene.length.size(); ++i) {
+        const int segment = static_cast<int>(i);
+        const int line = segment < scene.crossings() ? segment / scene.picks : scene.ends + (segment - scene.crossings()) / scene.ends;
+        capacity += heat_capacity(scene.yarns[scene.type[static_cast<std::size_t>(line)]], scene.length[i], 0);
+    }
+    return capacity;
+}
+/// By how much the temperatures of the start and of the air differ, K.
+double swing(const Scene& scene)
+{
+    double lowest = std::min(0.0, scene.initial_warmth), highest = std::max(0.0, scene.initial_warmth);
+    for (const SceneClimate& air : scene.course) {
+        lowest = std::min(lowest, air.air_warmth);
+        highest = std::max(highest, air.air_warmth);
+    }
+    return highest - lowest;
+}
+/// What may be missing of the energy: a billionth of what was moved, also of what has come and gone with the climate, and what the cloth's
+/// heat content is rounded to.
+double negligible_heat(const Scene& scene, const Ledger& l)
+{
+    const double capacity = heat_capacity_of(scene, l);
+    return 1e-9 * (moved_heat(l) + capacity * swing(scene)) + std::numeric_limits<double>::epsilon() * capacity * scene.climate.temperature;
+}
+
+/// The most a fibre of any of the scene's yarns can bind at any temperature.
+double most_regain(const Scene& scene)
+{
+    double most = 0;
+    for (const YarnParameters& yarn : scene.yarns)
+        for (double temperature = 233; temperature < 400; temperature += 1)
+            most = std::max(most, equilibrium_regain(yarn.isotherm, 1.0, temperature));
+    return most;
+}
+
+/// What is wrong with a frame, in words; empty when nothing is.
+std::string complaint(const Scene& scene, const Frame& frame, double most)
+{
+    const Ledger& l = frame.ledger;
+    if (!(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l) + water_quantum))
+        return fmt::format("water off by {} of {} kg", l.water_imbalance(), moved_water(l));
+    if (!(std::abs(l.energy_imbalance()) <= negligible_heat(scene, l)))
+        return fmt::format("energy off by {} of {} J", l.energy_imbalance(), moved_heat(l));
+    for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
+        if (!(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f))
+            return fmt::format("saturation {} of segment {}", frame.saturation[i], i);
+        if (!(frame.liquid[i] >= 0)) return fmt::format("liquid {} of segment {}", frame.liquid[i], i);
+        if (!(frame.regain[i] >= 0 && frame.regain[i] <= most + 1e-6)) return fmt::format("regain {} of segment {}", frame.regain[i], i);
+        if (!(frame.temperature[i] > 233 && frame.temperature[i] < 393))
+            return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
+        if (!(frame.vapour[i] >= 0 && std::isfinite(frame.vapour[i]))) return fmt::format("vapour {} of segment {}", frame.vapour[i], i);
+        const double saturated = saturation_concentration(static_cast<double>(frame.temperature[i]));
+        const double at_first =
+            !scene.vapour || frame.time > 0 ? 1 : std::max({1.0, scene.initial_humidity, scene.climate.humidity}); // has not condensed yet
+        if (!(frame.vapour[i] <= 1.00001 * at_first * saturated))
+            return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
+    }
+    for (const auto& x : frame.positions)
+        for (float value : x)
+            if (!std::isfinite(value)) return "a particle is nowhere";
+    return {};
+}
+
+} // namespace
+
+class TestExtremes : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anyDesignStaysBalancedAndBounded_data()
+    {
+        QTest::addColumn<int>("chunk");
+        for (int chunk = 0; chunk < chunks; ++chunk) QTest::addRow("from %d", chunk * designs / chunks) << chunk;
+    }
+    void anyDesignStaysBalancedAndBounded()
+    {
+        QFETCH(int, chunk);
+        int wrong = 0;
+        for (int index = chunk * designs / chunks; index < (chunk + 1) * designs / chunks; ++index) {
+            const std::string what = run(index);
+            if (!what.empty()) qWarning("%s", what.c_str());
+            wrong += !what.empty();
+        }
+        QCOMPARE(wrong, 0);
+    }
+    void cleanupTestCase()
+    {
+        for (const auto& [what, count] : covered_) qInfo("%4d %s", count, what.c_str());
+        if (covered_["run"] + covered_["refused"] == designs) QVERIFY2(covered_["run"] >= 500, "too few designs are valid");
+    }
+
+private:
+    /// Runs one design; what is wrong with it, with the project to run it again.
+    std::string run(int index)
+    {
+        double simulated = 0;
+        const Design design = random_design(index, simulated);
+        const auto tell = [&](const std::string& what) { return fmt::format("design {}: {}\n{}", index, what, format_project(design)); };
+        for (const Issue& issue : validate(design))
+            if (issue.severity == Severity::error) {
+                ++covered_["refused"];
+                ++covered_["refused: " + issue.code];
+                return {};
+            }
+        const Experiment& experiment = design.experiments[0];
+        Solver<CpuExecutor> solver;
+        Scene scene;
+        try {
+            const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);
+            scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
+            if (plan.crossings_per_cell > 1) scene = coarsened(scene, plan.crossings_per_cell);
+            solver.load(scene);
+        } catch (const std::exception& error) {
+            return tell(error.what());
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const double most = most_regain(scene);
+        std::string wrong = complaint(scene, solver.frame(), most);
+        for (double share : {1e-3, 0.01, 0.1, 0.3, 0.6, 1.0}) {
+            double reached = 0;
+            while (reached < share * simulated) reached = solver.advance(share * simulated, 0.05);
+            if (wrong.empty()) wrong = complaint(scene, solver.frame(), most);
+            if (!wrong.empty()) return tell(fmt::format("{} at {} s", wrong, reached));
+        }
+        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (wall > 5) qInfo("design %d took %.1f s", index, wall);
+        cover(design, scene, simulated);
+        return {};
+    }
+
+    void cover(const Design& design, const Scene& scene, double simulated)
+    {
+        const Experiment& e = design.experiments[0];
+        ++covered_["run"];
+        ++covered_[std::string("type ") + name_of(e.type)];
+        ++covered_[std::string("closure ") + name_of(e.closure)];
+        ++covered_[simulated > longest ? "long runs" : simulated < 1e-5 ? "runs of 1 us" : "runs of up to 5 s"];
+        covered_["a single end or pick"] += scene.ends == 1 || scene.picks == 1;
+        covered_["contact angle 0"] += design.fabrics[0].contact_angle_deg.value_or(1) < 1e-5;
+        covered_["contact angle 90 or more"] += design.fabrics[0].contact_angle_deg.value_or(0) >= 90;
+        covered_["humidity 0"] += e.climate.relative_humidity == 0;
+        covered_["humidity 100 %"] += e.climate.relative_humidity == 1;
+        covered_["humidity over 100 %"] += e.climate.relative_humidity > 1;
+        covered_["fibres of their own"] += !design.materials.empty();
+        covered_["a course of the climate"] += !e.climates.empty();
+        covered_["swelling"] += e.swelling;
+        for (const char* part : {"wicking", "sorption", "vapour", "heat"})
+            covered_[std::string("with ") + part] += part[0] == 'w'   ? scene.wicking
+                                                     : part[0] == 's' ? scene.sorption
+                                                     : part[0] == 'v' ? scene.vapour
+                                                                      : scene.heat;
+    }
+
+    std::map<std::string, int> covered_;
+};
+
+QTEST_APPLESS_MAIN(TestExtremes)
+#include "tst_extremes.moc"

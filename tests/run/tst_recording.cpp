@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Recordings: what is written is read back, a cut one reads to its last frame, and anything else is refused with a sentence.
+#include "core/base/error.h"
+#include "core/run/recording.h"
+#include "core/solver/backend.h"
+#include "tests/support/drop_design.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace hygroloom;
+
+namespace {
+
+RunRecord record_run(const std::string& path, double duration, std::vector<Frame>* frames = nullptr)
+{
+    RunOptions options;
+    options.fidelity = Fidelity::draft;
+    options.knobs = {{"fibre_shells", 4}};
+    options.recording = path;
+    RunControl control;
+    RunCallbacks callbacks;
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+        if (frames) frames->push_back(*frame);
+    };
+    const auto backend = make_cpu_backend();
+    return run_experiment(drop_design(35, duration), "cloth", "drop", options, *backend, control, callbacks);
+}
+
+QByteArray bytes_of(const std::string& path)
+{
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestRecording : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    std::string at(const char* name) const { return folder_.filePath(name).toStdString(); }
+
+private Q_SLOTS:
+    void framesReadBackAsTheyWere()
+    {
+        std::vector<Frame> frames;
+        const RunRecord run = record_run(at("whole.hygrorec"), 0.05, &frames);
+        const Recording recording(at("whole.hygrorec"));
+        QVERIFY(recording.finished());
+        QCOMPARE(recording.frames(), int(frames.size()));
+        QCOMPARE(recording.run().fabric, std::string("cloth"));
+        QCOMPARE(recording.run().plan.segments, run.plan.segments);
+        QVERIFY(recording.run().plan.knobs == run.plan.knobs);
+        QCOMPARE(recording.run().plan.knobs.fibre_shells, 4.0);
+        QCOMPARE(recording.run().wall, run.wall);
+        for (int i : {0, int(frames.size()) / 2, int(frames.size()) - 1}) {
+            const Frame frame = recording.frame(i);
+            const Frame& was = frames[static_cast<std::size_t>(i)];
+            QCOMPARE(frame.time, was.time);
+            QCOMPARE(frame.saturation, was.saturation);
+            QCOMPARE(frame.liquid, was.liquid);
+            QCOMPARE(frame.temperature, was.temperature);
+            QVERIFY(frame.positions == was.positions);
+            QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
+        }
+    }
+    void aKilledRunLeavesAReadableRecording()
+    {
+        const std::string path = at("killed.hygrorec");
+        const pid_t child = fork();
+        QVERIFY(child >= 0);
+        if (child == 0) {
+            record_run(path, 100);
+            _exit(0);
+        }
+        QTest::qSleep(1500);
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const Recording recording(path);
+        QVERIFY(!recording.finished());
+        QVERIFY(recording.frames() >= 1);
+        QCOMPARE(recording.frame(recording.frames() - 1).saturation.size(), std::size_t(recording.run().textile.segments()));
+    }
+    void otherFilesAreRefusedWithASentence_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("text") << QByteArray("not a recording");
+        record_run(at("source.hygrorec"), 0.01);
+        const QByteArray whole = bytes_of(at("source.hygrorec"));
+        QTest::newRow("cut in the head") << whole.left(300);
+        QTest::newRow("cut in the middle") << whole.left(whole.size() / 2);
+        QByteArray scrambled = whole;
+        for (int i = 600; i < 4000; ++i) scrambled[i] = char(i * 37);
+        QTest::newRow("scrambled") << scrambled;
+    }
+    void otherFilesAreRefusedWithASentence()
+    {
+        QFETCH(QByteArray, content);
+        QFile file(folder_.filePath("bad.hygrorec"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        QVERIFY_EXCEPTION_THROWN(Recording{at("bad.hygrorec")}, FileError);
+    }
+    void aMissingFolderIsNamed()
+    {
+        try {
+            record_run(at("nowhere/x.hygrorec"), 0.01);
+            QFAIL("written into a folder that is not there");
+        } catch (const FileError& e) {
+            QVERIFY(QString(e.what()).contains("nowhere"));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecording)
+#include "tst_recording.moc"

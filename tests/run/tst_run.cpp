@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth drinks and a repellent one does not.
+#include "core/base/error.h"
+#include "core/plan/model_plan.h"
+#include "core/run/recording.h"
+#include "core/run/runner.h"
+#include "core/scene/scene.h"
+#include "core/solver/backend.h"
+#include "core/verify/set_ups.h"
+#include "tests/support/drop_design.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <thread>
+
+using namespace hygroloom;
+
+namespace {
+
+std::vector<Frame> run(const Design& design, int threads, const ForcedParts& forced = {})
+{
+    std::vector<Frame> frames;
+    RunOptions options;
+    options.fidelity = Fidelity::draft;
+    options.threads = threads;
+    options.forced = forced;
+    RunControl control;
+    RunCallbacks callbacks;
+    callbacks.frame = [&](std::shared_ptr<const Frame> frame) { frames.push_back(*frame); };
+    const auto backend = make_cpu_backend();
+    run_experiment(design, "cloth", "drop", options, *backend, control, callbacks);
+    return frames;
+}
+
+/// A device that fails: when it is to load, or at the given call of advance().
+class FailingBackend : public Backend {
+public:
+    explicit FailingBackend(int fails_at) : left_(fails_at) {}
+    std::string name() const override { return "cuda"; }
+    std::string device() const override { return "a device"; }
+    void set_threads(int threads) override { cpu_->set_threads(threads); }
+    void load(const Scene& scene) override
+    {
+        if (left_ == 0) fail();
+        cpu_->load(scene);
+    }
+    double advance(double until) override
+    {
+        if (--left_ == 0) fail();
+        std::this_thread::sleep_for(pause);
+        return cpu_->advance(until);
+    }
+    Frame frame() override { return cpu_->frame(); }
+    std::vector<std::byte> state() override
+    {
+        ++states;
+        return cpu_->state();
+    }
+    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
+    long liquid_steps() const override { return cpu_->liquid_steps(); }
+    int particles() const override { return cpu_->particles(); }
+
+    int states = 0; ///< asked for
+    std::chrono::milliseconds pause{0};
+
+private:
+    [[noreturn]] static void fail() { throw DeviceError("The device failed."); }
+    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
+    int left_;
+};
+
+} // namespace
+
+class TestRun : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void ledgerClosesAndContentsStayInBounds_data()
+    {
+        QTest::addColumn<double>("angle");
+        for (double angle : {0.0, 35.0, 89.9, 90.0, 120.0, 180.0}) QTest::addRow("%g degrees", angle) << angle;
+    }
+    void ledgerClosesAndContentsStayInBounds()
+    {
+        QFETCH(double, angle);
+        const std::vector<Frame> frames = run(drop_design(angle, 0.2), 0, {{"vapour", true}, {"heat", true}});
+        QCOMPARE(int(frames.size()), 101);
+        for (const Frame& f : frames) {
+            QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-9 * 2e-6);
+            for (std::size_t i = 0; i < f.saturation.size(); ++i) {
+                QVERIFY(f.saturation[i] >= 0 && f.saturation[i] <= 1.000001f);
+                QVERIFY(f.regain[i] >= 0 && f.regain[i] <= 0.2401f);
+                QVERIFY(f.vapour[i] >= 0 && std::isfinite(f.temperature[i]));
+            }
+        }
+        const Ledger& end = frames.back().ledger;
+        if (angle >= 90) QCOMPARE(end.water_liquid, 0.0);
+        if (angle < 60) QVERIFY(end.water_liquid > 0.2 * end.water_delivered);
+    }
+    void swollenYarnsGiveBackWhatTheyHaveNoRoomFor()
+    {
+        Design design = drop_design(35, 0.5);
+        Experiment& experiment = design.experiments[0];
+        ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"growth", false}});
+        plan.particles_per_droplet = 1000;
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        for (bool swelling : {false, true}) {
+            experiment.swelling = swelling;
+            Scene scene = build_scene(design, textile, experiment, plan, 1);
+            for (YarnParameters& yarn : scene.yarns) yarn.diffusivity = {DiffusionLaw::constant, 1e-10, 0.0}; // fibres fill at once
+            for (int i = 0; i < scene.segments(); ++i)                                                        // full from the start
+                scene.initial_liquid.push_back(scene.climate.density * scene.yarns[i < scene.crossings() ? 0 : 1].pore_area *
+                                               scene.length[static_cast<std::size_t>(i)]);
+            const auto backend = make_cpu_backend();
+            std::size_t most = 0;
+            for (const Frame& f : frames_at(*backend, scene, {0.05, 0.1})) {
+                most = std::max(most, f.positions.size());
+                QVERIFY(std::abs(f.ledger.water_imbalance()) <= 1e-12 * (f.ledger.water_initial + f.ledger.water_delivered));
+                QVERIFY(std::abs(f.ledger.energy_imbalance()) <= 1e-9 * std::abs(f.ledger.energy_released));
+                for (float s : f.saturation) QVERIFY(s >= 0 && s <= 1.000001f);
+            }
+            if (swelling) QVERIFY2(most > 1000, qPrintable(QString("%1 particles").arg(most)));
+            if (!swelling) QVERIFY(most <= 1000);
+        }
+    }
+    void energyLedgerCloses()
+    {
+        const Ledger end = run(drop_design(35, 0.3), 0, {{"vapour", true}, {"heat", true}}).back().ledger;
+        QVERIFY(end.energy_released != 0);
+        QVERIFY(std::abs(end.energy_imbalance()) < 1e-9 * (std::abs(end.energy_released) + std::abs(end.energy_lost)));
+    }
+    void threadsDoNotChangeAByte()
+    {
+        const std::vector<Frame> one = run(drop_design(35, 0.3), 1), all = run(drop_design(35, 0.3), 0),
+                                 four = run(drop_design(35, 0.3), 4);
+        QCOMPARE(one.size(), all.size());
+        for (std::size_t k = 0; k < one.size(); ++k)
+            for (const std::vector<Frame>* other : {&all, &four}) {
+                QCOMPARE((*other)[k].saturation, one[k].saturation);
+                QCOMPARE((*other)[k].regain, one[k].regain);
+                QCOMPARE((*other)[k].temperature, one[k].temperature);
+                QVERIFY((*other)[k].positions == one[k].positions);
+            }
+    }
+    void stateGoesOnWhereItWasTaken()
+    {
+        const Design design = drop_design(35, 0.2);
+        const ModelPlan plan =
+            plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"vapour", true}, {"heat", true}});
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
+        const auto one = make_cpu_backend(), other = make_cpu_backend();
+        const auto advance = [](Backend& backend, double until) {
+            for (double reached = 0; reached < until;) reached = backend.advance(until);
+        };
+        one->load(scene);
+        advance(*one, 0.1);
+        other->load(scene);
+        other->go_on_from(one->state());
+        const Frame a = one->frame(), b = other->frame();
+        QVERIFY(!a.positions.empty() && a.ledger.water_liquid > 0);
+        QCOMPARE(b.time, a.time);
+        QCOMPARE(b.saturation, a.saturation);
+        QCOMPARE(b.regain, a.regain);
+        QCOMPARE(b.temperature, a.temperature);
+        QVERIFY(b.positions == a.positions && b.velocities == a.velocities);
+        QCOMPARE(b.ledger.water_imbalance(), a.ledger.water_imbalance());
+
+        advance(*one, 0.2);
+        advance(*other, 0.2);
+        const Ledger end = one->frame().ledger, moved = other->frame().ledger;
+        QVERIFY(std::abs(moved.water_imbalance()) <= 1e-12 * moved.water_delivered);
+        QVERIFY(std::abs(moved.water_liquid - end.water_liquid) < 0.01 * end.water_delivered); // neighbours in another order
+        Scene larger = scene;
+        larger.particles_per_droplet *= 2;
+        other->load(larger);
+        QVERIFY_EXCEPTION_THROWN(other->go_on_from(one->state()), Error);
+    }
+    void dryingGoesOnToTheSameBytes()
+    {
+        Design design = drop_design(35, 1);
+        Experiment drying = standard_experiment(ExperimentType::drying);
+        drying.sample_mm = {4, 4};
+        design.experiments = {drying};
+        const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+        const Textile textile = build_textile(design, design.fabrics[0], plan.region);
+        const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
+        QVERIFY(scene.step_error > 0);
+        const auto one = make_cpu_backend(), other = make_cpu_backend();
+        const auto advance = [](Backend& backend, double until) {
+            for (double reached = 0; reached < until;) reached = backend.advance(until);
+        };
+        one->load(scene);
+        advance(*one, 30);
+        other->load(scene);
+        other->go_on_from(one->state());
+        for (double until : {60.0, 200.0, 500.0}) {
+            advance(*one, until);
+            advance(*other, until);
+            const Frame a = one->frame(), b = other->frame();
+            QCOMPARE(b.saturation, a.saturation);
+            QCOMPARE(b.regain, a.regain);
+            QCOMPARE(b.vapour, a.vapour);
+            QCOMPARE(b.temperature, a.temperature);
+            QCOMPARE(b.ledger.water_evaporated, a.ledger.water_evaporated);
+            QCOMPARE(b.ledger.energy_imbalance(), a.ledger.energy_imbalance());
+            QVERIFY(other->state() == one->state()); // all of it, to the byte
+        }
+        QVERIFY(one->frame().ledger.water_evaporated > 0);
+    }
+    void runGoesOnOnTheCpu_data()
+    {
+        QTest::addColumn<int>("failsAt");
+        QTest::addColumn<int>("pauseMs");
+        QTest::addColumn<bool>("keepsState");
+        QTest::newRow("not enough memory") << 0 << 0 << false;
+        QTest::newRow("at once") << 1 << 0 << false;
+        QTest::newRow("before anything was kept") << 5 << 0 << false;
+        QTest::newRow("after some seconds") << 60 << 60 << true;
+    }
+    void runGoesOnOnTheCpu()
+    {
+        QFETCH(int, failsAt);
+        QFETCH(int, pauseMs);
+        QFETCH(bool, keepsState);
+        const Design design = drop_design(35, 0.2);
+        RunOptions options;
+        options.fidelity = Fidelity::draft;
+        options.recording = QDir(folder_.path()).filePath("moved.hygrorec").toStdString();
+        RunControl control;
+        std::vector<Frame> frames;
+        QString told;
+        RunCallbacks callbacks;
+        callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { frames.push_back(*frame); };
+        callbacks.device_failed = [&](const std::string& sentence) { told += QString::fromStdString(sentence); };
+        {
+            FailingBackend gives_up(failsAt);
+            QVERIFY_EXCEPTION_THROWN(run_experiment(design, "cloth", "drop", options, gives_up, control, callbacks), DeviceError);
+        }
+        QVERIFY(told.isEmpty());
+        frames.clear();
+        options.may_go_on_on_cpu = true;
+        FailingBackend fails(failsAt);
+        fails.pause = std::chrono::milliseconds(pauseMs);
+        const RunRecord record = run_experiment(design, "cloth", "drop", options, fails, control, callbacks);
+        QCOMPARE(fails.states > 0, keepsState);
+        QCOMPARE(told.count("goes on on the CPU"), 1);
+        QVERIFY2(told.contains("The device failed."), qPrintable(told));
+        const Recording recording(options.recording);
+        QVERIFY(recording.finished());
+        QCOMPARE(recording.run().device, record.device);
+        QVERIFY(QString::fromStdString(record.device).startsWith("a device; from "));
+        const std::vector<Frame> expected = run(design, 0);
+        QCOMPARE(recording.frames(), int(expected.size()));
+        QCOMPARE(frames.size(), expected.size());
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            QCOMPARE(frames[k].time, expected[k].time);
+            QVERIFY(std::abs(frames[k].ledger.water_liquid - expected[k].ledger.water_liquid) <
+                    0.02 * expected.back().ledger.water_delivered);
+        }
+    }
+    void lessWettingClothDrinksMoreSlowly()
+    {
+        double before = 1e9;
+        for (double angle : {10.0, 50.0, 80.0, 88.0}) {
+            const double drunk = run(drop_design(angle, 0.25), 0).back().ledger.water_liquid;
+            QVERIFY(drunk < before);
+            before = drunk;
+        }
+    }
+    void stainOfABalancedPlainWeaveIsRound()
+    {
+        const Frame end = run(drop_design(35, 0.5), 0).back();
+        const int n = static_cast<int>(end.saturation.size() / 2);
+        double warp = 0, weft = 0;
+        for (int i = 0; i < n; ++i) {
+            warp += static_cast<double>(end.liquid[static_cast<std::size_t>(i)]);
+            weft += static_cast<double>(end.liquid[static_cast<std::size_t>(n + i)]);
+        }
+        QVERIFY2(std::abs(warp - weft) < 0.1 * (warp + weft), qPrintable(QString("%1 %2").arg(warp).arg(weft)));
+    }
+    void cancellingEndsTheRunSoon()
+    {
+        Design design = drop_design(35, 100);
+        RunControl control;
+        QElapsedTimer since;
+        std::atomic<bool> cancelled{false};
+        std::thread run_thread([&] {
+            const auto backend = make_cpu_backend();
+            try {
+                run_experiment(design, "cloth", "drop", {}, *backend, control, {});
+            } catch (const Cancelled&) {
+                cancelled = true;
+            }
+        });
+        QTest::qSleep(400);
+        since.start();
+        control.cancel = true;
+        run_thread.join();
+        QVERIFY(cancelled);
+        // A fifth of a second on a machine that does nothing else; here only a run that does not hear at all shall fail.
+        QVERIFY2(since.elapsed() < 5000, qPrintable(QString::number(since.elapsed())));
+    }
+
+private:
+    QTemporaryDir folder_;
+};
+
+QTEST_APPLESS_MAIN(TestRun)
+#include "tst_run.moc"

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/basics/color_map.h"
+
+#include "ui/basics/quantity.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+using Stops = std::array<std::array<double, 3>, 7>;
+
+// Lightness falls evenly from one end to the other in both.
+constexpr Stops blue_stops{{{229, 241, 250}, {186, 217, 239}, {132, 188, 224}, {80, 153, 204}, {39, 113, 178}, {15, 74, 141}, {5, 38, 92}}};
+constexpr Stops cividis_stops{
+    {{253, 231, 85}, {217, 199, 105}, {181, 167, 119}, {146, 140, 123}, {112, 113, 118}, {70, 86, 111}, {0, 42, 95}}};
+
+double roundLength(double millimetrePerPixel, double availablePixels)
+{
+    // The tiny share keeps two pictures of the same scale from rounding apart.
+    const double wanted = millimetrePerPixel * availablePixels / 3 * (1 + 1e-9);
+    const double power = std::pow(10, std::floor(std::log10(wanted)));
+    return power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
+}
+
+} // namespace
+
+QColor waterColor(double share, WaterColors colors)
+{
+    const Stops& stops = colors == WaterColors::blue ? blue_stops : cividis_stops;
+    const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    const double part = at - static_cast<double>(low);
+    const auto mix = [&](std::size_t channel) {
+        return static_cast<int>(std::lround(stops[low][channel] + part * (stops[low + 1][channel] - stops[low][channel])));
+    };
+    return {mix(0), mix(1), mix(2)};
+}
+
+QImage waterRamp(WaterColors colors)
+{
+    QImage ramp(256, 1, QImage::Format_RGBA8888);
+    for (int i = 0; i < 256; ++i) { ramp.setPixelColor(i, 0, waterColor(i / 255.0, colors)); }
+    return ramp;
+}
+
+double roundedUp(double value)
+{
+    if (!(value > 0)) { return 1; }
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+        if (factor * power >= value * (1 - 1e-9)) { return factor * power; }
+    }
+    return 10 * power;
+}
+
+void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors)
+{
+    const QFontMetricsF metrics(painter.font());
+    const double line = metrics.height();
+    const QRectF bar(area.left(), area.top() + line + 6, 14, area.height() - line - 6 - line * 0.5);
+    painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft | Qt::AlignVCenter, title);
+    QImage ramp(1, 256, QImage::Format_RGB32);
+    for (int i = 0; i < 256; ++i) { ramp.setPixelColor(0, 255 - i, waterColor(i / 255.0, colors)); }
+    painter.drawImage(bar, ramp);
+    const QColor ink = painter.pen().color();
+    QColor line_color = ink;
+    line_color.setAlphaF(0.5F);
+    painter.setPen(line_color);
+    painter.drawRect(bar);
+    painter.setPen(ink);
+    const int decimals = maximum >= 20 ? 0 : maximum >= 2 ? 1 : maximum >= 0.2 ? 2 : 4;
+    for (int tick = 0; tick <= 2; ++tick) {
+        const double y = bar.bottom() - bar.height() * tick / 2;
+        painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
+        const QString number = shownNumber(maximum * tick / 2, decimals);
+        painter.drawText(QPointF(bar.right() + 6, y + 0.35 * metrics.ascent()), tick == 2 ? number + QChar(0x00a0) + unit : number);
+    }
+}
+
+double scaleBarLength(double millimetrePerPixel, double availablePixels)
+{
+    return roundLength(millimetrePerPixel, availablePixels) / millimetrePerPixel;
+}
+
+void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color,
+                  const QColor& behind)
+{
+    if (!(millimetrePerPixel > 0) || !(availablePixels > 30)) { return; }
+    const double length = roundLength(millimetrePerPixel, availablePixels);
+    const double pixels = length / millimetrePerPixel;
+    const QString text = length < 0.1 ? QCoreApplication::translate("hygroloom", "%1 µm").arg(shownNumber(length * 1000, 0))
+                                      : QCoreApplication::translate("hygroloom", "%1 mm").arg(shownNumber(length, 2));
+    const double height = QFontMetricsF(painter.font()).height();
+    const double wide = std::max(pixels, QFontMetricsF(painter.font()).horizontalAdvance(text));
+    painter.save();
+    if (behind.isValid()) {
+        painter.fillRect(QRectF(lowerLeft.x() + 0.5 * (pixels - wide) - 6, lowerLeft.y() - height - 8, wide + 12, height + 14), behind);
+    }
+    painter.setPen(QPen(color, 2));
+    const QPointF end = lowerLeft + QPointF(pixels, 0);
+    painter.drawLine(lowerLeft, end);
+    painter.drawLine(lowerLeft + QPointF(0, -4), lowerLeft + QPointF(0, 4));
+    painter.drawLine(end + QPointF(0, -4), end + QPointF(0, 4));
+    painter.drawText(QRectF(lowerLeft.x() - 40, lowerLeft.y() - 6 - QFontMetricsF(painter.font()).height(), pixels + 80,
+                            QFontMetricsF(painter.font()).height()),
+                     Qt::AlignCenter, text);
+    painter.restore();
+}
+
+} // namespace hygroloom

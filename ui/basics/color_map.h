@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Colours for numbers: one sequential map for water, the same in three dimensions, on maps and in legends.
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+class QPalette;
+
+namespace hygroloom {
+
+enum class WaterColors { blue, cividis };
+
+/// 0..1, clamped; light is little, dark is much.
+QColor waterColor(double share, WaterColors colors = WaterColors::blue);
+/// One row of 256, for a texture.
+QImage waterRamp(WaterColors colors = WaterColors::blue);
+
+/// A number to put at the end of a range: short, and not below value.
+double roundedUp(double value);
+
+/// A bar from zero to maximum with its unit; right of the bar the numbers.
+void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
+/// How many pixels drawScaleBar() takes.
+double scaleBarLength(double millimetrePerPixel, double availablePixels);
+/// A bar with its length, as near to a third of available pixels as a round length allows. With a valid colour behind it, it stands on
+/// that.
+void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color,
+                  const QColor& behind = {});
+
+} // namespace hygroloom

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/basics/quantity.h"
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+double same(double value) { return value; }
+
+Quantity quantity(const QString& unit, std::vector<TypedUnit> units, double minimum, double maximum, double step, int decimals)
+{
+    Quantity q;
+    q.unit = unit;
+    q.units = std::move(units);
+    q.minimum = minimum;
+    q.maximum = maximum;
+    q.step = step;
+    q.decimals = decimals;
+    return q;
+}
+
+QLocale ungrouped()
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
+} // namespace
+
+QString shownNumber(double value, int decimals)
+{
+    const QLocale locale = ungrouped();
+    QString text = locale.toString(value, 'f', decimals);
+    if (decimals > 0) {
+        while (text.endsWith(locale.zeroDigit())) { text.chop(1); }
+        if (text.endsWith(locale.decimalPoint())) { text.chop(locale.decimalPoint().size()); }
+    }
+    return text == "-0" ? "0" : text;
+}
+
+QString momentText(double seconds, double duration)
+{
+    return ungrouped().toString(seconds, 'f', decimals_of_moments(duration)) + QChar(0x00a0) + "s";
+}
+
+QString bytesText(double bytes)
+{
+    const ByteCount count = byte_count(bytes);
+    return shownNumber(count.number, count.decimals) + QChar(0x00a0) + count.unit;
+}
+
+Quantity Quantity::length(double minimum_mm, double maximum_mm)
+{
+    return quantity("mm",
+                    {{{"mm"}, same},
+                     {{"µm", "um", "micron"}, [](double v) { return v * 1e-3; }},
+                     {{"cm"}, [](double v) { return v * 10; }},
+                     {{"m"}, [](double v) { return v * 1000; }},
+                     {{"in", "inch", "\""}, [](double v) { return v * 25.4; }}},
+                    minimum_mm, maximum_mm, 0, 4);
+}
+
+Quantity Quantity::linearDensity(double minimum_tex, double maximum_tex)
+{
+    return quantity("tex",
+                    {{{"tex"}, same},
+                     {{"Ne", "NeC"}, tex_from_ne},
+                     {{"Nm"}, tex_from_nm},
+                     {{"den", "denier", "D"}, tex_from_denier},
+                     {{"dtex"}, [](double v) { return v * 0.1; }}},
+                    minimum_tex, maximum_tex, 0, 2);
+}
+
+Quantity Quantity::sett(double minimum_per_cm, double maximum_per_cm)
+{
+    return quantity("/cm",
+                    {{{"/cm", "per cm", "1/cm"}, same}, {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch}},
+                    minimum_per_cm, maximum_per_cm, 1, 2);
+}
+
+Quantity Quantity::twist(double maximum_per_m)
+{
+    return quantity("/m",
+                    {{{"/m", "tpm", "t/m", "per m"}, same},
+                     {{"/cm", "tpc"}, [](double v) { return v * 100; }},
+                     {{"/in", "tpi", "per inch"}, [](double v) { return v / 0.0254; }}},
+                    0, maximum_per_m, 50, 1);
+}
+
+Quantity Quantity::perMillimetre(double maximum)
+{
+    return quantity("/mm", {{{"/mm", "per mm"}, same}, {{"/cm", "per cm"}, [](double v) { return v * 0.1; }}}, 0, maximum, 1, 2);
+}
+
+Quantity Quantity::fraction(double minimum, double maximum)
+{
+    return quantity({}, {{{""}, same}, {{"%"}, [](double v) { return v * 0.01; }}}, minimum, maximum, 0.01, 3);
+}
+
+Quantity Quantity::percent(double minimum, double maximum)
+{
+    Quantity q = quantity("%", {{{"%"}, [](double v) { return v * 0.01; }}}, minimum, maximum, 5, 1);
+    q.shown_per_stored = 100;
+    return q;
+}
+
+Quantity Quantity::count(int minimum, int maximum) { return quantity({}, {{{""}, same}}, minimum, maximum, 1, 0); }
+
+Quantity Quantity::angle(double minimum_deg, double maximum_deg)
+{
+    return quantity("°", {{{"°", "deg", "degree", "degrees"}, same}, {{"rad"}, [](double v) { return v * 180 / pi; }}}, minimum_deg,
+                    maximum_deg, 5, 1);
+}
+
+Quantity Quantity::temperature(double minimum_c, double maximum_c)
+{
+    return quantity("°C", {{{"°C", "C"}, same}, {{"K"}, celsius_from_kelvin}, {{"°F", "F"}, [](double v) { return (v - 32) / 1.8; }}},
+                    minimum_c, maximum_c, 1, 1);
+}
+
+Quantity Quantity::speed(double maximum_m_s)
+{
+    return quantity("m/s", {{{"m/s"}, same}, {{"cm/s"}, [](double v) { return v * 0.01; }}, {{"km/h"}, [](double v) { return v / 3.6; }}},
+                    0, maximum_m_s, 0.1, 2);
+}
+
+Quantity Quantity::volume(double minimum_ul, double maximum_ul)
+{
+    return quantity("µl",
+                    {{{"µl", "ul", "mm3", "mm³"}, same},
+                     {{"ml", "cm3"}, [](double v) { return v * 1000; }},
+                     {{"nl"}, [](double v) { return v * 1e-3; }}},
+                    minimum_ul, maximum_ul, 1, 2);
+}
+
+Quantity Quantity::time(double minimum_s, double maximum_s)
+{
+    return quantity("s",
+                    {{{"s", "sec"}, same},
+                     {{"ms"}, [](double v) { return v * 1e-3; }},
+                     {{"min"}, [](double v) { return v * 60; }},
+                     {{"h"}, [](double v) { return v * 3600; }}},
+                    minimum_s, maximum_s, 1, 3);
+}
+
+Quantity Quantity::arealDensity(double maximum_g_m2)
+{
+    return quantity("g/m²", {{{"g/m²", "g/m2", "gsm"}, same}, {{"kg/m²", "kg/m2"}, [](double v) { return v * 1000; }}}, 0, maximum_g_m2, 10,
+                    1);
+}
+
+Quantity Quantity::arealRate(double maximum_g_m2_h)
+{
+    return quantity("g/(m² h)", {{{"g/(m² h)", "g/(m2 h)", "g/m2/h"}, same}}, 0, maximum_g_m2_h, 50, 1);
+}
+
+Quantity Quantity::surfaceTension(double minimum_mn_m, double maximum_mn_m)
+{
+    return quantity("mN/m", {{{"mN/m", "dyn/cm"}, same}, {{"N/m"}, [](double v) { return v * 1000; }}}, minimum_mn_m, maximum_mn_m, 1, 2);
+}
+
+Quantity Quantity::viscosity(double minimum_mpa_s, double maximum_mpa_s)
+{
+    return quantity("mPa s", {{{"mPa s", "mPas", "cP"}, same}, {{"Pa s", "Pas"}, [](double v) { return v * 1000; }}}, minimum_mpa_s,
+                    maximum_mpa_s, 0.1, 4);
+}
+
+Quantity Quantity::density(double minimum_kg_m3, double maximum_kg_m3)
+{
+    return quantity("kg/m³", {{{"kg/m³", "kg/m3", "g/l"}, same}, {{"g/cm³", "g/cm3", "g/ml"}, [](double v) { return v * 1000; }}},
+                    minimum_kg_m3, maximum_kg_m3, 10, 1);
+}
+
+QString Quantity::number(double stored) const { return shownNumber(stored * shown_per_stored, decimals); }
+
+QString Quantity::text(double stored) const
+{
+    if (unit.isEmpty() || unit == "°") { return number(stored) + unit; }
+    return number(stored) + QChar(0x00a0) + unit;
+}
+
+QString Quantity::range() const
+{
+    return QCoreApplication::translate("hygroloom::Quantity", "Allowed: %1 to %2.").arg(number(minimum), text(maximum));
+}
+
+std::optional<double> Quantity::parse(const QString& typed, QString* complaint) const
+{
+    const auto complain = [&](const QString& sentence) {
+        if (complaint) { *complaint = sentence; }
+        return std::optional<double>();
+    };
+    static const QRegularExpression form("^\\s*([-+]?[0-9]*[.,]?[0-9]*(?:[eE][-+]?[0-9]+)?)\\s*(.*?)\\s*$");
+    const auto match = form.match(QString(typed).replace(QChar(0x00a0), ' '));
+    bool isNumber = false;
+    const double number = match.captured(1).replace(',', '.').toDouble(&isNumber);
+    if (!isNumber) {
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” does not begin with a number.").arg(typed.trimmed()));
+    }
+    if (decimals == 0 && number != std::round(number)) {
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a whole number.").arg(typed.trimmed()));
+    }
+    const QString spelled = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
+    if (spelled.isEmpty()) { return number / shown_per_stored; }
+    for (const Qt::CaseSensitivity sensitivity : {Qt::CaseSensitive, Qt::CaseInsensitive}) {
+        for (const TypedUnit& candidate : units) {
+            if (candidate.spellings.contains(spelled, sensitivity)) { return candidate.stored(number); }
+        }
+    }
+    QStringList known;
+    for (const TypedUnit& candidate : units) { known << candidate.spellings.first(); }
+    known.removeAll(QString());
+    if (known.isEmpty()) {
+        return complain(
+            QCoreApplication::translate("hygroloom::Quantity", "This is a number without a unit; “%1” was typed.").arg(spelled));
+    }
+    return complain(
+        QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a unit of this field; use %2.").arg(spelled, known.join(", ")));
+}
+
+double Quantity::stepped(double stored, double steps) const
+{
+    const double shown = stored * shown_per_stored;
+    double size = step;
+    if (size == 0) {
+        const double magnitude = std::floor(std::log10(std::max(std::abs(shown), 1e-9)) + 1e-9);
+        size = std::max(std::pow(10.0, magnitude - 1), std::pow(10.0, -decimals));
+    }
+    size *= std::abs(steps) < 1 ? std::abs(steps) : 1;
+    const double count = std::abs(steps) < 1 ? (steps > 0 ? 1 : -1) : steps;
+    const double grid = shown / size;
+    const double nearest = std::round(grid);
+    const bool onGrid = std::abs(grid - nearest) < 1e-6;
+    const double from = onGrid ? nearest : (count > 0 ? std::floor(grid) : std::ceil(grid));
+    return std::clamp((from + count) * size / shown_per_stored, minimum, maximum);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Numbers with units as people type and read them: "30 Ne", "0.2mm", "100 epi". The stored unit is the design's.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+namespace hygroloom {
+
+/// A unit people may type, and how a number in it becomes one in the stored unit.
+struct TypedUnit {
+    QStringList spellings; ///< the first is the proper one; compared without case unless it would be ambiguous
+    double (*stored)(double typed);
+};
+
+/// One kind of number: what it is shown in, what may be typed, what is allowed.
+struct Quantity {
+    QString unit;                 ///< shown behind the number; empty for a plain one
+    std::vector<TypedUnit> units; ///< the shown one first
+    double shown_per_stored = 1;
+    double minimum = 0; ///< stored unit
+    double maximum = 1;
+    double step = 0;  ///< of an arrow key, in the shown unit; 0: a tenth of the number's own magnitude
+    int decimals = 3; ///< 0: a count, of which no fraction is taken
+
+    static Quantity length(double minimum_mm, double maximum_mm);
+    static Quantity linearDensity(double minimum_tex, double maximum_tex);
+    static Quantity sett(double minimum_per_cm, double maximum_per_cm);
+    static Quantity twist(double maximum_per_m);
+    static Quantity perMillimetre(double maximum);
+    static Quantity fraction(double minimum, double maximum); ///< plain number
+    static Quantity percent(double minimum, double maximum);  ///< stored as a fraction
+    static Quantity count(int minimum, int maximum);
+    static Quantity angle(double minimum_deg, double maximum_deg);
+    static Quantity temperature(double minimum_c, double maximum_c);
+    static Quantity speed(double maximum_m_s);
+    static Quantity volume(double minimum_ul, double maximum_ul);
+    static Quantity time(double minimum_s, double maximum_s);
+    static Quantity arealDensity(double maximum_g_m2);
+    static Quantity arealRate(double maximum_g_m2_h);
+    static Quantity surfaceTension(double minimum_mn_m, double maximum_mn_m);
+    static Quantity viscosity(double minimum_mpa_s, double maximum_mpa_s);
+    static Quantity density(double minimum_kg_m3, double maximum_kg_m3);
+
+    QString number(double stored) const; ///< "35"
+    QString text(double stored) const;   ///< "35 /cm"
+    QString range() const;               ///< "Allowed: 1 to 200 /cm."
+    /// The stored value of what was typed, or why it cannot be read.
+    std::optional<double> parse(const QString& typed, QString* complaint = nullptr) const;
+    double stepped(double stored, double steps) const;
+};
+
+/// A number with at most so many decimals and no trailing zeros, in the user's locale.
+QString shownNumber(double value, int decimals);
+
+/// A moment, s, of what lasts so many seconds, with as many decimals as all of its moments: "3.20 s" of 10 s.
+QString momentText(double seconds, double duration);
+
+/// "820 kB", "3.4 MB", "34 MB", "1.2 GB".
+QString bytesText(double bytes);
+
+} // namespace hygroloom

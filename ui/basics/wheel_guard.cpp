@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/basics/wheel_guard.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
+
+namespace hygroloom {
+
+void WheelGuard::guard(QWidget* panel)
+{
+    const auto watch = [this](QWidget* field) {
+        field->setFocusPolicy(Qt::StrongFocus); // the wheel gives no focus either
+        field->installEventFilter(this);
+    };
+    for (QComboBox* choice : panel->findChildren<QComboBox*>()) { watch(choice); }
+    for (QAbstractSpinBox* count : panel->findChildren<QAbstractSpinBox*>()) { watch(count); }
+}
+
+bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::Wheel) { return QObject::eventFilter(watched, event); }
+    const auto* count = qobject_cast<QAbstractSpinBox*>(watched);
+    if (count && count->hasFocus()) { return false; }
+    event->ignore(); // so that it goes on to what can scroll
+    return true;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The open project: its design, its undo history, its file, and what is known about it.
+#pragma once
+
+#include "core/design/fabric_quantities.h"
+#include "core/design/validate.h"
+#include "core/design/yarn_quantities.h"
+#include "ui/document/edit_design.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <functional>
+
+namespace hygroloom {
+
+class Document : public QObject {
+    Q_OBJECT
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    const std::shared_ptr<const Design>& design() const { return state_.design; }
+    int fabricIndex() const { return state_.fabric; }
+    int experimentIndex() const { return state_.experiment; }
+    /// nullptr when the project has none.
+    const Fabric* fabric() const;
+    const Experiment* experiment() const;
+    void setFabricIndex(int index);
+    void setExperimentIndex(int index);
+
+    /// What validate() says about the design as it is now.
+    const std::vector<Issue>& issues() const { return issues_; }
+    bool hasError() const;
+    /// Whether the chosen fabric's description has an error, so that it cannot be drawn.
+    bool fabricHasError() const;
+    /// Sentences about the value at this path, or about the pair it belongs to, worst first; empty when all is well.
+    std::vector<const Issue*> issuesAt(const std::string& where) const;
+    /// Derived numbers of the chosen fabric, without a value while it has an error.
+    const std::optional<FabricQuantities>& quantities() const { return quantities_; }
+    /// The same of each extra yarn; empty while it has an error.
+    const std::vector<StripeYarn>& stripes() const { return stripes_; }
+
+    /// Changes the design as one step of the history. Steps with the same field merge until endStroke().
+    void edit(const QString& text, const std::string& field, const std::function<void(Design&)>& change);
+    /// The same for edits that also choose another fabric or experiment.
+    void editState(const QString& text, const std::function<void(Design&, DesignState&)>& change);
+    void endStroke() { ++stroke_; }
+
+    QUndoStack* history() { return &history_; }
+    bool modified() const { return !history_.isClean(); }
+
+    /// Empty until the project has a file of its own.
+    const QString& path() const { return path_; }
+    /// For the window's title: the file's name, or the example's.
+    QString title() const;
+
+    /// Each returns false after failed() told why; the document is then as before.
+    bool open(const QString& path);
+    /// Opens a copy: saving asks for a new place.
+    bool openExample(const QString& path);
+    /// Opens unsaved work that was kept elsewhere; saving writes to path, or asks where there is none.
+    bool openUnsaved(const QString& file, const QString& path, const QString& title);
+    bool save();
+    bool saveAs(const QString& path);
+    /// Takes over a design that comes from somewhere else, such as a recording.
+    void take(const Design& design, const QString& title);
+
+Q_SIGNALS:
+    /// The design, or which fabric or experiment is chosen.
+    void designChanged();
+    void pathChanged();
+    void modifiedChanged(bool modified);
+    void failed(const QString& sentence);
+
+private:
+    friend class EditDesign;
+    void apply(DesignState state);
+    void replace(Design design, const QString& path, const QString& title);
+
+    DesignState state_;
+    std::vector<Issue> issues_;
+    std::optional<FabricQuantities> quantities_;
+    std::vector<StripeYarn> stripes_;
+    QUndoStack history_;
+    int stroke_ = 0;
+    QString path_;
+    QString title_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/document/edit_design.h"
+
+#include "ui/document/document.h"
+
+namespace hygroloom {
+
+EditDesign::EditDesign(Document& document, const QString& text, DesignState before, DesignState after, std::string field, int stroke)
+    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)), field_(std::move(field)),
+      stroke_(stroke)
+{
+}
+
+void EditDesign::undo() { document_.apply(before_); }
+
+void EditDesign::redo() { document_.apply(after_); }
+
+bool EditDesign::mergeWith(const QUndoCommand* other)
+{
+    const auto& next = static_cast<const EditDesign&>(*other);
+    if (field_.empty() || field_ != next.field_ || stroke_ != next.stroke_) { return false; }
+    after_ = next.after_;
+    return true;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/document/recovery.h"
+
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+#include "core/project/project_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int delay = 1000; // ms from an edit to its writing
+
+QString lockOf(const QString& file) { return file + ".lock"; }
+
+/// Where the project has its file, and what it is called, in two lines.
+QString originOf(const QString& file) { return file + ".origin"; }
+
+void removeKept(const QString& file)
+{
+    for (const QString& each : {file, originOf(file)}) { QFile::remove(each); }
+}
+
+std::unique_ptr<QLockFile> lockFor(const QString& file)
+{
+    auto lock = std::make_unique<QLockFile>(lockOf(file));
+    lock->setStaleLockTime(0); // only the end of its process frees it
+    return lock;
+}
+
+} // namespace
+
+Recovery::Recovery(Document& document, QString folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(std::move(folder)),
+      file_(QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ".hygro")), writer_(std::make_unique<NewestJob>())
+{
+    wait_.setSingleShot(true);
+    wait_.setInterval(delay);
+    connect(&wait_, &QTimer::timeout, this, &Recovery::keep);
+    connect(&document_, &Document::designChanged, this, &Recovery::follow);
+    connect(&document_, &Document::modifiedChanged, this, &Recovery::follow);
+}
+
+Recovery::~Recovery()
+{
+    writer_.reset(); // what it is writing is written first
+    if (lock_) {
+        removeKept(file_);
+        lock_.reset();
+    }
+}
+
+QString Recovery::standardFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"; }
+
+void Recovery::follow()
+{
+    if (document_.modified()) {
+        if (!wait_.isActive()) { wait_.start(); }
+    } else {
+        forget();
+    }
+}
+
+void Recovery::keep()
+{
+    if (!lock_) {
+        QDir().mkpath(folder_);
+        auto lock = lockFor(file_);
+        if (!lock->tryLock(0)) { return; } // tried again at the next edit
+        lock_ = std::move(lock);
+    }
+    const QString origin = document_.path() + "\n" + document_.title() + "\n";
+    writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
+        try {
+            write_file(originOf(file).toStdString(), origin.toStdString());
+            write_file(file.toStdString(), format_project(*design));
+            turn.deliver([this] { Q_EMIT kept(); });
+        } catch (const Error& error) { // a full disk must not get in the way of the work itself
+            qWarning("Unsaved work cannot be kept: %s", error.what());
+        }
+    });
+}
+
+void Recovery::forget()
+{
+    wait_.stop();
+    if (lock_) { // after what is being written
+        writer_->run([file = file_](const NewestJob::Turn&) { removeKept(file); });
+    }
+}
+
+std::vector<LeftOver> Recovery::leftOver() const
+{
+    std::vector<LeftOver> found;
+    for (const QFileInfo& info : QDir(folder_).entryInfoList({"*.hygro"}, QDir::Files, QDir::Time)) {
+        const QString file = info.absoluteFilePath();
+        if (QFileInfo(file) == QFileInfo(file_) || !lockFor(file)->tryLock(0)) {
+            continue; // some window works on it
+        }
+        QFile origin(originOf(file));
+        const QStringList lines = origin.open(QIODevice::ReadOnly) ? QString::fromUtf8(origin.readAll()).split('\n') : QStringList();
+        const QString path = lines.value(0);
+        const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
+        found.push_back({file, path, lines.value(1), info.lastModified(), outdated});
+    }
+    return found;
+}
+
+bool Recovery::open(const LeftOver& left)
+{
+    if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
+    keep();
+    connect(
+        this, &Recovery::kept, this, [left] { discard(left); }, Qt::SingleShotConnection);
+    return true;
+}
+
+void Recovery::discard(const LeftOver& left)
+{
+    removeKept(left.file);
+    QFile::remove(lockOf(left.file));
+}
+
+} // namespace hygroloom

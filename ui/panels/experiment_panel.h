@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The chosen experiment: its type, climate, sample, liquid, and what its type has.
+#pragma once
+
+#include "ui/panels/design_form.h"
+
+#include <QScrollArea>
+
+class QCheckBox;
+class QListWidget;
+class QToolButton;
+
+namespace hygroloom {
+
+class ClimateCourse;
+class LiquidPanel;
+
+class ExperimentPanel : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit ExperimentPanel(Document& document, QWidget* parent = nullptr);
+
+    void addExperiment();
+    void addDroplet();
+    void removeDroplet();
+    /// The number of the droplet whose fields are shown.
+    int droplet() const { return droplet_; }
+    bool placing() const;
+    /// Moves it, mm from the sample's middle.
+    void placeDroplet(const QPointF& at);
+    void endPlacing();
+    /// Shows the field of the value at this path, in the chosen experiment or in a liquid of the project, and gives it the focus.
+    bool showField(const std::string& where);
+
+Q_SIGNALS:
+    void dropletChosen();
+    /// Whether clicks on the fabric are to place the droplet.
+    void placingChanged(bool placing);
+
+private:
+    using Read = std::function<std::optional<double>(const Experiment&)>;
+    using Write = std::function<void(Experiment&, double)>;
+    DesignField field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
+                      const QString& help = {});
+    /// One of the climate at the start.
+    DesignField climateField(const QString& label, const QString& undo, const char* where, double Climate::*member,
+                             const QString& help = {});
+    QuantityEdit* addSampleSize(std::size_t axis);
+    DesignField fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
+    DesignField dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
+                             const QString& help = {});
+    void addChoice();
+    void addConditions();
+    void addTypes();
+    void addModel();
+    void addDroplets();
+    void refreshChoice();
+    void refreshType();
+    void setType(int chosen);
+    void refreshDroplets();
+    void renameExperiment();
+    void removeExperiment();
+    void edit(const QString& undo, const std::function<void(Experiment&)>& change);
+
+    Document& document_;
+    DesignForm* form_;
+    QComboBox* choice_ = nullptr;
+    QToolButton* remove_ = nullptr;
+    QToolButton* rename_ = nullptr;
+    /// Rows that only some types have.
+    struct Group {
+        QWidget* widget;
+        std::vector<ExperimentType> types;
+    };
+    std::vector<Group> groups_;
+    QComboBox* type_ = nullptr;
+    LiquidPanel* liquids_ = nullptr;
+    ClimateCourse* course_ = nullptr;
+    QuantityEdit* size_[2] = {};
+    QComboBox* closure_ = nullptr;
+    QComboBox* direction_ = nullptr;
+    QComboBox* side_ = nullptr;
+    QCheckBox* swelling_ = nullptr;
+    QListWidget* droplets_ = nullptr;
+    QToolButton* remove_droplet_ = nullptr;
+    QToolButton* place_ = nullptr;
+    QLabel* no_droplet_ = nullptr;
+    std::vector<QWidget*> droplet_fields_;
+    int droplet_ = 0;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/panels/fabric_panel.h"
+
+#include "core/base/units.h"
+#include "core/project/library.h"
+#include "ui/panels/yarn_panel.h"
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace hygroloom {
+
+FabricPanel::FabricPanel(Document& document, QWidget* parent) : QScrollArea(parent), document_(document), form_(new DesignForm(document))
+{
+    addConstruction();
+    warp_ = new YarnPanel(*form_, YarnUse::warp, this);
+    new YarnPanel(*form_, YarnUse::weft, this);
+    stripes_ = new YarnPanel(*form_, YarnUse::stripes, this);
+    addFlyaway();
+    addMeasured();
+    form_->fill(this);
+    form_->refresh();
+}
+
+void FabricPanel::showYarn(int yarn)
+{
+    YarnPanel* panel = yarn > 0 ? stripes_ : warp_;
+    panel->choose(yarn);
+    // The form has to know its size before it can scroll there.
+    QMetaObject::invokeMethod(
+        this,
+        [this, panel] {
+            widget()->layout()->activate();
+            ensureWidgetVisible(panel->section().content, 0, 0);
+            ensureWidgetVisible(panel->section().heading, 0, 8);
+        },
+        Qt::QueuedConnection);
+}
+
+bool FabricPanel::showField(const std::string& where)
+{
+    const std::string extra = "].extra_yarns[";
+    if (const std::size_t at = where.find(extra); at != std::string::npos) {
+        stripes_->choose(std::atoi(where.c_str() + at + extra.size()) + 1);
+    }
+    if (form_->showField(where)) { return true; }
+    // A weft that is the same as the warp is edited there.
+    const std::size_t weft = where.find("].weft");
+    return weft != std::string::npos && form_->showField(std::string(where).replace(weft, 6, "].warp"));
+}
+
+DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
+{
+    return {label,
+            undo,
+            [this, where] { return "fabrics[" + std::to_string(document_.fabricIndex()) + "]." + where; },
+            [this, read = std::move(read)] { return document_.fabric() ? read(*document_.fabric()) : std::nullopt; },
+            [this, write = std::move(write)](Design& design, std::optional<double> value) {
+                write(design.fabrics[static_cast<std::size_t>(document_.fabricIndex())], value);
+            },
+            help};
+}
+
+void FabricPanel::addConstruction()
+{
+    form_->addSection(tr("Construction"));
+    QuantityEdit* ends =
+        form_->addQuantity(Quantity::sett(0.5, 500),
+                           field(
+                               tr("Ends"), tr("ends per cm"), "ends_per_cm", [](const Fabric& f) { return std::optional(f.ends_per_cm); },
+                               [](Fabric& f, std::optional<double> v) { f.ends_per_cm = v.value_or(f.ends_per_cm); },
+                               tr("Warp yarns per centimetre. “89 epi” may be typed.")));
+    QLabel* endsNote = form_->noteBeside(ends);
+    QuantityEdit* picks = form_->addQuantity(Quantity::sett(0.5, 500),
+                                             field(
+                                                 tr("Picks"), tr("picks per cm"), "picks_per_cm",
+                                                 [](const Fabric& f) { return std::optional(f.picks_per_cm); },
+                                                 [](Fabric& f, std::optional<double> v) { f.picks_per_cm = v.value_or(f.picks_per_cm); },
+                                                 tr("Weft yarns per centimetre. “89 ppi” may be typed.")));
+    QLabel* picksNote = form_->noteBeside(picks);
+    QuantityEdit* thickness =
+        form_->addQuantity(Quantity::length(0.01, 50),
+                           field(
+                               tr("Thickness"), tr("thickness"), "thickness_mm", [](const Fabric& f) { return f.thickness_mm; },
+                               [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; }, tr("Empty: worked out from the yarns.")),
+                           true);
+    QuantityEdit* angle = form_->addQuantity(
+        Quantity::angle(0, 180),
+        field(
+            tr("Contact angle"), tr("contact angle"), "contact_angle_deg", [](const Fabric& f) { return f.contact_angle_deg; },
+            [](Fabric& f, std::optional<double> v) { f.contact_angle_deg = v; },
+            tr("Of water on the finished fabric, advancing. Empty: that of each yarn's fibres. Above 90° water is not drawn in.")),
+        true);
+    auto* automatic = new QCheckBox(tr("Auto"));
+    automatic->setAccessibleName(tr("Work the thickness out from the yarns"));
+    automatic->setToolTip(automatic->accessibleName());
+    qobject_cast<QGridLayout*>(form_->layout())->addWidget(automatic, qobject_cast<QGridLayout*>(form_->layout())->rowCount() - 2, 2);
+    connect(automatic, &QCheckBox::clicked, this, [this](bool on) {
+        const auto index = static_cast<std::size_t>(document_.fabricIndex());
+        const double derived = document_.quantities() ? std::round(document_.quantities()->thickness_mm * 1000) / 1000 : 0.5;
+        document_.edit(tr("thickness"), {},
+                       [&](Design& design) { design.fabrics[index].thickness_mm = on ? std::nullopt : std::optional(derived); });
+    });
+    auto* finish = new QComboBox;
+    finish->addItem(tr("As the fibres"));
+    for (const Finish& one : finishes()) {
+        finish->addItem(tr("%1, %2°").arg(QString::fromStdString(one.name)).arg(one.contact_angle_deg));
+        finish->setItemData(finish->count() - 1, QString::fromStdString(one.note), Qt::ToolTipRole);
+    }
+    finish->addItem(tr("Own contact angle"));
+    finish->setMinimumContentsLength(8);
+    finish->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    finish->setToolTip("<p>" + tr("A finish sets the contact angle above to a typical value; measure yours where it matters.") + "</p>");
+    form_->addRow(tr("Finish"), finish);
+    connect(finish, &QComboBox::activated, this, [this](int index) {
+        if (index > static_cast<int>(finishes().size())) {
+            form_->refresh();
+            return;
+        }
+        const auto fabric = static_cast<std::size_t>(document_.fabricIndex());
+        document_.edit(tr("finish"), {}, [&](Design& design) {
+            design.fabrics[fabric].contact_angle_deg =
+                index == 0 ? std::nullopt : std::optional(finishes()[static_cast<std::size_t>(index) - 1].contact_angle_deg);
+        });
+    });
+    addCrimps();
+    addDerived();
+    form_->onRefresh([=, this] {
+        const Fabric* f = document_.fabric();
+        for (QWidget* widget : {static_cast<QWidget*>(ends), static_cast<QWidget*>(picks), static_cast<QWidget*>(thickness),
+                                static_cast<QWidget*>(angle), static_cast<QWidget*>(automatic), static_cast<QWidget*>(finish)}) {
+            widget->setEnabled(f != nullptr);
+        }
+        endsNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->ends_per_cm), 0)) : QString());
+        picksNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->picks_per_cm), 0)) : QString());
+        automatic->setChecked(f && !f->thickness_mm);
+        const auto& q = document_.quantities();
+        thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
+        angle->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
+        int row = f && f->contact_angle_deg ? static_cast<int>(finishes().size()) + 1 : 0;
+        for (std::size_t i = 0; f && i < finishes().size(); ++i) {
+            row = f->contact_angle_deg == finishes()[i].contact_angle_deg ? static_cast<int>(i) + 1 : row;
+        }
+        finish->setCurrentIndex(row);
+    });
+}
+
+void FabricPanel::addCrimps()
+{
+    Quantity percent = Quantity::fraction(0, 100);
+    percent.unit = "%";
+    percent.units = {{{"%"}, [](double v) { return v; }}};
+    percent.step = 0.5;
+    percent.decimals = 1;
+    const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
+        return form_->addQuantity(
+            percent,
+            field(
+                label, undo, where, [member](const Fabric& f) { return f.*member; },
+                [member](Fabric& f, std::optional<double> v) { f.*member = v; },
+                tr("How much longer the yarn is than the fabric. Empty: warp and weft share the crimp by their stiffness.")),
+            true);
+    };
+    QuantityEdit* warp = add(tr("Warp crimp"), tr("warp crimp"), "warp_crimp_percent", &Fabric::warp_crimp_percent);
+    QuantityEdit* weft = add(tr("Weft crimp"), tr("weft crimp"), "weft_crimp_percent", &Fabric::weft_crimp_percent);
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        warp->setEnabled(document_.fabric() != nullptr);
+        weft->setEnabled(document_.fabric() != nullptr);
+        warp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
+        weft->setDerived(q ? std::optional(q->weft.crimp_percent) : std::nullopt);
+    });
+}
+
+void FabricPanel::addDerived()
+{
+    form_->addSection(tr("Follows from this"));
+    QLabel* weight = form_->addDerived(tr("Weight"), tr("Areal density, dry."));
+    QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Share of the area that yarns cover, c₁ + c₂ − c₁c₂."));
+    QLabel* bending = form_->addDerived(
+        tr("Yarns bend"), tr("Round each other. Where yarns lie too close for full arcs (the cloth is jammed), they are squeezed "
+                             "where they change sides, though neighbours need not touch."));
+    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("One less the share of fibre in the fabric's volume."));
+    QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
+    QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends, and between neighbouring picks."));
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        const QString none = QStringLiteral("–");
+        weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
+        cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
+        bending->setText(!q ? none : q->jammed ? tr("squeezed where they turn") : tr("in full arcs"));
+        porosity->setText(q ? shownNumber(q->porosity, 2) : none);
+        layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
+        gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
+    });
+}
+
+void FabricPanel::addFlyaway()
+{
+    form_->addFoldable(tr("Flyaways"), false);
+    const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member,
+                            const Quantity& quantity) {
+        form_->addQuantity(quantity, field(
+                                         label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
+                                         [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
+    };
+    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000));
+    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20));
+    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50));
+}
+
+void FabricPanel::addMeasured()
+{
+    form_->addFoldable(tr("Measured in the laboratory"), false);
+    const auto add = [this](const QString& label, const QString& undo, const char* where, std::optional<double> Measured::*member,
+                            const Quantity& quantity) {
+        return form_->addQuantity(quantity,
+                                  field(
+                                      label, undo, where, [member](const Fabric& f) { return f.measured.*member; },
+                                      [member](Fabric& f, std::optional<double> v) { f.measured.*member = v; },
+                                      tr("Replaces the derived value. Empty: the derived one is used.")),
+                                  true);
+    };
+    Quantity weight = Quantity::fraction(1, 10000);
+    weight.unit = "g/m²";
+    weight.units = {{{"g/m²", "g/m2", "gsm"}, [](double v) { return v; }},
+                    {{"oz/yd²", "oz/yd2", "oz"}, [](double v) { return v * 33.906; }}};
+    weight.step = 1;
+    Quantity radius = Quantity::length(0.05, 1000);
+    radius.unit = "µm";
+    radius.units = {{{"µm", "um"}, [](double v) { return v; }}, {{"mm"}, [](double v) { return v * 1000; }}};
+    Quantity crimp = Quantity::fraction(0, 100);
+    crimp.unit = "%";
+    crimp.units = {{{"%"}, [](double v) { return v; }}};
+    crimp.step = 0.5;
+    QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.999));
+    QuantityEdit* areal = add(tr("Weight"), tr("measured weight"), "areal_density_g_m2", &Measured::areal_density_g_m2, weight);
+    QuantityEdit* capillary =
+        add(tr("Pore radius"), tr("measured pore radius"), "capillary_radius_um", &Measured::capillary_radius_um, radius);
+    add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 20));
+    QuantityEdit* measuredCrimp = add(tr("Crimp"), tr("measured crimp"), "crimp_percent", &Measured::crimp_percent, crimp);
+    form_->onRefresh([=, this] {
+        const auto& q = document_.quantities();
+        porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);
+        areal->setDerived(q ? std::optional(q->areal_density_g_m2) : std::nullopt);
+        capillary->setDerived(q ? std::optional(q->warp.pore_radius_um) : std::nullopt);
+        measuredCrimp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
+    });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/panels/liquid_panel.h"
+
+#include "ui/basics/appearance.h"
+
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+bool inLibrary(const std::string& name) { return find_liquid({}, name) != nullptr; }
+
+QString shownName(const std::string& name)
+{
+    QString shown = QString::fromStdString(name);
+    if (inLibrary(name)) { shown[0] = shown[0].toUpper(); }
+    return shown;
+}
+
+std::string freeName(const Design& design, const std::string& wish)
+{
+    std::string name = wish;
+    for (int i = 2; name.empty() || find_liquid(design, name); ++i) { name = wish + " " + std::to_string(i); }
+    return name;
+}
+
+} // namespace
+
+LiquidPanel::LiquidPanel(DesignForm& form, QWidget* parent)
+    : QObject(parent), form_(form), window_(parent), used_(new QComboBox), note_(new QLabel)
+{
+    Document& document = form_.document();
+    form_.addRow(tr("Liquid"), used_, [&document] { return "experiments[" + std::to_string(document.experimentIndex()) + "].liquid"; });
+    connect(used_, &QComboBox::activated, this, [this, &document](int row) {
+        if (document.experiment()) {
+            const auto index = static_cast<std::size_t>(document.experimentIndex());
+            document.edit(tr("liquid"), {},
+                          [&](Design& design) { design.experiments[index].liquid = used_->itemData(row).toString().toStdString(); });
+        }
+    });
+    note_->setWordWrap(true);
+    note_->setTextFormat(Qt::PlainText);
+    note_->setAccessibleName(tr("About the liquid"));
+    form_.addWide(note_);
+}
+
+void LiquidPanel::addOwnLiquids()
+{
+    section_ = form_.addFoldable(tr("Liquids of the project"), false);
+    own_ = new QComboBox;
+    own_->setAccessibleName(tr("Liquid of the project"));
+    own_->setMinimumContentsLength(6);
+    own_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(own_, &QComboBox::activated, this, &LiquidPanel::choose);
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(own_, 1);
+    const auto button = [&](const char* icon, const QString& name, void (LiquidPanel::*work)()) {
+        auto* made = new QToolButton;
+        made->setIcon(themedIcon(icon));
+        made->setAutoRaise(true);
+        made->setToolTip(name);
+        made->setAccessibleName(name);
+        connect(made, &QToolButton::clicked, this, work);
+        layout->addWidget(made);
+        return made;
+    };
+    button("add", tr("Add a liquid like the experiment's, and use it"), &LiquidPanel::addLiquid);
+    duplicate_ = button("duplicate", tr("Duplicate the liquid"), &LiquidPanel::duplicateLiquid);
+    rename_ = button("rename", tr("Rename the liquid"), &LiquidPanel::askName);
+    remove_ = button("delete", tr("Delete the liquid"), &LiquidPanel::askRemoval);
+    form_.addWide(line);
+    users_ = new QLabel;
+    users_->setWordWrap(true);
+    users_->setTextFormat(Qt::PlainText);
+    users_->setForegroundRole(QPalette::PlaceholderText);
+    users_->setAccessibleName(tr("Who uses the liquid"));
+    form_.addWide(users_);
+    const QString at20 = tr("At 20 °C; elsewhere it follows that of water.");
+    fields_ = {form_.addQuantity(Quantity::surfaceTension(1, 500), field(tr("Surface tension"), tr("surface tension"),
+                                                                         "surface_tension_mn_m", &Liquid::surface_tension_mn_m, at20)),
+               form_.addQuantity(Quantity::viscosity(0.05, 1000),
+                                 field(tr("Viscosity"), tr("viscosity"), "viscosity_mpa_s", &Liquid::viscosity_mpa_s, at20)),
+               form_.addQuantity(Quantity::density(500, 2000),
+                                 field(tr("Density"), tr("density"), "density_kg_m3", &Liquid::density_kg_m3, at20))};
+    form_.onRefresh([this] { refresh(); });
+}
+
+const Liquid* LiquidPanel::own() const
+{
+    const auto& liquids = form_.document().design()->liquids;
+    return liquids.empty() ? nullptr : &liquids[static_cast<std::size_t>(std::clamp(liquid_, 0, static_cast<int>(liquids.size()) - 1))];
+}
+
+QStringList LiquidPanel::usersOf(const std::string& liquid) const
+{
+    QStringList names;
+    for (const Experiment& experiment : form_.document().design()->experiments) {
+        if (experiment.liquid == liquid) { names << tr("“%1”").arg(QString::fromStdString(experiment.name)); }
+    }
+    return names;
+}
+
+DesignField LiquidPanel::field(const QString& label, const QString& undo, const char* where, double Liquid::*member, const QString& help)
+{
+    return {label,
+            undo,
+            [this, where] {
+                return own() ? "liquids[" + std::to_string(own() - form_.document().design()->liquids.data()) + "]." + where
+                             : std::string();
+            },
+            [this, member] { return own() ? std::optional(own()->*member) : std::nullopt; },
+            [this, member](Design& design, std::optional<double> value) {
+                if (own() && value) {
+                    design.liquids[static_cast<std::size_t>(own() - form_.document().design()->liquids.data())].*member = *value;
+                }
+            },
+            help};
+}
+
+void LiquidPanel::refresh()
+{
+    const Document& document = form_.document();
+    const Experiment* experiment = document.experiment();
+    const auto& liquids = document.design()->liquids;
+    used_->setEnabled(experiment);
+    used_->clear();
+    for (const Liquid& liquid : liquids) { used_->addItem(QString::fromStdString(liquid.name), QString::fromStdString(liquid.name)); }
+    for (const Liquid& liquid : library_liquids()) {
+        if (const QString name = QString::fromStdString(liquid.name); used_->findData(name) < 0) { // one's own goes before
+            used_->addItem(shownName(liquid.name), name);
+        }
+    }
+    const Liquid* chosen = experiment ? find_liquid(*document.design(), experiment->liquid) : nullptr;
+    if (experiment && !chosen) {
+        used_->addItem(tr("%1 (missing)").arg(QString::fromStdString(experiment->liquid)), QString::fromStdString(experiment->liquid));
+    }
+    used_->setCurrentIndex(experiment ? used_->findData(QString::fromStdString(experiment->liquid)) : -1);
+    note_->setForegroundRole(chosen ? QPalette::PlaceholderText : QPalette::WindowText);
+    note_->setText(chosen ? tr("%1, %2, %3 at 20 °C")
+                                .arg(Quantity::surfaceTension(1, 500).text(chosen->surface_tension_mn_m),
+                                     Quantity::viscosity(0.05, 1000).text(chosen->viscosity_mpa_s),
+                                     Quantity::density(500, 2000).text(chosen->density_kg_m3))
+                   : experiment ? tr("The project has no liquid of this name. Choose another.")
+                                : QString());
+    const std::string used = experiment ? experiment->liquid : std::string();
+    if (std::exchange(last_used_, used) != used) {
+        for (std::size_t i = 0; i < liquids.size(); ++i) {
+            if (liquids[i].name == used && static_cast<int>(i) != liquid_) {
+                liquid_ = static_cast<int>(i);
+                form_.refresh();
+                return;
+            }
+        }
+    }
+    own_->clear();
+    for (const Liquid& liquid : liquids) { own_->addItem(QString::fromStdString(liquid.name)); }
+    own_->setCurrentIndex(own() ? static_cast<int>(own() - liquids.data()) : -1);
+    for (QWidget* widget : std::initializer_list<QWidget*>{own_, duplicate_, rename_, remove_}) { widget->setEnabled(own()); }
+    for (QWidget* widget : fields_) { widget->setEnabled(own()); }
+    const QStringList users = own() ? usersOf(own()->name) : QStringList();
+    users_->setText(!own()            ? tr("None yet. Add one to choose its surface tension, viscosity and density.")
+                    : users.isEmpty() ? tr("No experiment uses it.")
+                                      : tr("Used by %1.").arg(users.join(", ")));
+}
+
+void LiquidPanel::choose(int liquid)
+{
+    section_.open();
+    liquid_ = liquid;
+    form_.refresh();
+}
+
+void LiquidPanel::addLiquid()
+{
+    Document& document = form_.document();
+    const Liquid* like = document.experiment() ? find_liquid(*document.design(), document.experiment()->liquid) : nullptr;
+    Liquid made = like ? *like : library_liquids().front();
+    made.name = freeName(*document.design(), made.name);
+    document.editState(tr("add liquid"), [&](Design& design, DesignState& state) {
+        design.liquids.push_back(made);
+        if (document.experiment()) { design.experiments[static_cast<std::size_t>(state.experiment)].liquid = made.name; }
+    });
+    choose(static_cast<int>(document.design()->liquids.size()) - 1);
+}
+
+void LiquidPanel::duplicateLiquid()
+{
+    if (!own()) { return; }
+    Document& document = form_.document();
+    Liquid made = *own();
+    made.name = freeName(*document.design(), made.name);
+    document.endStroke();
+    document.edit(tr("duplicate liquid"), {}, [&](Design& design) { design.liquids.push_back(made); });
+    choose(static_cast<int>(document.design()->liquids.size()) - 1);
+}
+
+bool LiquidPanel::rename(const QString& name, QString* why)
+{
+    const std::string wanted = name.trimmed().toStdString();
+    if (!own() || wanted.empty()) {
+        *why = tr("A liquid needs a name.");
+        return false;
+    }
+    const std::string old = own()->name;
+    if (wanted == old) { return true; }
+    Document& document = form_.document();
+    if (find_liquid(*document.design(), wanted)) {
+        *why = tr("There is a liquid “%1” already. Choose another name.").arg(name.trimmed());
+        return false;
+    }
+    const auto index = static_cast<std::size_t>(own() - document.design()->liquids.data());
+    document.endStroke();
+    document.edit(tr("rename liquid"), {}, [&](Design& design) {
+        design.liquids[index].name = wanted;
+        for (Experiment& experiment : design.experiments) { experiment.liquid = experiment.liquid == old ? wanted : experiment.liquid; }
+    });
+    return true;
+}
+
+void LiquidPanel::removeLiquid()
+{
+    if (!own()) { return; }
+    Document& document = form_.document();
+    const std::string name = own()->name;
+    const auto index = own() - document.design()->liquids.data();
+    document.endStroke();
+    document.edit(tr("delete liquid"), {}, [&](Design& design) {
+        design.liquids.erase(design.liquids.begin() + index);
+        for (Experiment& experiment : design.experiments) {
+            if (experiment.liquid == name && !find_liquid(design, name)) { experiment.liquid = "water"; }
+        }
+    });
+}
+
+void LiquidPanel::askName()
+{
+    QString name = own() ? QString::fromStdString(own()->name) : QString(), why;
+    QString question = tr("Name:");
+    for (;;) {
+        bool accepted = false;
+        name = QInputDialog::getText(window_, tr("Rename liquid"), question, QLineEdit::Normal, name, &accepted);
+        if (!accepted || rename(name, &why)) { return; }
+        question = why;
+    }
+}
+
+void LiquidPanel::askRemoval()
+{
+    const QStringList users = own() ? usersOf(own()->name) : QStringList();
+    if (!users.isEmpty()) {
+        QMessageBox box(QMessageBox::Question, tr("Delete liquid"),
+                        tr("“%1” is used by %2. Without it they take %3.")
+                            .arg(QString::fromStdString(own()->name), users.join(", "),
+                                 inLibrary(own()->name) ? tr("the library's of the same name") : tr("water")),
+                        QMessageBox::Cancel, window_);
+        box.setTextFormat(Qt::PlainText);
+        QPushButton* remove = box.addButton(tr("Delete"), QMessageBox::AcceptRole);
+        box.setDefaultButton(remove);
+        box.exec();
+        if (box.clickedButton() != remove) { return; }
+    }
+    removeLiquid();
+}
+
+} // namespace hygroloom

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/panels/yarn_panel.h"
+
+#include "core/base/units.h"
+#include "core/design/yarn_sections.h"
+#include "ui/weave/cloth_picture.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+QIcon swatch(const QColor& color, const QPalette& palette)
+{
+    QPixmap pixmap(32, 32);
+    pixmap.fill(color);
+    QPainter painter(&pixmap);
+    painter.setPen(QPen(palette.color(QPalette::Mid), 2));
+    painter.drawRect(1, 1, 30, 30);
+    return pixmap;
+}
+
+} // namespace
+
+YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
+    : QObject(parent), form_(form), use_(use), kind_(use == YarnUse::warp   ? tr("warp")
+                                                     : use == YarnUse::weft ? tr("weft")
+                                                                            : tr("stripe yarn")),
+      section_(form.addFoldable(use == YarnUse::warp   ? tr("Warp yarn")
+                                : use == YarnUse::weft ? tr("Weft yarn")
+                                                       : tr("Yarns of the stripes")))
+{
+    const QString kind = kind_;
+    if (use == YarnUse::weft) {
+        addSameAsWarp();
+    } else if (use == YarnUse::stripes) {
+        addChoice();
+    }
+    addMaterials();
+
+    const auto field = [&](const QString& label, const QString& undo, const char* where,
+                           std::function<std::optional<double>(const Yarn&)> read, std::function<void(Yarn&, std::optional<double>)> write,
+                           const QString& help = {}) {
+        return DesignField{label,
+                           kind + " " + undo,
+                           [this, where] { return path(where); },
+                           [this, read] { return yarn() ? read(*yarn()) : std::nullopt; },
+                           writing(std::move(write)),
+                           help};
+    };
+    const auto sizeField = [&](auto&&... arguments) {
+        DesignField made = field(std::forward<decltype(arguments)>(arguments)...);
+        made.within = [this] { return path("").substr(0, path("").size() - 1); };
+        return made;
+    };
+    // Diameter, linear density and packing factor determine one another: the third gives way.
+    diameter_ = form.addQuantity(Quantity::length(0.01, 10),
+                                 sizeField(
+                                     tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
+                                     [](Yarn& y, std::optional<double> v) {
+                                         y.diameter_mm = v;
+                                         if (v && y.linear_density_tex && y.packing_factor) { y.linear_density_tex.reset(); }
+                                     },
+                                     tr("Of the free, round yarn. Empty: worked out from linear density and packing.")),
+                                 true);
+    density_ = form.addQuantity(Quantity::linearDensity(0.5, 5000),
+                                sizeField(
+                                    tr("Linear density"), tr("linear density"), "linear_density_tex",
+                                    [](const Yarn& y) { return y.linear_density_tex; },
+                                    [](Yarn& y, std::optional<double> v) {
+                                        y.linear_density_tex = v;
+                                        if (v && y.diameter_mm && y.packing_factor) { y.diameter_mm.reset(); }
+                                    },
+                                    tr("Grams per kilometre. Ne, Nm and denier may be typed: “30 Ne”.")),
+                                true);
+    density_note_ = form.noteBeside(density_);
+    packing_ = form.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
+                                sizeField(
+                                    tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
+                                    [](Yarn& y, std::optional<double> v) {
+                                        y.packing_factor = v;
+                                        if (v && y.diameter_mm && y.linear_density_tex) { y.diameter_mm.reset(); }
+                                    },
+                                    tr("Fibre volume over yarn volume; 0.5 to 0.65 for spun yarns.")),
+                                true);
+    QuantityEdit* twist = form.addQuantity(
+        Quantity::twist(5000), field(
+                                   tr("Twist"), tr("twist"), "twist_per_m", [](const Yarn& y) { return std::optional(y.twist_per_m); },
+                                   [](Yarn& y, std::optional<double> v) { y.twist_per_m = v.value_or(0); }));
+    twist_direction_ = new QComboBox;
+    twist_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
+    form.addRow(tr("Twist direction"), twist_direction_);
+    connect(twist_direction_, &QComboBox::activated, this, [this, kind](int index) {
+        editYarn(tr("%1 twist direction").arg(kind), path("twist_direction"),
+                 [index](Yarn& y) { y.twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    });
+    QuantityEdit* plies = form.addQuantity(
+        Quantity::count(1, most_plies), field(
+                                            tr("Plies"), tr("plies"), "plies", [](const Yarn& y) { return std::optional<double>(y.plies); },
+                                            [](Yarn& y, std::optional<double> v) { y.plies = static_cast<int>(v.value_or(1)); },
+                                            tr("Single yarns twisted together. Diameter and linear density are the whole yarn's.")));
+    ply_twist_ = form.addQuantity(Quantity::twist(5000), field(
+                                                             tr("Ply twist"), tr("ply twist"), "ply_twist_per_m",
+                                                             [](const Yarn& y) { return std::optional(y.ply_twist_per_m); },
+                                                             [](Yarn& y, std::optional<double> v) { y.ply_twist_per_m = v.value_or(0); },
+                                                             tr("Turns of the plies round each other.")));
+    ply_direction_ = new QComboBox;
+    ply_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
+    form.addRow(tr("Ply direction"), ply_direction_);
+    connect(ply_direction_, &QComboBox::activated, this, [this, kind](int index) {
+        editYarn(tr("%1 ply twist direction").arg(kind), path("ply_twist_direction"),
+                 [index](Yarn& y) { y.ply_twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    });
+    addColor(kind);
+    QuantityEdit* fibres = form.addQuantity(
+        Quantity::count(1, 500), field(
+                                     tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
+                                     [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
+                                     [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
+                                     tr("Bundles of real fibres, as drawn and exported.")));
+    crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric it lies in."));
+    pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres, which draw the water in."));
+    fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist,
+               twist_direction_, plies,  ply_twist_, ply_direction_, color_,   fibres};
+    form.onRefresh([this] { refresh(); });
+}
+
+void YarnPanel::addSameAsWarp()
+{
+    same_ = new QCheckBox(tr("Same as warp"));
+    same_->setAccessibleName(tr("Weft yarn is the same as the warp yarn"));
+    form_.addWide(same_);
+    connect(same_, &QCheckBox::clicked, this, [this](bool on) {
+        unlinked_ = on ? std::string() : form_.document().fabric()->name;
+        if (on && form_.document().fabric()->warp != form_.document().fabric()->weft) {
+            const auto index = static_cast<std::size_t>(form_.document().fabricIndex());
+            form_.document().edit(tr("weft same as warp"), {},
+                                  [index](Design& design) { design.fabrics[index].weft = design.fabrics[index].warp; });
+        }
+        refresh();
+    });
+}
+
+void YarnPanel::addChoice()
+{
+    choice_ = new QComboBox;
+    choice_->setMinimumContentsLength(8);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice_->setToolTip("<p>" + tr("The yarns beside the fabric's own, with the letters they have in the order of the ends and picks.") +
+                        "</p>");
+    form_.addRow(tr("Yarn"), choice_);
+    choice_->setAccessibleName(tr("Yarn of the stripes"));
+    connect(choice_, &QComboBox::activated, this, [this](int index) {
+        stripe_ = index;
+        form_.refresh();
+    });
+}
+
+void YarnPanel::choose(int yarn)
+{
+    section_.open();
+    if (use_ == YarnUse::stripes) {
+        stripe_ = std::max(0, yarn - 1);
+        form_.refresh();
+    }
+}
+
+void YarnPanel::addColor(const QString& kind)
+{
+    color_ = new QToolButton;
+    color_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    color_->setPopupMode(QToolButton::InstantPopup);
+    color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto* menu = new QMenu(color_);
+    connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this, kind] {
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Colour of the Yarn"));
+        if (color.isValid()) {
+            editYarn(tr("%1 colour").arg(kind), path("color"), [&](Yarn& y) {
+                y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+                                static_cast<std::uint8_t>(color.blue())};
+            });
+        }
+    });
+    connect(menu->addAction(tr("Undyed")), &QAction::triggered, this,
+            [this, kind] { editYarn(tr("%1 colour").arg(kind), path("color"), [](Yarn& y) { y.color.reset(); }); });
+    color_->setMenu(menu);
+    form_.addRow(tr("Colour"), color_);
+}
+
+void YarnPanel::addMaterials()
+{
+    fibre_ = new QComboBox;
+    blend_ = new QComboBox;
+    form_.addRow(tr("Fibre"), fibre_, [this] { return path("material"); });
+    form_.addRow(tr("Blended with"), blend_);
+    const QString kind = kind_;
+    connect(fibre_, &QComboBox::textActivated, this, [this, kind](const QString& name) {
+        editYarn(tr("%1 fibre").arg(kind), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
+    });
+    connect(blend_, &QComboBox::activated, this, [this, kind](int index) {
+        const std::string name = blend_->itemText(index).toStdString();
+        editYarn(tr("%1 blend").arg(kind), path("material"), [&](Yarn& y) {
+            const double share = y.material.size() > 1 ? y.material.front().share : 0.5;
+            y.material.resize(1);
+            y.material.front().share = index == 0 ? 1.0 : share;
+            if (index > 0) { y.material.push_back({name, 1 - share}); }
+        });
+    });
+    share_ = form_.addQuantity(
+        Quantity::percent(0.01, 1),
+        {tr("Share of first"), tr("%1 blend share").arg(kind), [this] { return path("material[0].share"); },
+         [this] { return yarn() && !yarn()->material.empty() ? std::optional(yarn()->material.front().share) : std::nullopt; },
+         writing([](Yarn& y, std::optional<double> v) {
+             if (y.material.size() == 2 && v) {
+                 y.material[0].share = *v;
+                 y.material[1].share = 1 - *v;
+             }
+         }),
+         tr("By dry mass.")});
+}
+
+const Yarn* YarnPanel::yarn() const
+{
+    const Fabric* fabric = form_.document().fabric();
+    if (!fabric) { return nullptr; }
+    if (use_ == YarnUse::stripes) { return fabric->extra_yarns.empty() ? nullptr : &fabric->extra_yarns[stripe()]; }
+    return use_ == YarnUse::weft ? &fabric->weft : &fabric->warp;
+}
+
+std::size_t YarnPanel::stripe() const
+{
+    const Fabric* fabric = form_.document().fabric();
+    const int count = fabric ? static_cast<int>(fabric->extra_yarns.size()) : 0;
+    return static_cast<std::size_t>(std::clamp(stripe_, 0, std::max(0, count - 1)));
+}
+
+Yarn& YarnPanel::yarnOf(Fabric& fabric) const
+{
+    return use_ == YarnUse::stripes ? fabric.extra_yarns[stripe()] : use_ == YarnUse::weft ? fabric.weft : fabric.warp;
+}
+
+std::function<void(Design&, std::optional<double>)> YarnPanel::writing(std::function<void(Yarn&, std::optional<double>)> change)
+{
+    return [this, change = std::move(change)](Design& design, std::optional<double> value) {
+        if (!yarn()) { return; }
+        Fabric& fabric = design.fabrics[static_cast<std::size_t>(form_.document().fabricIndex())];
+        const bool linked = use_ == YarnUse::warp && fabric.name != unlinked_ && fabric.warp == fabric.weft;
+        change(yarnOf(fabric), value);
+        if (linked && !form_.property("weft apart").toBool()) { fabric.weft = fabric.warp; }
+    };
+}
+
+void YarnPanel::editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change)
+{
+    const auto write = writing([&](Yarn& y, std::optional<double>) { change(y); });
+    form_.document().edit(undo, field, [&](Design& design) { write(design, {}); });
+    form_.document().endStroke();
+}
+
+std::string YarnPanel::path(const char* field) const
+{
+    const std::string own = use_ == YarnUse::stripes ? "extra_yarns[" + std::to_string(stripe()) + "]"
+                            : use_ == YarnUse::weft  ? "weft"
+                                                     : "warp";
+    return "fabrics[" + std::to_string(form_.document().fabricIndex()) + "]." + own + "." + field;
+}
+
+void YarnPanel::refresh()
+{
+    if (choice_) { refreshChoice(); }
+    const Yarn* y = yarn();
+    for (QWidget* field : fields_) { field->setEnabled(y != nullptr); }
+    if (same_) { same_->setEnabled(y != nullptr); }
+    if (!y) {
+        fibre_->setCurrentIndex(-1);
+        blend_->setCurrentIndex(-1);
+        refreshDerived();
+        return;
+    }
+    refreshMaterials();
+    twist_direction_->setCurrentIndex(y->twist_direction == TwistDirection::s ? 0 : 1);
+    ply_direction_->setCurrentIndex(y->ply_twist_direction == TwistDirection::s ? 0 : 1);
+    color_->setIcon(swatch(yarnColor(*y, isWarp()), form_.palette()));
+    color_->setText(y->color ? yarnColor(*y, isWarp()).name() : tr("undyed"));
+    share_->setEnabled(y->material.size() == 2);
+    ply_twist_->setEnabled(y->plies > 1);
+    ply_direction_->setEnabled(y->plies > 1);
+    if (same_) { refreshSame(); }
+    refreshDerived();
+}
+
+void YarnPanel::refreshSame()
+{
+    const Fabric& fabric = *form_.document().fabric();
+    const bool same = fabric.warp == fabric.weft && fabric.name != unlinked_;
+    form_.setProperty("weft apart", !same);
+    same_->setChecked(same);
+    for (QWidget* field : fields_) { field->setEnabled(!same && field->isEnabled()); }
+}
+
+void YarnPanel::refreshChoice()
+{
+    const Fabric* fabric = form_.document().fabric();
+    const int count = fabric ? static_cast<int>(fabric->extra_yarns.size()) : 0;
+    section_.setShown(count > 0);
+    choice_->clear();
+    for (int i = 0; i < count; ++i) {
+        const Yarn& one = fabric->extra_yarns[static_cast<std::size_t>(i)];
+        const QString fibre = one.material.empty() ? QString() : QString::fromStdString(one.material.front().name);
+        choice_->addItem(swatch(yarnColor(one, true), form_.palette()), yarnLetter(i + 1) + "  " + fibre);
+    }
+    choice_->setCurrentIndex(static_cast<int>(stripe()));
+}
+
+void YarnPanel::refreshDerived()
+{
+    const auto& quantities = form_.document().quantities();
+    const auto& stripes = form_.document().stripes();
+    const YarnQuantities* q = nullptr;
+    std::optional<FreeYarn> free;
+    if (use_ == YarnUse::stripes) {
+        if (stripe() < stripes.size()) {
+            const StripeYarn& lying = stripes[stripe()];
+            free = lying.free;
+            q = lying.as_end ? &*lying.as_end : lying.as_pick ? &*lying.as_pick : nullptr;
+        }
+    } else if (quantities) {
+        q = use_ == YarnUse::weft ? &quantities->weft : &quantities->warp;
+        free = FreeYarn{q->diameter_mm, q->linear_density_tex, q->packing_factor};
+    }
+    diameter_->setDerived(free ? std::optional(free->diameter) : std::nullopt);
+    density_->setDerived(free ? std::optional(free->linear_density_tex) : std::nullopt);
+    packing_->setDerived(free ? std::optional(free->packing_factor) : std::nullopt);
+    density_note_->setText(free ? tr("Ne %1").arg(shownNumber(ne_from_tex(free->linear_density_tex), 1)) : QString());
+    crimp_->setText(q ? tr("%1 %").arg(shownNumber(q->crimp_percent, 1)) : QStringLiteral("–"));
+    pore_->setText(q ? tr("%1 µm").arg(shownNumber(q->pore_radius_um, 1)) : QStringLiteral("–"));
+}
+
+void YarnPanel::refreshMaterials()
+{
+    QStringList names;
+    for (const Material& material : form_.document().design()->materials) { names << QString::fromStdString(material.name); }
+    for (const Material& material : material_library()) {
+        if (const QString name = QString::fromStdString(material.name); !names.contains(name)) { names << name; }
+    }
+    const auto fill = [](QComboBox* box, QStringList items, const QString& current) {
+        if (!items.contains(current)) { items << current; }
+        QStringList present;
+        for (int i = 0; i < box->count(); ++i) { present << box->itemText(i); }
+        if (present != items) {
+            box->clear();
+            box->addItems(items);
+        }
+        box->setCurrentText(current);
+    };
+    const auto& material = yarn()->material;
+    const QString none = tr("nothing");
+    fill(fibre_, names, material.empty() ? QString() : QString::fromStdString(material.front().name));
+    fill(blend_, QStringList{none} + names, material.size() > 1 ? QString::fromStdString(material[1].name) : none);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Fields of one yarn of the chosen fabric: the warp's, the weft's, or the chosen one of those in its stripes.
+#pragma once
+
+#include "ui/panels/design_form.h"
+
+class QCheckBox;
+class QToolButton;
+
+namespace hygroloom {
+
+enum class YarnUse { warp, weft, stripes };
+
+class YarnPanel : public QObject {
+    Q_OBJECT
+public:
+    /// Adds its rows to the form. The weft's can follow the warp's; those of the stripes are there while the fabric has extra yarns.
+    YarnPanel(DesignForm& form, YarnUse use, QObject* parent);
+
+    const FormSection& section() const { return section_; }
+    /// Opens the section, that of the stripes at this extra yarn, from 1.
+    void choose(int yarn);
+
+private:
+    const Yarn* yarn() const;
+    Yarn& yarnOf(Fabric& fabric) const;
+    std::size_t stripe() const;
+    bool isWarp() const { return use_ != YarnUse::weft; }
+    void addSameAsWarp();
+    void addChoice();
+    /// Changes the yarn, and the weft with the warp while it is the same.
+    std::function<void(Design&, std::optional<double>)> writing(std::function<void(Yarn&, std::optional<double>)> change);
+    void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
+    std::string path(const char* field) const;
+    void addMaterials();
+    void addColor(const QString& kind);
+    void refresh();
+    void refreshSame();
+    void refreshChoice();
+    void refreshDerived();
+    void refreshMaterials();
+
+    DesignForm& form_;
+    YarnUse use_;
+    QString kind_; ///< in the history: "weft"
+    FormSection section_;
+    int stripe_ = 0; ///< of the extra yarns, the one last chosen; there may be fewer now
+    QComboBox* choice_ = nullptr;
+    QCheckBox* same_ = nullptr;
+    QComboBox* fibre_ = nullptr;
+    QComboBox* blend_ = nullptr;
+    QComboBox* twist_direction_ = nullptr;
+    QComboBox* ply_direction_ = nullptr;
+    QToolButton* color_ = nullptr;
+    QuantityEdit* ply_twist_ = nullptr;
+    QuantityEdit* share_ = nullptr;
+    QuantityEdit* diameter_ = nullptr;
+    QuantityEdit* density_ = nullptr;
+    QuantityEdit* packing_ = nullptr;
+    QLabel* density_note_ = nullptr;
+    QLabel* diameter_note_ = nullptr;
+    QLabel* crimp_ = nullptr;
+    QLabel* pore_ = nullptr;
+    std::vector<QWidget*> fields_;
+    std::string unlinked_; ///< fabric whose equal weft the user wants to edit apart
+};
+
+} // namespace hygroloom

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/picture/textile_canvas.h"
+
+#include <QPainter>
+
+#include <cmath>
+#include <utility>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int still_after_ms = 160;
+constexpr double slow_picture = 0.12;         // s: then less is drawn while moving
+constexpr double moving_detail = 0.6;         // of a slow picture
+constexpr double too_slow_for_samples = 0.25; // s, without multisampling
+
+} // namespace
+
+TextileCanvas::TextileCanvas(QWidget* parent) : QOpenGLWidget(parent)
+{
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Picture of the woven fabric"));
+    setAccessibleDescription(
+        tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to choose a yarn. Arrow keys turn, plus "
+           "and minus zoom, square brackets go from yarn to yarn. F shows the whole fabric, 1, 3 and 7 look from the front, "
+           "the right and the top."));
+    still_.setSingleShot(true);
+    still_.setInterval(still_after_ms);
+    connect(&still_, &QTimer::timeout, this, [this] { redraw(false); });
+    fade_.setSingleShot(true);
+    fade_.setInterval(15);
+    connect(&fade_, &QTimer::timeout, this, [this] {
+        scene_changed_ = true;
+        update();
+    });
+}
+
+TextileCanvas::~TextileCanvas()
+{
+    makeCurrent();
+    sampled_.reset();
+    scene_picture_.reset();
+    renderer_.release();
+    doneCurrent();
+}
+
+void TextileCanvas::setView(std::shared_ptr<const PreparedView> view)
+{
+    if (!view) {
+        waiting_.reset();
+        scene_.setFabric(nullptr);
+        hovered_ = {-1, -1};
+        selected_ = {};
+        redraw(false);
+        return;
+    }
+    waiting_ = std::move(view);
+    if (usable_) {
+        makeCurrent();
+        takeView();
+        doneCurrent();
+    } else {
+        scene_.setFabric(waiting_->fabric);
+    }
+    redraw(moving_);
+}
+
+/// Needs the context.
+void TextileCanvas::takeView()
+{
+    const auto view = std::exchange(waiting_, nullptr);
+    scene_.setFabric(view->fabric);
+    renderer_.setFabric(view->fabric);
+    for (const CellMesh& mesh : view->meshes) { renderer_.addMesh(mesh); }
+    if (view->picture) { renderer_.setPicture(*view->picture); }
+    water_changed_ = true;
+    const int yarns = selected_.kind == YarnKind::warp ? fabric()->textile.ends() : fabric()->textile.picks();
+    if (selected_.yarn >= yarns) { select({}); }
+    camera_ = framed(camera_, *fabric(), moved_by_hand_ ? Framing::as_it_is : framing_, QSizeF(size()));
+}
+
+void TextileCanvas::addMeshes(const PreparedView& view)
+{
+    if (!usable_ || view.fabric != fabric()) { return; }
+    makeCurrent();
+    for (const CellMesh& mesh : view.meshes) { renderer_.addMesh(mesh); }
+    if (view.picture) { renderer_.setPicture(*view.picture); }
+    doneCurrent();
+    scene_changed_ = true;
+    update();
+}
+
+SceneView TextileCanvas::sceneView() const
+{
+    SceneView view;
+    view.camera = camera_;
+    view.size = QSizeF(size());
+    view.detail = devicePixelRatioF() * (moving_ && still_seconds_ > slow_picture ? moving_detail : 1.0);
+    view.cut = cut();
+    return view;
+}
+
+void TextileCanvas::setWater(std::vector<float> values, double maximum)
+{
+    if (values.empty() && water_.empty()) { return; }
+    water_ = std::move(values);
+    water_maximum_ = maximum;
+    water_changed_ = true;
+    redraw(moving_);
+}
+
+void TextileCanvas::setLiquid(LiquidSurface surface)
+{
+    if (surface.indices.empty() && liquid_.indices.empty()) { return; }
+    liquid_ = std::move(surface);
+    liquid_changed_ = true;
+    redraw(moving_);
+}
+
+void TextileCanvas::setParticlesShown(bool shown)
+{
+    particles_shown_ = shown;
+    redraw(moving_);
+}
+
+void TextileCanvas::setCaption(const PictureCaption& caption)
+{
+    if (caption != caption_) {
+        caption_ = caption;
+        update();
+    }
+}
+
+void TextileCanvas::setWaterColors(WaterColors colors)
+{
+    water_colors_ = colors;
+    redraw(false);
+}
+
+void TextileCanvas::setHighlight(int end, int pick)
+{
+    if (const QPoint highlight(end, pick); highlight != highlight_) {
+        highlight_ = highlight;
+        update();
+    }
+}
+
+void TextileCanvas::frameNext(Framing framing)
+{
+    framing_ = framing;
+    moved_by_hand_ = false;
+}
+
+void TextileCanvas::fit(Framing framing)
+{
+    framing_ = framing;
+    moved_by_hand_ = false;
+    if (fabric()) {
+        camera_ = framed(camera_, *fabric(), framing, QSizeF(size()));
+        redraw(false);
+    }
+}
+
+void TextileCanvas::lookFrom(double turn, double lift)
+{
+    camera_.lookFrom(turn, lift);
+    if (moved_by_hand_ && fabric()) {
+        // Not from within the fabric: looked at from an edge, the edge comes into sight.
+        const QVector3D low = fabric()->low(), high = fabric()->high(), towards = camera_.direction();
+        const QVector3D eye = camera_.target() + static_cast<float>(camera_.depth(camera_.target())) * towards;
+        QVector3D target = camera_.target();
+        for (int axis = 0; axis < 2; ++axis) {
+            if (std::abs(towards[axis]) > 0.99F && eye[axis] > low[axis] && eye[axis] < high[axis]) {
+                target[axis] = towards[axis] > 0 ? high[axis] : low[axis];
+            }
+        }
+        camera_.centreOn(target);
+        redraw(false);
+    } else {
+        fit(framing_);
+    }
+}
+
+void TextileCanvas::setParallel(bool parallel)
+{
+    camera_.setParallel(parallel);
+    redraw(false);
+}
+
+void TextileCanvas::setCamera(const Camera& camera)
+{
+    camera_ = camera;
+    moved_by_hand_ = true;
+    redraw(false);
+}
+
+QImage TextileCanvas::picture()
+{
+    if (usable_) {
+        moving_ = false;
+        makeCurrent();
+        complete(scene_, renderer_, sceneView());
+        doneCurrent();
+    }
+    redraw(false);
+    return grabFramebuffer();
+}
+
+void TextileCanvas::initializeGL()
+{
+    usable_ = renderer_.initialize();
+    if (!usable_) { Q_EMIT failed(renderer_.problem()); }
+    if (usable_ && waiting_) { takeView(); }
+    scene_changed_ = true;
+    water_changed_ = true;
+    liquid_changed_ = true;
+}
+
+void TextileCanvas::resizeGL(int, int)
+{
+    scene_changed_ = true;
+    if (!moved_by_hand_ && framing_ != Framing::as_it_is) { fit(framing_); }
+}
+
+PictureColors TextileCanvas::colors() const
+{
+    PictureColors colors = pictureColors(palette());
+    colors.water = water_colors_;
+    return colors;
+}
+
+void TextileCanvas::redraw(bool moving)
+{
+    moving_ = moving;
+    scene_changed_ = true;
+    if (moving) {
+        still_.start();
+    } else {
+        still_.stop();
+    }
+    update();
+}
+
+void TextileCanvas::drawScene()
+{
+    if (std::exchange(water_changed_, false)) { renderer_.setWater(water_, water_maximum_); }
+    if (std::exchange(liquid_changed_, false)) { renderer_.setLiquid(liquid_); }
+    const SceneView view = sceneView();
+    const double seconds = was_fading_ && since_drawn_.isValid() ? 1e-3 * static_cast<double>(since_drawn_.elapsed()) : 0;
+    since_drawn_.start();
+    scene_.update(view, seconds, [this](const MeshKey& key) { return renderer_.has(key); });
+    was_fading_ = scene_.fading();
+    const bool settled = !moving_ && !was_fading_;
+    const QSize pixels = size() * devicePixelRatioF();
+    const bool samples = settled && still_seconds_ < too_slow_for_samples;
+    if (!scene_picture_ || scene_picture_->size() != pixels) {
+        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
+        sampled_.reset();
+    }
+    if (samples && !sampled_) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::Depth);
+        format.setSamples(4);
+        sampled_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+    }
+    QOpenGLFramebufferObject& target = samples ? *sampled_ : *scene_picture_;
+    target.bind();
+    QElapsedTimer timer;
+    timer.start();
+    renderer_.setMarked(selected_);
+    renderer_.setParticlesShown(particles_shown_);
+    renderer_.draw(view, scene_.batches(), pixels, colors());
+    if (settled) {
+        context()->functions()->glFinish();
+        still_seconds_ = 1e-3 * static_cast<double>(timer.elapsed()) / (samples ? 2.5 : 1);
+    }
+    target.release();
+    if (samples) { QOpenGLFramebufferObject::blitFramebuffer(scene_picture_.get(), sampled_.get()); }
+    scene_changed_ = false;
+    if (!scene_.wanted().empty()) { Q_EMIT meshesWanted(); }
+    if (was_fading_) { fade_.start(); }
+}
+
+void TextileCanvas::paintGL()
+{
+    if (usable_) {
+        if (scene_changed_) { drawScene(); }
+        // nullptr is the context's own default; this widget has one of its own.
+        auto* extra = context()->extraFunctions();
+        extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());
+        extra->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+        const int w = scene_picture_->width(), h = scene_picture_->height();
+        extra->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        extra->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawOverlay(painter);
+}
+
+void TextileCanvas::leaveEvent(QEvent*) { hover(QPointF(-1, -1)); }
+
+void TextileCanvas::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) { redraw(false); }
+    QOpenGLWidget::changeEvent(event);
+}
+
+} // namespace hygroloom

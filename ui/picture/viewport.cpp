@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/picture/viewport.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "ui/basics/quantity.h"
+#include "ui/picture/view_bar.h"
+
+#include <QGuiApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hygroloom {
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    // A QOpenGLWidget on the offscreen platform brings Qt 6.4 down.
+    if (QGuiApplication::platformName() == "offscreen" || QGuiApplication::platformName() == "minimal") {
+        placeholder_ = new QLabel(tr("This display cannot draw the fabric."));
+        placeholder_->setAlignment(Qt::AlignCenter);
+        layout->addWidget(placeholder_);
+    } else {
+        canvas_ = new TextileCanvas;
+        connect(canvas_, &TextileCanvas::meshesWanted, this, &Viewport::fillIn);
+        connect(canvas_, &TextileCanvas::yarnSelected, this, [this](const YarnNumber& yarn) {
+            if (yarn.yarn < 0) {
+                Q_EMIT repeatSelected(-1, -1);
+            } else if (const Textile& textile = fabric_->textile; yarn.kind == YarnKind::warp) {
+                Q_EMIT repeatSelected((textile.first_end + yarn.yarn) % textile.weave.ends(), -1);
+            } else {
+                Q_EMIT repeatSelected(-1, (textile.first_pick + yarn.yarn) % textile.weave.picks());
+            }
+        });
+        setFocusProxy(canvas_);
+        connect(canvas_, &TextileCanvas::crossingHovered, this, [this](int end, int pick) {
+            if (!fabric_ || end < 0) {
+                Q_EMIT repeatHovered(-1, -1);
+                return;
+            }
+            const Textile& textile = fabric_->textile;
+            Q_EMIT repeatHovered((textile.first_end + end) % textile.weave.ends(), (textile.first_pick + pick) % textile.weave.picks());
+        });
+    }
+    bar_ = new ViewBar(*this);
+    layout->insertWidget(0, bar_);
+    if (canvas_) { layout->addWidget(canvas_, 1); }
+    setMinimumSize(240, 180);
+}
+
+void Viewport::showFabric(const std::shared_ptr<const Design>& design, int fabric)
+{
+    const Fabric& shown = design->fabrics[static_cast<std::size_t>(fabric)];
+    PreviewRequest wanted;
+    wanted.design = design;
+    wanted.fabric = fabric;
+    wanted.whole = swatch_region(shown, swatch_sides_mm[swatch_]);
+    swatch_design_ = design;
+    swatch_fabric_ = fabric;
+    request(Subject::fabric, wanted, QString::fromStdString(shown.name));
+}
+
+void Viewport::showSample(const std::shared_ptr<const Design>& design, int fabric, const Experiment& experiment)
+{
+    const Fabric& shown = design->fabrics[static_cast<std::size_t>(fabric)];
+    PreviewRequest wanted;
+    wanted.design = design;
+    wanted.fabric = fabric;
+    wanted.whole = region_of_sample(shown, sample_extent_mm(experiment)[0], sample_extent_mm(experiment)[1]);
+    request(Subject::sample, wanted, tr("%1, dry").arg(QString::fromStdString(shown.name)));
+}
+
+void Viewport::showRun(const std::shared_ptr<const RunRecord>& run)
+{
+    const auto& fabrics = run->design.fabrics;
+    const auto fabric = std::find_if(fabrics.begin(), fabrics.end(), [&](const Fabric& f) { return f.name == run->fabric; });
+    if (fabric == fabrics.end()) {
+        showNothing(tr("The recording does not hold its fabric “%1”.").arg(QString::fromStdString(run->fabric)));
+        return;
+    }
+    PreviewRequest wanted;
+    wanted.design = std::make_shared<const Design>(run->design);
+    wanted.fabric = static_cast<int>(fabric - fabrics.begin());
+    wanted.whole = {run->textile.first_end, run->textile.first_pick, run->textile.ends(), run->textile.picks()};
+    if (run_ != run) { frame_.reset(); }
+    run_ = run;
+    request(Subject::run, wanted, QString::fromStdString(run->fabric));
+}
+
+void Viewport::request(Subject subject, PreviewRequest wanted, const QString& title)
+{
+    subject_ = subject;
+    caption_.title = title;
+    caption_.notice.clear();
+    if (subject != Subject::run) {
+        run_.reset();
+        frame_.reset();
+    }
+    refreshCaption();
+    // Another subject is framed anew; the sample of a run is framed already.
+    const bool same = fitted_subject_ == subject || (fitted_subject_ == Subject::sample && subject == Subject::run);
+    SceneView view;
+    Framing framing = subject == Subject::fabric ? Framing::few_repeats : Framing::whole;
+    if (canvas_) {
+        if (same) { framing = canvas_->movedByHand() ? Framing::as_it_is : canvas_->framing(); }
+        view = canvas_->sceneView();
+    }
+    mesher_.run([this, wanted = std::move(wanted), subject, view, framing, same](const NewestJob::Turn& turn) {
+        try {
+            const auto prepared = prepare_view(wanted, view, framing, [&] { return turn.outdated(); });
+            turn.deliver([this, prepared, subject, framing, same] {
+                if (subject == subject_ && canvas_ && !same) { canvas_->frameNext(framing); }
+                take(prepared, subject);
+            });
+        } catch (const Error& error) {
+            const QString sentence = QString::fromStdString(error.what());
+            turn.deliver([this, sentence] { showNothing(sentence); });
+        }
+    });
+}
+
+void Viewport::take(const std::shared_ptr<const PreparedView>& view, Subject subject)
+{
+    if (subject != subject_) {
+        return; // of a view that has been left
+    }
+    fabric_ = view->fabric;
+    fitted_subject_ = subject;
+    if (canvas_) {
+        canvas_->setView(view);
+        showWater();
+    }
+    Q_EMIT previewUpdated();
+}
+
+void Viewport::fillIn()
+{
+    filler_.run([this, fabric = fabric_, wanted = canvas_->scene().wanted()](const NewestJob::Turn& turn) {
+        make_wanted(
+            fabric, wanted, [&] { return turn.outdated(); },
+            [&](const std::shared_ptr<const PreparedView>& ready) { turn.deliver([this, ready] { canvas_->addMeshes(*ready); }); });
+    });
+}
+
+void Viewport::showFrame(const std::shared_ptr<const Frame>& frame, double runMaximum)
+{
+    frame_ = frame;
+    run_maximum_ = runMaximum;
+    showWater();
+}
+
+void Viewport::setRunMaximum(double saturation)
+{
+    if (std::exchange(run_maximum_, saturation) != saturation && range_ == WaterRange::run) { showWater(); }
+}
+
+void Viewport::showWater()
+{
+    if (!canvas_) { return; }
+    if (!frame_ || subject_ != Subject::run) {
+        canvas_->setWater({}, 1);
+        surfacer_.drop();
+        canvas_->setLiquid({});
+        refreshCaption();
+        return;
+    }
+    double maximum = 1;
+    if (range_ == WaterRange::run) {
+        maximum = roundedUp(run_maximum_);
+    } else if (range_ == WaterRange::frame && !frame_->saturation.empty()) {
+        maximum = roundedUp(*std::max_element(frame_->saturation.begin(), frame_->saturation.end()));
+    }
+    caption_.legend_maximum = std::min(1.0, maximum);
+    canvas_->setWater(frame_->saturation, caption_.legend_maximum);
+    surfacer_.run([this, frame = frame_](const NewestJob::Turn& turn) {
+        turn.deliver([this, frame, surface = liquid_surface(*frame)] {
+            if (frame_) { canvas_->setLiquid(surface); }
+        });
+    });
+    refreshCaption();
+}
+
+void Viewport::showNothing(const QString& sentence)
+{
+    mesher_.drop();
+    subject_ = Subject::nothing;
+    fitted_subject_ = Subject::nothing;
+    filler_.drop();
+    fabric_.reset();
+    frame_.reset();
+    caption_ = {};
+    caption_.notice = sentence;
+    if (canvas_) { canvas_->setView(nullptr); }
+    refreshCaption();
+}
+
+void Viewport::setNotice(const QString& sentence)
+{
+    caption_.notice = sentence;
+    refreshCaption();
+}
+
+void Viewport::setWaterColors(WaterColors colors)
+{
+    if (canvas_) { canvas_->setWaterColors(colors); }
+}
+
+void Viewport::setWaterRange(WaterRange range)
+{
+    range_ = range;
+    showWater();
+}
+
+void Viewport::setHighlight(int end, int pick)
+{
+    if (canvas_) { canvas_->setHighlight(end, pick); }
+}
+
+void Viewport::refreshCaption()
+{
+    caption_.legend = frame_ && subject_ == Subject::run ? tr("Pores filled") : QString();
+    caption_.unit = QStringLiteral("%");
+    caption_.legend_scale = 100;
+    if (canvas_) { canvas_->setCaption(caption_); }
+}
+
+void Viewport::setSwatch(int choice)
+{
+    swatch_ = std::clamp(choice, 0, static_cast<int>(std::size(swatch_sides_mm)) - 1);
+    if (subject_ == Subject::fabric && swatch_design_) { showFabric(swatch_design_, swatch_fabric_); }
+}
+
+void Viewport::lookFrom(double turn, double lift)
+{
+    if (canvas_) { canvas_->lookFrom(turn, lift); }
+}
+
+bool Viewport::pressKey(int key) { return bar_->pressKey(key); }
+
+QImage Viewport::picture() { return canvas_ ? canvas_->picture() : QImage(); }
+
+} // namespace hygroloom

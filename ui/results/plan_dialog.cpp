@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/plan_dialog.h"
+
+#include "core/base/text.h"
+#include "ui/basics/quantity.h"
+
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+/// Two digits that count: the scene that was measured is another one.
+QString errorText(double error) { return PlanDialog::tr("error %1 %").arg(shownNumber(100 * error, decimals_for(100 * error, 2))); }
+
+QString escaped(const std::string& words) { return QString::fromStdString(words).toHtmlEscaped(); }
+
+/// of: "The next run: %1".
+QString heading(const QString& of, const ModelPlan& plan, const QString& fabric, const QString& experiment)
+{
+    const QString run =
+        PlanDialog::tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), fidelityName(plan.fidelity).toLower());
+    return "<h3>" + of.arg(run) + "</h3>";
+}
+
+/// The plan's parts, region, resolution and cost, as HTML.
+QString inWords(const ModelPlan& plan)
+{
+    QString html = "<table cellpadding='4' width='100%'>";
+    for (const PlannedPart& part : plan.parts) {
+        QString state = part.on ? PlanDialog::tr("modelled") : PlanDialog::tr("left out");
+        if (part.forced) { state += PlanDialog::tr(", as you asked"); }
+        if (part.watched) { state += PlanDialog::tr(", watched"); }
+        html += "<tr><td width='16%'><b>" + escaped(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + escaped(part.reason) +
+                "</td></tr>";
+    }
+    return html + "</table><p><b>" + PlanDialog::tr("Region.") + "</b> " +
+           PlanDialog::tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " " +
+           escaped(plan.region_reason) + "</p><p><b>" + PlanDialog::tr("Resolution.") + "</b> " +
+           PlanDialog::tr("A picture every %1 s.").arg(shownNumber(plan.frame_interval, 4)) + " " + escaped(plan.resolution_reason) +
+           "</p><p><b>" + PlanDialog::tr("Expected.") + "</b> " + expectation(plan) + "</p>";
+}
+
+} // namespace
+
+QString fidelityName(Fidelity fidelity)
+{
+    switch (fidelity) {
+    case Fidelity::draft: return PlanDialog::tr("Draft");
+    case Fidelity::standard: return PlanDialog::tr("Standard");
+    case Fidelity::reference: break;
+    }
+    return PlanDialog::tr("Reference");
+}
+
+QString roughDuration(double seconds)
+{
+    if (seconds < 1) { return PlanDialog::tr("under 1 s"); }
+    if (seconds < 100) { return PlanDialog::tr("about %1 s").arg(shownNumber(seconds, 0)); }
+    if (seconds < 5400) { return PlanDialog::tr("about %1 min").arg(shownNumber(seconds / 60, 0)); }
+    return PlanDialog::tr("about %1 h").arg(shownNumber(seconds / 3600, 1));
+}
+
+QString expectation(const ModelPlan& plan)
+{
+    const QString error = !plan.expected_error        ? PlanDialog::tr("error not measured")
+                          : *plan.expected_error <= 0 ? PlanDialog::tr("no error, as errors are measured against it")
+                                                      : errorText(*plan.expected_error);
+    return PlanDialog::tr("%1, %2 of memory, %3. %4")
+        .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error,
+             QString::fromStdString(plan.expectation_source).toHtmlEscaped());
+}
+
+QString shortExpectation(const ModelPlan& plan)
+{
+    const QString cost = PlanDialog::tr("%1, %2").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes));
+    const bool known = plan.expected_error && *plan.expected_error > 0; // the reference's is none by definition
+    return known ? PlanDialog::tr("%1, %2").arg(cost, errorText(*plan.expected_error)) : cost;
+}
+
+QString expectedError(const ModelPlan& plan)
+{
+    if (!plan.expected_error) { return PlanDialog::tr("expected error not known"); }
+    return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error))
+                                    : PlanDialog::tr("what errors are measured against");
+}
+
+PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent) : QDialog(parent)
+{
+    setWindowTitle(tr("What the next run models, and why"));
+    fill(heading(tr("The next run: %1"), plan, fabric, experiment) + inWords(plan));
+}
+
+PlanDialog::PlanDialog(const RunRecord& run, QWidget* parent) : QDialog(parent)
+{
+    setWindowTitle(tr("What was modelled, and why"));
+    QString html =
+        heading(tr("The run that is shown: %1"), run.plan, QString::fromStdString(run.fabric), QString::fromStdString(run.experiment));
+    for (const SwitchedPart& part : run.switched_on) { html += "<p>" + escaped(in_words(part)) + "</p>"; }
+    fill(html + inWords(run.plan));
+}
+
+void PlanDialog::fill(const QString& html)
+{
+    auto* browser = new QTextBrowser;
+    browser->setHtml(html);
+    browser->setFrameShape(QFrame::NoFrame);
+    browser->setAccessibleName(windowTitle());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(browser);
+    layout->addWidget(buttons);
+    resize(640, 460);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/playback.h"
+
+#include "core/base/error.h"
+#include "core/run/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::size_t most_bytes = 512u << 20;
+
+std::size_t bytes_of(const Frame& frame)
+{
+    return sizeof(Frame) +
+           4 * (frame.saturation.size() + frame.liquid.size() + frame.regain.size() + frame.vapour.size() + frame.temperature.size()) +
+           12 * (frame.positions.size() + frame.velocities.size());
+}
+
+double maximum_of(const Frame& frame)
+{
+    return frame.saturation.empty() ? 0 : *std::max_element(frame.saturation.begin(), frame.saturation.end());
+}
+
+} // namespace
+
+Playback::Playback(QObject* parent) : QObject(parent) {}
+
+void Playback::reset()
+{
+    ++generation_;
+    reader_.drop();
+    scanner_.drop();
+    run_.reset();
+    path_.clear();
+    live_ = false;
+    whole_ = false;
+    follow_ = true;
+    times_.clear();
+    kept_.clear();
+    kept_bytes_ = 0;
+    first_.reset();
+    frame_.reset();
+    metrics_.reset();
+    maximum_saturation_ = 0;
+    current_ = -1;
+    recording_.reset();
+}
+
+void Playback::clear()
+{
+    reset();
+    Q_EMIT runChanged();
+    Q_EMIT framesChanged();
+    Q_EMIT metricsChanged();
+    Q_EMIT frameShown();
+}
+
+void Playback::begin(const std::shared_ptr<const RunRecord>& run, const QString& path)
+{
+    reset();
+    run_ = run;
+    path_ = path;
+    live_ = true;
+    Q_EMIT runChanged();
+    Q_EMIT framesChanged();
+    Q_EMIT metricsChanged();
+}
+
+void Playback::append(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics)
+{
+    if (!live_) { return; }
+    const int index = frames();
+    times_.push_back(frame->time);
+    metrics_ = metrics;
+    maximum_saturation_ = std::max(maximum_saturation_, maximum_of(*frame));
+    if (!first_) { first_ = frame; }
+    remember(index, frame);
+    Q_EMIT framesChanged();
+    Q_EMIT metricsChanged();
+    if (follow_) { present(index, frame); }
+}
+
+void Playback::complete(const std::shared_ptr<const RunRecord>& run)
+{
+    if (live_) { run_ = run; }
+}
+
+void Playback::end()
+{
+    whole_ = whole_ || live_;
+    live_ = false;
+    Q_EMIT framesChanged();
+    Q_EMIT metricsChanged();
+    Q_EMIT ended();
+}
+
+double Playback::duration() const
+{
+    if (run_ && live_) {
+        if (const Experiment* experiment = find_experiment(run_->design, run_->experiment)) { return experiment->duration_s; }
+    }
+    return times_.empty() ? 0 : times_.back();
+}
+
+int Playback::expectedFrames() const
+{
+    const double interval = run_ && live_ ? run_->plan.frame_interval : 0;
+    return interval > 0 ? std::max(frames(), static_cast<int>(std::lround(duration() / interval)) + 1) : frames();
+}
+
+int Playback::frameAt(double time) const
+{
+    const auto after = std::upper_bound(times_.begin(), times_.end(), time + 1e-9);
+    return std::max(0, static_cast<int>(after - times_.begin()) - 1) - (times_.empty() ? 1 : 0);
+}
+
+void Playback::show(int index)
+{
+    if (index < 0 || index >= frames()) { return; }
+    follow_ = live_ && index == frames() - 1;
+    current_ = index;
+    if (const auto found = kept_.find(index); found != kept_.end()) {
+        present(index, found->second);
+    } else {
+        read(index);
+    }
+}
+
+void Playback::remember(int index, const std::shared_ptr<const Frame>& frame)
+{
+    if (kept_.emplace(index, frame).second) { kept_bytes_ += bytes_of(*frame); }
+    // What lies farthest from the shown moment goes first.
+    while (kept_bytes_ > most_bytes && kept_.size() > 2) {
+        auto farthest = kept_.begin();
+        if (std::abs(kept_.rbegin()->first - current_) > std::abs(farthest->first - current_) && kept_.rbegin()->first != index) {
+            farthest = std::prev(kept_.end());
+        }
+        kept_bytes_ -= bytes_of(*farthest->second);
+        kept_.erase(farthest);
+    }
+}
+
+void Playback::present(int index, const std::shared_ptr<const Frame>& frame)
+{
+    current_ = index;
+    frame_ = frame;
+    Q_EMIT frameShown();
+}
+
+void Playback::read(int index)
+{
+    if (live_) {
+        // The file is being written; the nearest frame in memory stands in.
+        auto near = kept_.lower_bound(index);
+        if (near == kept_.end() && !kept_.empty()) { near = std::prev(near); }
+        if (near != kept_.end()) { present(near->first, near->second); }
+        return;
+    }
+    const std::string path = path_.toStdString();
+    reader_.run([this, index, path, of = generation_, recording = recording_](const NewestJob::Turn& turn) mutable {
+        try {
+            if (!recording) { recording = std::make_shared<Recording>(path); }
+            auto frame = std::make_shared<const Frame>(recording->frame(index));
+            turn.deliver([this, index, of, frame, recording] {
+                if (of != generation_) { return; }
+                recording_ = recording;
+                remember(index, frame);
+                if (index == current_) { present(index, frame); }
+            });
+        } catch (const Error& error) {
+            const QString sentence = QString::fromStdString(error.what());
+            turn.deliver([this, of, sentence] {
+                if (of == generation_) { Q_EMIT failed(sentence); }
+            });
+        }
+    });
+}
+
+void Playback::open(const QString& path) { scan(path); }
+
+void Playback::scan(const QString& path)
+{
+    scanner_.run([this, path](const NewestJob::Turn& turn) {
+        try {
+            const Recording recording(path.toStdString());
+            const auto run = std::make_shared<const RunRecord>(recording.run());
+            std::vector<double> times;
+            for (const Ledger& ledger : recording.ledgers()) { times.push_back(ledger.time); }
+            times.resize(static_cast<std::size_t>(recording.frames()));
+            auto first = times.empty() ? nullptr : std::make_shared<const Frame>(recording.frame(0));
+            // reset() outdates this job; from here on only another run may stop it.
+            auto generation = std::make_shared<long>(-1);
+            turn.deliver([this, run, times, first, path, generation] {
+                reset();
+                *generation = generation_;
+                run_ = run;
+                path_ = path;
+                times_ = times;
+                first_ = first;
+                if (first) { remember(0, first); }
+                Q_EMIT runChanged();
+                Q_EMIT framesChanged();
+                Q_EMIT metricsChanged();
+                Q_EMIT opened(path);
+                show(frames() - 1);
+            });
+            MetricsCollector collector;
+            collector.start(*run);
+            double maximum = 0;
+            const int frames = recording.frames();
+            for (int index = 0; index < frames; ++index) {
+                const auto frame = std::make_shared<const Frame>(recording.frame(index));
+                collector.add(*frame);
+                maximum = std::max(maximum, maximum_of(*frame));
+                if (index % 25 != 24 && index != frames - 1) { continue; }
+                turn.deliver([this, generation, maximum, whole = index == frames - 1,
+                              metrics = std::make_shared<const Metrics>(collector.metrics())] {
+                    if (*generation == generation_) {
+                        metrics_ = metrics;
+                        whole_ = whole;
+                        maximum_saturation_ = maximum;
+                        Q_EMIT metricsChanged();
+                    }
+                });
+            }
+        } catch (const Error& error) {
+            const QString sentence = QString::fromStdString(error.what());
+            turn.deliver([this, sentence] { Q_EMIT failed(sentence); });
+        }
+    });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The run that is looked at, live or from a recording: its frames, its numbers, and the moment that is shown.
+#pragma once
+
+#include "core/analysis/metrics.h"
+#include "ui/basics/newest_job.h"
+
+#include <QObject>
+
+#include <map>
+
+namespace hygroloom {
+
+class Recording;
+
+/// Keeps frames in memory up to a limit; the rest is read from the recording in the background when it is asked for.
+class Playback : public QObject {
+    Q_OBJECT
+public:
+    explicit Playback(QObject* parent = nullptr);
+
+    /// A run that has just begun and writes to path.
+    void begin(const std::shared_ptr<const RunRecord>& run, const QString& path);
+    void append(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics);
+    /// The live run got to its end; what is known of it only then.
+    void complete(const std::shared_ptr<const RunRecord>& run);
+    /// The recording is complete, or cut short, and can be read.
+    void end();
+    /// Reads a recording in the background; opened() or failed() follows.
+    void open(const QString& path);
+    void clear();
+
+    const std::shared_ptr<const RunRecord>& run() const { return run_; }
+    /// Another with each run that is shown; run() alone changes also when a live one is complete.
+    long generation() const { return generation_; }
+    bool live() const { return live_; }
+    /// Whether metrics() are of all frames there will be.
+    bool whole() const { return whole_; }
+    /// Empty when nothing is shown.
+    const QString& path() const { return path_; }
+    int frames() const { return static_cast<int>(times_.size()); }
+    double timeOf(int index) const { return times_[static_cast<std::size_t>(index)]; }
+    double duration() const;
+    /// How many frames there will be when a live run has ended; frames() otherwise.
+    int expectedFrames() const;
+    /// The last frame not after the time; -1 without frames.
+    int frameAt(double time) const;
+    int current() const { return current_; }
+    /// What is shown; nullptr until it has been read.
+    const std::shared_ptr<const Frame>& frame() const { return frame_; }
+    const std::shared_ptr<const Frame>& firstFrame() const { return first_; }
+    const std::shared_ptr<const Metrics>& metrics() const { return metrics_; }
+    double maximumSaturation() const { return maximum_saturation_; }
+
+    void show(int index);
+
+Q_SIGNALS:
+    /// Another run, or none.
+    void runChanged();
+    void framesChanged();
+    void metricsChanged();
+    void frameShown();
+    void opened(const QString& path);
+    /// The live run's recording can be read.
+    void ended();
+    void failed(const QString& sentence);
+
+private:
+    void reset();
+    void remember(int index, const std::shared_ptr<const Frame>& frame);
+    void present(int index, const std::shared_ptr<const Frame>& frame);
+    void read(int index);
+    void scan(const QString& path);
+
+    std::shared_ptr<const RunRecord> run_;
+    QString path_;
+    bool live_ = false;
+    bool whole_ = false;
+    bool follow_ = true;
+    std::vector<double> times_;
+    std::map<int, std::shared_ptr<const Frame>> kept_;
+    std::size_t kept_bytes_ = 0;
+    std::shared_ptr<const Frame> first_;
+    std::shared_ptr<const Frame> frame_;
+    std::shared_ptr<const Metrics> metrics_;
+    double maximum_saturation_ = 0;
+    int current_ = -1;
+    long generation_ = 0;                  ///< of the run, so that late deliveries of another are dropped
+    std::shared_ptr<Recording> recording_; ///< used by the reader's thread only
+    NewestJob reader_;
+    NewestJob scanner_;
+};
+
+} // namespace hygroloom

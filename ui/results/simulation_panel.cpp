@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/simulation_panel.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/plan/expectation.h"
+#include "gpu/backends.h"
+#include "ui/basics/appearance.h"
+#include "ui/basics/quantity.h"
+#include "ui/results/plan_dialog.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QStackedWidget>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::standard, Fidelity::reference};
+
+} // namespace
+
+SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget* parent)
+    : QWidget(parent), document_(document), run_(run), fidelities_(new QButtonGroup(this)), device_(new QComboBox),
+      start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
+      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), why_(new QPushButton(themedIcon("plan"), tr("What is modelled, and why…"))),
+      bar_(new QProgressBar), state_(new QLabel)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    addFidelities();
+    addDevices();
+    why_->setFlat(true);
+    why_->setToolTip(tr("Which physics the next run takes into account, and for what reason."));
+    layout->addWidget(why_, 0, Qt::AlignLeft);
+    start_->setMinimumHeight(36);
+    QFont font = start_->font();
+    font.setBold(true);
+    start_->setFont(font);
+    auto* running = new QWidget;
+    auto* line = new QHBoxLayout(running);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    for (QPushButton* button : {pause_, stop_}) {
+        button->setMinimumHeight(36);
+        line->addWidget(button);
+    }
+    buttons_ = new QStackedWidget;
+    buttons_->addWidget(start_);
+    buttons_->addWidget(running);
+    buttons_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    layout->addWidget(buttons_);
+    bar_->setTextVisible(false);
+    bar_->setFixedHeight(8);
+    bar_->setRange(0, 1000);
+    // The panel must not change its height when a run begins.
+    QSizePolicy policy = bar_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    bar_->setSizePolicy(policy);
+    bar_->setAccessibleName(tr("Progress of the run"));
+    layout->addWidget(bar_);
+    state_->setWordWrap(true);
+    state_->setTextFormat(Qt::PlainText); // names of files and fabrics
+    state_->setMinimumHeight(4 * state_->fontMetrics().lineSpacing());
+    state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    state_->setAccessibleName(tr("State of the run"));
+    layout->addWidget(state_);
+    layout->addStretch();
+    for (QPushButton* button : {start_, pause_, stop_, why_}) { button->setAccessibleName(button->text()); }
+
+    connect(start_, &QPushButton::clicked, this, &SimulationPanel::runRequested);
+    connect(pause_, &QPushButton::clicked, this, [this] { run_.setPaused(!run_.paused()); });
+    connect(stop_, &QPushButton::clicked, &run_, &SimulationRun::cancel);
+    connect(why_, &QPushButton::clicked, this, &SimulationPanel::showPlan);
+    connect(&run_, &SimulationRun::started, this, [this] {
+        bar_->setValue(0);
+        showState();
+        state_->setText(tr("Starting."));
+    });
+    connect(&run_, &SimulationRun::progressed, this, &SimulationPanel::showProgress);
+    connect(&run_, &SimulationRun::ended, this, &SimulationPanel::showEnd);
+    connect(&run_, &SimulationRun::pausedChanged, this, &SimulationPanel::showState);
+    connect(&document_, &Document::designChanged, this, &SimulationPanel::refreshPlans);
+    refreshPlans();
+}
+
+void SimulationPanel::addFidelities()
+{
+    auto* grid = new QGridLayout;
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(1, 1);
+    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
+        auto* button = new QRadioButton(fidelityName(fidelity_order[i]));
+        button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));
+        fidelities_->addButton(button, static_cast<int>(i));
+        expected_[i] = new QLabel;
+        expected_[i]->setForegroundRole(QPalette::PlaceholderText);
+        expected_[i]->setAccessibleName(tr("Expected for %1").arg(button->text()));
+        expected_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(button, static_cast<int>(i), 0);
+        grid->addWidget(expected_[i], static_cast<int>(i), 1);
+    }
+    fidelities_->button(0)->setChecked(true);
+    static_cast<QVBoxLayout*>(layout())->addLayout(grid);
+    connect(fidelities_, &QButtonGroup::idClicked, this, [this] { Q_EMIT canRunChanged(); });
+}
+
+void SimulationPanel::addDevices()
+{
+    for (const BackendInfo& info : find_backends()) {
+        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
+        device_->addItem(info.usable ? name : tr("%1 (not usable)").arg(name), QString::fromStdString(info.name));
+        const int row = device_->count() - 1;
+        device_->setItemData(row, info.usable ? name : QString::fromStdString(info.reason), Qt::ToolTipRole);
+        if (!info.usable) {
+            if (auto* model = qobject_cast<QStandardItemModel*>(device_->model())) { model->item(row)->setEnabled(false); }
+        }
+    }
+    connect(device_, &QComboBox::currentIndexChanged, this, &SimulationPanel::refreshPlans);
+    device_->setAccessibleName(tr("Device"));
+    device_->setToolTip(tr("The machine that runs the physics."));
+    device_->setMinimumContentsLength(12);
+    device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    static_cast<QVBoxLayout*>(layout())->addWidget(device_);
+}
+
+Fidelity SimulationPanel::fidelity() const { return fidelity_order[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
+
+void SimulationPanel::setFidelity(Fidelity fidelity)
+{
+    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
+        if (fidelity_order[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
+    }
+    Q_EMIT canRunChanged();
+}
+
+std::string SimulationPanel::backend() const { return device_->count() > 0 ? device_->currentData().toString().toStdString() : "auto"; }
+
+void SimulationPanel::setBackend(const std::string& name)
+{
+    device_->setCurrentIndex(std::max(0, device_->findData(QString::fromStdString(name))));
+}
+
+bool SimulationPanel::canRun(QString* reason) const
+{
+    QString why;
+    if (!document_.fabric()) {
+        why = tr("Add a fabric to run an experiment on.");
+    } else if (!document_.experiment()) {
+        why = tr("Add an experiment to run.");
+    } else if (document_.hasError()) {
+        for (const Issue& issue : document_.issues()) {
+            if (issue.severity == Severity::error) {
+                why = QString::fromStdString(issue.text);
+                break;
+            }
+        }
+    } else {
+        why = plans_[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))].problem;
+    }
+    if (reason) { *reason = why; }
+    return why.isEmpty() && !run_.running();
+}
+
+void SimulationPanel::refreshPlans()
+{
+    plans_ = {};
+    showState();
+    if (document_.hasError() || !document_.fabric() || !document_.experiment()) {
+        planner_.drop();
+        showExpectations();
+        return;
+    }
+    planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex(),
+                  machine = expected_backend(backend())](const NewestJob::Turn& turn) {
+        std::array<Expectation, 3> plans;
+        for (std::size_t i = 0; i < plans.size() && !turn.outdated(); ++i) {
+            try {
+                plans[i].plan = plan_model(*design, design->fabrics[static_cast<std::size_t>(fabric)],
+                                           design->experiments[static_cast<std::size_t>(experiment)], fidelity_order[i]);
+                if (machine != "cpu") { expect(*plans[i].plan, shipped_measurements(machine)); }
+            } catch (const Error& error) {
+                plans[i].problem = QString::fromStdString(error.what());
+            }
+        }
+        turn.deliver([this, design, plans] {
+            if (design == document_.design()) {
+                plans_ = plans;
+                showExpectations();
+                showState();
+            }
+        });
+    });
+}
+
+void SimulationPanel::showExpectations()
+{
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+        const auto& plan = plans_[i].plan;
+        expected_[i]->setText(plan ? shortExpectation(*plan) : QString());
+        expected_[i]->setToolTip(plan ? "<p>" + tr("Expected: %1").arg(expectation(*plan)) + "</p>" : QString());
+    }
+}
+
+void SimulationPanel::showState()
+{
+    QString reason;
+    const bool can = canRun(&reason);
+    const bool running = run_.running();
+    buttons_->setCurrentIndex(running ? 1 : 0);
+    start_->setEnabled(can);
+    start_->setToolTip(can ? tr("Run the experiment on the chosen fabric (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
+    bar_->setVisible(running);
+    pause_->setText(run_.paused() ? tr("Go on") : tr("Pause"));
+    pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
+    pause_->setAccessibleName(pause_->text());
+    why_->setEnabled(plans_[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))].plan.has_value());
+    if (!running && !reason.isEmpty()) {
+        state_->setText(tr("Cannot run: %1").arg(reason));
+        state_->setToolTip("<p>" + reason.toHtmlEscaped() + "</p>");
+    } else if (!running && state_->text().startsWith(tr("Cannot run: %1").arg(QString()))) {
+        state_->clear();
+        state_->setToolTip({});
+    }
+    Q_EMIT canRunChanged();
+}
+
+void SimulationPanel::showProgress(const RunProgress& progress)
+{
+    if (!run_.running()) { return; }
+    const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
+    bar_->setValue(static_cast<int>(1000 * share));
+    QString text = tr("%1 of %2 simulated in %3 s")
+                       .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration),
+                            shownNumber(progress.wall, 0));
+    const auto left = time_left(share, progress.wall);
+    if (run_.paused()) {
+        text += tr(", paused.");
+    } else if (left) {
+        text += tr(", %1 left.").arg(roughDuration(*left));
+    } else {
+        text += ".";
+    }
+    if (progress.particles > 0) { text += " " + tr("%1 particles of free liquid.").arg(progress.particles); }
+    state_->setText(text);
+}
+
+void SimulationPanel::showEnd(SimulationRun::Outcome outcome, const QString& sentence)
+{
+    switch (outcome) {
+    case SimulationRun::Outcome::finished: state_->setText(tr("Finished.")); break;
+    case SimulationRun::Outcome::cancelled: state_->setText(tr("Stopped. What was simulated so far is shown.")); break;
+    case SimulationRun::Outcome::device_failed:
+    case SimulationRun::Outcome::failed: state_->setText(sentence); break;
+    }
+    showState();
+}
+
+void SimulationPanel::showPlan()
+{
+    const auto& plan = plans_[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))].plan;
+    if (!plan || !document_.fabric() || !document_.experiment()) { return; }
+    auto* dialog =
+        new PlanDialog(*plan, QString::fromStdString(document_.fabric()->name), QString::fromStdString(document_.experiment()->name), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+} // namespace hygroloom

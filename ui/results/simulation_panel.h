@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Fidelity, device, and the one big button; progress while it runs.
+#pragma once
+
+#include "ui/basics/newest_job.h"
+#include "ui/document/document.h"
+#include "ui/results/simulation_run.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <array>
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace hygroloom {
+
+class SimulationPanel : public QWidget {
+    Q_OBJECT
+public:
+    SimulationPanel(Document& document, SimulationRun& run, QWidget* parent = nullptr);
+
+    Fidelity fidelity() const;
+    void setFidelity(Fidelity fidelity);
+    std::string backend() const;
+    void setBackend(const std::string& name);
+    /// Whether a run could start now; else why not, in a sentence.
+    bool canRun(QString* reason = nullptr) const;
+
+public Q_SLOTS:
+    void showPlan();
+
+Q_SIGNALS:
+    void runRequested();
+    void canRunChanged();
+
+private:
+    void addFidelities();
+    void addDevices();
+    void refreshPlans();
+    void showExpectations();
+    void showState();
+    void showProgress(const RunProgress& progress);
+    void showEnd(SimulationRun::Outcome outcome, const QString& sentence);
+
+    struct Expectation {
+        std::optional<ModelPlan> plan;
+        QString problem;
+    };
+
+    Document& document_;
+    SimulationRun& run_;
+    QButtonGroup* fidelities_;
+    std::array<QLabel*, 3> expected_{};
+    std::array<Expectation, 3> plans_;
+    QComboBox* device_;
+    QStackedWidget* buttons_ = nullptr; ///< start, or pause and stop
+    QPushButton* start_;
+    QPushButton* pause_;
+    QPushButton* stop_;
+    QPushButton* why_;
+    QProgressBar* bar_;
+    QLabel* state_;
+    NewestJob planner_;
+};
+
+} // namespace hygroloom

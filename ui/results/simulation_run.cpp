@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/simulation_run.h"
+
+#include "core/base/error.h"
+#include "gpu/backends.h"
+
+namespace hygroloom {
+
+SimulationRun::SimulationRun(QObject* parent) : QObject(parent), control_(std::make_unique<RunControl>()) {}
+
+SimulationRun::~SimulationRun()
+{
+    cancel();
+    if (thread_.joinable()) { thread_.join(); }
+}
+
+void SimulationRun::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+
+void SimulationRun::start(const std::shared_ptr<const Design>& design, const std::string& fabric, const std::string& experiment,
+                          const RunOptions& options, const std::string& backend)
+{
+    if (thread_.joinable()) { thread_.join(); }
+    control_->cancel = false;
+    control_->pause = false;
+    running_ = true;
+    thread_ = std::jthread([this, design, fabric, experiment, options, backend] {
+        MetricsCollector collector;
+        RunCallbacks callbacks;
+        callbacks.started = [&](const RunRecord& record) {
+            collector.start(record);
+            post([this, run = std::make_shared<const RunRecord>(record)] { Q_EMIT started(run); });
+        };
+        callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
+            collector.add(*frame);
+            post([this, frame, metrics = std::make_shared<const Metrics>(collector.metrics())] { Q_EMIT frameArrived(frame, metrics); });
+        };
+        callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
+        callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
+        Outcome outcome = Outcome::finished;
+        QString sentence;
+        QString device_failure;
+        callbacks.device_failed = [&](const std::string& failure) { device_failure = QString::fromStdString(failure); };
+        try {
+            const std::unique_ptr<Backend> machine = make_backend(backend);
+            const auto run =
+                std::make_shared<const RunRecord>(run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks));
+            post([this, run] { Q_EMIT completed(run); });
+        } catch (const Cancelled&) {
+            outcome = Outcome::cancelled;
+        } catch (const DeviceError& error) {
+            outcome = Outcome::device_failed;
+            sentence = QString::fromStdString(error.what());
+        } catch (const std::bad_alloc&) {
+            outcome = Outcome::failed;
+            sentence = tr("There is not enough memory for this run. Choose a smaller sample or a lower fidelity.");
+        } catch (const std::exception& error) {
+            outcome = Outcome::failed;
+            sentence = QString::fromStdString(error.what());
+        }
+        sentence = QStringList{device_failure, sentence}.join(' ').trimmed();
+        post([this, outcome, sentence] { end(outcome, sentence); });
+    });
+}
+
+void SimulationRun::end(Outcome outcome, const QString& sentence)
+{
+    running_ = false;
+    Q_EMIT ended(outcome, sentence);
+}
+
+void SimulationRun::setPaused(bool paused)
+{
+    if (running_ && control_->pause != paused) {
+        control_->pause = paused;
+        Q_EMIT pausedChanged(paused);
+    }
+}
+
+void SimulationRun::cancel()
+{
+    control_->cancel = true;
+    control_->pause = false;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The moment that is shown: a slider over the frames, and playing them.
+#pragma once
+
+#include "ui/results/playback.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace hygroloom {
+
+class Timeline : public QWidget {
+    Q_OBJECT
+public:
+    explicit Timeline(Playback& playback, QWidget* parent = nullptr);
+
+    bool playing() const { return ticker_.isActive(); }
+
+public Q_SLOTS:
+    void togglePlaying();
+
+Q_SIGNALS:
+    void playingChanged(bool playing);
+
+private:
+    void setPlaying(bool playing);
+    void tick();
+    void refresh();
+
+    Playback& playback_;
+    QToolButton* first_;
+    QToolButton* play_;
+    QToolButton* last_;
+    QSlider* slider_;
+    QLabel* time_;
+    QLabel* event_;
+    QTimer ticker_;
+    QElapsedTimer since_;
+    double from_ = 0;
+};
+
+} // namespace hygroloom

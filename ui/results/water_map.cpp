@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/water_map.h"
+
+#include "core/base/units.h"
+#include "ui/basics/appearance.h"
+#include "ui/basics/quantity.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+// The map is a picture of the fabric: pale in every palette, so that little water looks like little.
+constexpr char dry_color[] = "#f5f1e8";
+constexpr char ink_on_map[] = "#1d2327";
+
+} // namespace
+
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell)
+{
+    FaceMap made;
+    made.cells = cell_map(run.textile, frame, start_of_maps(run, first), side, crossings_per_cell);
+    made.size = QSizeF(run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch);
+    // Only a drop or a feed in the middle makes a stain.
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
+    if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
+        made.stain = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
+    }
+    return made;
+}
+
+WaterMap::WaterMap(const QString& title, QWidget* parent) : QWidget(parent), title_(title)
+{
+    setMouseTracking(true);
+    setAccessibleName(title);
+}
+
+void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size)
+{
+    size_ = size;
+    map_ = map;
+    stain_ = circle.has_value();
+    circle_ = circle.value_or(Circle{0, 0, -1});
+    render();
+    const QString most = tr("Most water %1 grams per square metre").arg(shownNumber(1000 * map.maximum(), 0));
+    setAccessibleDescription(
+        !stain_ ? most + "."
+                : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
+    update();
+}
+
+void WaterMap::clear()
+{
+    map_ = {};
+    circle_ = {};
+    image_ = {};
+    cell_ = {-1, -1};
+    update();
+}
+
+void WaterMap::setRange(double maximum, WaterColors colors)
+{
+    if (maximum != maximum_ || colors != colors_) {
+        maximum_ = maximum;
+        colors_ = colors;
+        render();
+        update();
+    }
+}
+
+void WaterMap::render()
+{
+    if (map_.columns < 1) { return; }
+    const QColor dry(dry_color);
+    image_ = QImage(map_.columns, map_.rows, QImage::Format_RGB32);
+    for (int row = 0; row < map_.rows; ++row) {
+        for (int column = 0; column < map_.columns; ++column) {
+            const double share = map_.at(column, row) / maximum_;
+            image_.setPixelColor(column, map_.rows - 1 - row, share > 0.004 ? waterColor(share, colors_) : dry);
+        }
+    }
+}
+
+QRectF WaterMap::mapArea() const
+{
+    const double line = fontMetrics().height() + 4;
+    const QRectF room(8, line, width() - 16, height() - line - 6);
+    const double w = size_.width(), h = size_.height();
+    if (!(w > 0 && h > 0)) { return room; }
+    const double scale = std::min(room.width() / w, room.height() / h);
+    return {room.center().x() - 0.5 * scale * w, room.top(), scale * w, scale * h};
+}
+
+QString WaterMap::radiusText(double room) const
+{
+    if (!stain_) { return {}; }
+    if (!(circle_.radius > 0)) { return tr("dry"); }
+    const QString radius = tr("%1 mm").arg(shownNumber(mm_from_metre(circle_.radius), 2));
+    const QString text = tr("wet radius %1").arg(radius);
+    return fontMetrics().horizontalAdvance(text) + 12 <= room ? text : radius;
+}
+
+void WaterMap::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor ink = palette().color(QPalette::WindowText);
+    const QRectF area = mapArea();
+    painter.setPen(ink);
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    // A long name leaves room for the number beside it.
+    const QFontMetricsF metrics(bold);
+    const double number = image_.isNull() ? 0 : QFontMetricsF(font()).horizontalAdvance(radiusText(0)) + 12;
+    const QString name = metrics.elidedText(title_, Qt::ElideRight, width() - 16 - number);
+    const double title = metrics.horizontalAdvance(name);
+    const QString radius = image_.isNull() ? QString() : radiusText(width() - 16 - title);
+    const bool fits = title + 12 + fontMetrics().horizontalAdvance(radius) <= area.width();
+    const QRectF head = fits ? QRectF(area.left(), 0, area.width(), area.top() - 2) : QRectF(8, 0, width() - 16, area.top() - 2);
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, name);
+    painter.setFont(font());
+    if (image_.isNull()) {
+        QColor line = ink;
+        line.setAlphaF(0.25F);
+        painter.setPen(QPen(line, 1, Qt::DashLine));
+        painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5));
+        return;
+    }
+    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, radius);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    const double pixelsPerMetre = area.width() / size_.width();
+    const QSizeF cells(map_.columns * map_.cell_width * pixelsPerMetre, map_.rows * map_.cell_height * pixelsPerMetre);
+    painter.setClipRect(area);
+    painter.drawImage(QRectF(QPointF(area.left(), area.bottom() - cells.height()), cells), image_);
+    painter.setClipping(false);
+    if (circle_.radius > 0) {
+        const QPointF centre(area.center().x() + circle_.x * pixelsPerMetre, area.center().y() - circle_.y * pixelsPerMetre);
+        painter.setClipRect(area);
+        painter.setPen(QPen(QColor(255, 255, 255, 190), 3));
+        painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
+        painter.setPen(QPen(QColor("#c2410c"), 1.5, Qt::DashLine));
+        painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
+        painter.setClipping(false);
+    }
+    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map),
+                 QColor(255, 255, 255, 170));
+    if (cell_.x() >= 0) {
+        const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+        painter.setClipRect(area);
+        painter.drawRect(QRectF(QPointF(area.left() + cell_.x() * cell.width(), area.bottom() - (cell_.y() + 1) * cell.height()), cell));
+    }
+}
+
+void WaterMap::mouseMoveEvent(QMouseEvent* event)
+{
+    const QRectF area = mapArea();
+    QPoint cell(-1, -1);
+    QString text;
+    if (!image_.isNull() && area.contains(event->position())) {
+        const double metre = size_.width() / area.width();
+        cell = {std::min(map_.columns - 1, static_cast<int>((event->position().x() - area.left()) * metre / map_.cell_width)),
+                std::min(map_.rows - 1, static_cast<int>((area.bottom() - event->position().y()) * metre / map_.cell_height))};
+        const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
+        const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
+        text = tr("%1: %2 g/m² at %3, %4 mm")
+                   .arg(title_, shownNumber(1000 * map_.at(cell.x(), cell.y()), 1), QLocale().toString(mm_from_metre(x), 'f', 1),
+                        QLocale().toString(mm_from_metre(y), 'f', 1));
+    }
+    if (cell != cell_) {
+        cell_ = cell;
+        update();
+    }
+    Q_EMIT pointed(text);
+}
+
+void WaterMap::leaveEvent(QEvent*)
+{
+    cell_ = {-1, -1};
+    update();
+    Q_EMIT pointed({});
+}
+
+} // namespace hygroloom

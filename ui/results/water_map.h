@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One face of the fabric from above: water per area in cells of n x n crossings.
+#pragma once
+
+#include "core/analysis/cell_map.h"
+#include "core/analysis/metrics.h"
+#include "ui/basics/color_map.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <optional>
+
+namespace hygroloom {
+
+/// What a map shows of one face at one moment.
+struct FaceMap {
+    CellMap cells;
+    std::optional<Circle> stain; ///< of experiments that make one
+    QSizeF size;                 ///< of the fabric, m
+};
+
+/// first: the run's first frame.
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell);
+
+class WaterMap : public QWidget {
+    Q_OBJECT
+public:
+    explicit WaterMap(const QString& title, QWidget* parent = nullptr);
+
+    /// size: of the fabric, m; cells at the far edges may reach beyond it.
+    void setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size);
+    void clear();
+    void setRange(double maximum, WaterColors colors);
+    const CellMap& map() const { return map_; }
+    const Circle& circle() const { return circle_; }
+    QSize sizeHint() const override { return {220, 220}; }
+    QSize minimumSizeHint() const override { return {120, 110}; }
+
+Q_SIGNALS:
+    /// What is under the pointer, in words; empty outside.
+    void pointed(const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QRectF mapArea() const;
+    /// In fewer words where there is little room, in pixels.
+    QString radiusText(double room) const;
+    void render();
+
+    QString title_;
+    CellMap map_;
+    Circle circle_;
+    bool stain_ = true; ///< whether there is one to speak of
+    QSizeF size_;
+    QImage image_;
+    double maximum_ = 1;
+    WaterColors colors_ = WaterColors::blue;
+    QPoint cell_{-1, -1};
+};
+
+} // namespace hygroloom

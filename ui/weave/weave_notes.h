@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the chosen fabric's weave is like: floats, balance, interlacings, how near the sett is to its limit, and what is wrong with it.
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace hygroloom {
+
+/// A bar that fills to a share of a limit, which a line marks.
+class LimitGauge : public QWidget {
+    Q_OBJECT
+public:
+    explicit LimitGauge(QWidget* parent = nullptr);
+
+    /// Negative when it is not known.
+    void setPercent(double percent);
+    double percent() const { return percent_; }
+    QSize sizeHint() const override { return {80, 8}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    double percent_ = -1;
+};
+
+class WeaveNotes : public QWidget {
+    Q_OBJECT
+public:
+    explicit WeaveNotes(Document& document, QWidget* parent = nullptr);
+
+    /// All sentences, as a reader sees them.
+    QString text() const;
+
+private:
+    void refresh();
+    void refreshGauges();
+
+    Document& document_;
+    std::optional<Weave> shown_;
+    QLabel* facts_;
+    QLabel* setts_[2]; ///< warp, weft
+    LimitGauge* gauges_[2];
+    QLabel* warnings_;
+};
+
+} // namespace hygroloom
