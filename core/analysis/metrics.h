@@ -75,7 +75,7 @@ private:
     bool had_free_water_ = false;
 };
 
-/// contract.md section 4, as JSON text.
+/// The metrics as JSON text; keys carry their units.
 std::string metrics_json(const RunRecord& run, const Metrics& metrics);
 
 } // namespace hygroloom

@@ -41,7 +41,7 @@ struct FabricQuantities {
 };
 
 /// By formula alone, laboratory values left aside. Precondition: validate() found no error in this fabric.
-/// Sections: physics.md's rule (free linear density kept; height limited by the thickness, width by the pitch).
+/// Sections keep the free linear density of their yarn; the thickness limits their height and the pitch their width.
 FabricQuantities derive_quantities(const Design& design, const Fabric& fabric);
 
 /// The same with what a laboratory measured in its place, and what follows from that: what geometry and simulation use.

@@ -46,7 +46,7 @@ struct Bounds {
 };
 
 constexpr const char* mixing = "bundles of so many would mix yarns that differ";
-constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves: physics.md 4.3, 0.1 to 0.2
+constexpr double least_mobile_saturation = 0.2; // below it liquid hardly moves; 0.1 to 0.2 are possible
 
 /// Share of the sample's ends or picks that each type of yarn has.
 std::vector<double> shares_of_types(const Textile& textile, YarnKind kind)

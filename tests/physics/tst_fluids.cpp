@@ -57,6 +57,29 @@ private Q_SLOTS:
         QVERIFY(within(water_density(t), density, 5e-5));
         QVERIFY(within(1e-3 * heat_of_evaporation(t), heat, 1e-3));
     }
+    void saturationHasItsSlope()
+    {
+        for (double celsius : {-10.0, 20.0, 60.0}) {
+            const double temperature = kelvin_from_celsius(celsius), h = 1e-3;
+            QVERIFY(within(saturation_at(temperature).concentration, saturation_concentration(temperature), 1e-13));
+            const double slope = (saturation_concentration(temperature + h) - saturation_concentration(temperature - h)) / (2 * h);
+            QVERIFY(within(saturation_concentration_slope(temperature), slope, 1e-7));
+        }
+    }
+    void airAndRadiationHaveTheirTableValues()
+    {
+        QVERIFY(within(air_density(293.15), 1.204, 1e-3)); // dry air at 20 C and 101 325 Pa
+        QVERIFY(within(air_density(273.15), 1.293, 1e-3));
+        // A grey body 1 K warmer than its surroundings, by the difference of fourth powers.
+        const double warm = std::pow(293.65, 4), cold = std::pow(292.65, 4);
+        QVERIFY(within(radiative_heat_transfer(293.15), 0.95 * 5.670374419e-8 * (warm - cold), 1e-5));
+    }
+    void poresComeToSaturationAtTheRateOfTheirSurface()
+    {
+        // Half fibre, half pores, fibres of 8 um: 2 x 0.5 / 8e-6 = 125 000 m2 of surface per m3, into half a m3 of pores, at 0.17 m/s.
+        QVERIFY(within(phase_change_rate(0.5, 8e-6, 0.5), 0.17 * 125000 / 0.5, 1e-9));
+        QVERIFY(within(phase_change_rate(0.5 * 3e-8, 8e-6, 0.5 * 3e-8), phase_change_rate(0.5, 8e-6, 0.5), 1e-9)); // by areas
+    }
     void vapourDiffusesAsMassmanFound()
     {
         QVERIFY(within(vapour_diffusivity(293.15), 2.475e-5, 2e-3));

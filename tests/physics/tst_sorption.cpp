@@ -162,6 +162,11 @@ private Q_SLOTS:
         QCOMPARE(reference_humidity(0.0, 1e-7, 0.0).humidity, 0.0);
         QCOMPARE(reference_humidity(1.0, -1e-7, 0.0).humidity, 1.0);
     }
+    void exponentialOfLittleIsExact()
+    {
+        for (double x : {-2.0, -0.03, -0.0299, -1e-3, 0.0, 1e-9, 0.01, 0.0299, 0.03, 1.5})
+            QVERIFY(std::abs(exp_of_little(x) / std::exp(x) - 1) < 1e-14);
+    }
     void twoStageDiffusionIsNeverNegativeAndNeverJumps()
     {
         for (DiffusionLaw law : {DiffusionLaw::cotton_two_stage, DiffusionLaw::wool_two_stage}) {

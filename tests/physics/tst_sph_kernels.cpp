@@ -127,6 +127,20 @@ private Q_SLOTS:
             QVERIFY(std::abs(share(Real(-1e-8)) - Real(1)) < Real(1e-4)); // no jump at 90 degrees, where a vessel's falls with the root
         }
     }
+    void forceOfAWallIsTheSlopeOfItsEnergy()
+    {
+        // The wall adds kernel_beyond_plane() to what is near the particle and -kernel_in_plane() to its gradient along the normal.
+        const double pull = 3, tilt = 0.7, support = 2, h = 1e-3;
+        const auto energy = [&](double distance) {
+            return -pull * double(kernel_beyond_plane(Real(distance), Real(support))) -
+                   tilt * double(kernel_in_plane(Real(distance), Real(support)));
+        };
+        for (double distance : {0.1, 0.5, 1.3, 1.8}) {
+            const double expected = -(energy(distance + h) - energy(distance - h)) / (2 * h);
+            QVERIFY(std::abs(double(surface_force_of_wall(Real(pull), Real(tilt), Real(distance), Real(support))) - expected) < 5e-3);
+        }
+        QCOMPARE(surface_force_of_wall(Real(pull), Real(tilt), Real(support), Real(support)), Real(0));
+    }
     void surfaceForceIsTheSlopeOfTheSurfacesEnergy()
     {
         // A random heap, evenly spread so that no share reaches 1: the force on one of it against a difference of energies.
