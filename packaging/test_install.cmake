@@ -6,6 +6,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${tree} OUT
 
 set(expected bin/hygroloom-cli share/doc/hygroloom/LICENSE share/hygroloom/examples/one-drop-on-cotton.hygro
   share/hygroloom/examples/paper/figure-08-wetted-radius.hygro share/hygroloom/examples/paper/README.md
+  share/hygroloom/help/index.md share/hygroloom/help/drying.md
   share/hygroloom/schema/hygroloom-project-1.schema.json)
 if(EXISTS ${BUILD}/bin/hygroloom)
   list(APPEND expected bin/hygroloom share/applications/hygroloom.desktop share/metainfo/org.hygroloom.Hygroloom.metainfo.xml

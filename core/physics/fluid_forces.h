@@ -12,7 +12,7 @@ namespace hygroloom::inline HL_PRECISION {
 /// a well that holds particles and a gradient that keeps them from being drawn together at the surface; of van der Waals's kind (Cahn
 /// and Hilliard 1958), but nothing is left of it inside the liquid. The sharpness is chosen such that the layer under a flat surface is
 /// pressed together a little everywhere and by a third of what the well alone would do: only then is the surface's energy the same
-/// whatever the pressure loop makes of it. Source: derived here; figures in DECISIONS.md.
+/// whatever the pressure loop makes of it. Source: derived here; figures in core/verify/README.md.
 struct SurfaceEnergy {
     Real well;     ///< a, Pa
     Real gradient; ///< a x sharpness x H^2, N
@@ -79,7 +79,7 @@ HL_FN Real wall_share(Real cosine)
 
 /// Of a spacing: so far behind a vessel's face begins the liquid that it counts as in the density. Without it the first layer keeps off
 /// the face, liquid inside is pressed together by what it lacks at its sides, and particles at rest rattle. A calibration on pressures
-/// in boxes of 2 000 and 8 000 particles, 10 to 40 mm deep, and on the speeds of drops at rest; see DECISIONS.md.
+/// in boxes of 2 000 and 8 000 particles, 10 to 40 mm deep, and on the speeds of drops at rest; see core/physics/DECISIONS.md.
 constexpr Real wall_recess = Real(0.1);
 
 /// Attraction and share of yarns' beads, which touch otherwise: a calibration on plates without recess and 1 000 to 16 000 particles,
