@@ -9,12 +9,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 namespace hygroloom {
 
@@ -132,47 +130,6 @@ void add_at_once_option(CLI::App& verb, int& at_once)
     verb.add_option("--at-once", at_once,
                     "Fabrics that run at the same time; 0: one on a CPU, up to 16 on each GPU. Results do not depend on it")
         ->check(CLI::Range(0, 1024));
-}
-
-std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
-                             const RunOptions& how)
-{
-    double most = 0;
-    for (const std::string& fabric : fabrics) {
-        try {
-            const ModelPlan plan = plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
-            most = std::max(most, plan.expected_bytes);
-        } catch (const Error&) {
-            // That run will say so.
-        }
-    }
-    return static_cast<std::size_t>(most);
-}
-
-void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std::size_t count, RunControl& control,
-                      const std::function<bool(std::size_t, Backend&)>& run)
-{
-    std::atomic<std::size_t> next{0};
-    std::atomic<std::size_t> working{backends.size()};
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto take_turns = [&](Backend& backend) {
-        try {
-            for (std::size_t i = next++; i < count && !control.cancel; i = next++)
-                if (run(i, backend) && --working > 0) break; // others still have a device
-            backend.unload();                                // so that those that still run have all of the device
-        } catch (const Cancelled&) {
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
-            control.cancel = true;
-        }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (const auto& backend : backends) threads.emplace_back([&take_turns, &backend] { take_turns(*backend); });
-    }
-    if (failure) std::rethrow_exception(failure);
 }
 
 std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given)

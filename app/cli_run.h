@@ -5,6 +5,7 @@
 #include "app/cli.h"
 
 #include "core/analysis/metrics.h"
+#include "core/run/side_by_side.h"
 #include "core/solver/backend.h"
 
 #include <chrono>
@@ -43,14 +44,6 @@ std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& option
 
 /// --at-once.
 void add_at_once_option(CLI::App& verb, int& at_once);
-/// The memory that the largest of the runs takes, by the plan.
-std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
-                             const RunOptions& how);
-/// Calls run(i, backend) for each i below count, in one thread per backend, which takes the next until none is left or all is cancelled. It
-/// says whether its device has failed; that thread then ends unless it is the last. Throws, after cancelling the others, what it threw but
-/// Cancelled.
-void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std::size_t count, RunControl& control,
-                      const std::function<bool(std::size_t, Backend&)>& run);
 
 /// Those named, with commas between, all when none is. A name may hold commas when it stands alone. Throws Stop.
 std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given);

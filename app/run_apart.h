@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A run in a process of its own, so that its memory can be told from that of other runs.
+// One run of a trade-off, in a process of its own: core/run/apart.h.
 #pragma once
 
 #include "core/analysis/tradeoff.h"
@@ -17,8 +17,8 @@ struct ApartRun {
     RunOptions options; ///< without fidelity and knobs
 };
 
-/// Runs one variant; progress gets its share, 0 to 1, now and then. Throws Cancelled when asked to stop, Stop with the exit code when the
-/// device is missing, else Error, also when the process was killed. Precondition: this process has started no thread yet.
+/// Runs one variant; progress gets its share, 0 to 1. Throws Cancelled when asked to stop, Stop with the exit code when the device is
+/// missing, else Error, also when the process was killed. Precondition: this process has started no thread yet.
 TradeoffOutcome run_apart(const ApartRun& run, const TradeoffVariant& variant, const std::atomic<bool>& cancel,
                           const std::function<void(double)>& progress);
 

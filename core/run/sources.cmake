@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  run/apart.cpp
   run/hdf5_file.cpp
   run/part_watch.cpp
   run/recording.cpp
   run/runner.cpp
+  run/side_by_side.cpp
 )
