@@ -85,7 +85,7 @@ int plan(const SimulateOptions& options)
     const std::string experiment = chosen_experiment(design, options).name;
     if (options.json) {
         nlohmann::ordered_json json{{"fabric", fabric.name}, {"experiment", experiment}};
-        json.update(nlohmann::ordered_json::parse(plan_json(plan)));
+        json.update(plan_value(plan));
         fmt::print("{}\n", json.dump(2));
     } else {
         print_plan(plan, fabric.name, experiment);

@@ -25,9 +25,9 @@ double CellMap::maximum() const { return water.empty() ? 0.0 : *std::max_element
 Frame start_of_maps(const RunRecord& run, Frame first)
 {
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    if (!experiment || experiment->type != ExperimentType::drying) return first;
+    if (!experiment || !starts_wet(experiment->type)) return first;
     std::fill(first.liquid.begin(), first.liquid.end(), 0.0f);
-    // What the fibres have drunk of the test's water came with it; before, they were in equilibrium with the air.
+    // The fibres absorbed part of the test's water; before it, they were in equilibrium with the air.
     const Scene scene = build_scene(run.design, run.textile, *experiment, run.plan, run.seed);
     const auto ends = static_cast<std::size_t>(scene.ends), picks = static_cast<std::size_t>(scene.picks);
     for (std::size_t line = 0, i = 0; line < ends + picks; ++line) {

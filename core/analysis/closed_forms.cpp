@@ -49,8 +49,8 @@ bool stays_wet(const Scene& scene)
 std::map<std::string, double> closed_forms(const RunRecord& run)
 {
     const Experiment& experiment = *find_experiment(run.design, run.experiment);
-    const bool conditions = experiment.type == ExperimentType::conditioning && run.plan.on("sorption");
-    const bool dries = experiment.type == ExperimentType::drying && run.plan.on("vapour");
+    const bool conditions = info_of(experiment.type).source == WaterSource::air && run.plan.on("sorption");
+    const bool dries = starts_wet(experiment.type) && run.plan.on("vapour");
     if (!conditions && !dries) return {};
     const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
     if (!scene.course.empty()) return {};
@@ -59,7 +59,7 @@ std::map<std::string, double> closed_forms(const RunRecord& run)
     const ClimateParameters& air = scene.climate;
     const double temperature = scene.heat ? wet_bulb(air) : air.temperature;
     const double rate = 2 * air.mass_transfer * (saturation_concentration(temperature) - air.vapour);
-    return {{"surface_temperature_steady_c", celsius_from_kelvin(temperature)}, {"drying_rate_g_m2_h", 3.6e6 * rate}};
+    return {{"surface_temperature_steady_c", celsius_from_kelvin(temperature)}, {"drying_rate_g_m2_h", g_m2_h_per_kg_m2_s * rate}};
 }
 
 } // namespace hygroloom

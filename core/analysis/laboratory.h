@@ -14,15 +14,17 @@ struct WickingResult {
 };
 WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height);
 
-/// Of the water, what is left where the constant-rate period begins, and where it ends at the latest: where fibres hold much of the water
-/// it ends before, as soon as less dries between two moments than 98 % of what has dried on average since it began.
+/// Shares of the water that are left where the constant-rate period begins and ends. Where fibres hold much of the water it ends earlier:
+/// as soon as the drying rate falls below 98 % of its mean over the period.
 constexpr double steady_from = 0.8, steady_to = 0.3;
+
+constexpr double g_m2_h_per_kg_m2_s = 3.6e6; ///< rates of drying
 
 /// Of a wet sample in an air stream (AATCC 199 and 201).
 struct DryingResult {
     std::optional<double> rate;               ///< kg/(m2 s) of sample, mean over the constant-rate period
     std::optional<double> steady_temperature; ///< K, mean over that period
-    std::optional<double> time_to_dry;        ///< s, until 4 % of the water are left
+    std::optional<double> time_to_dry;        ///< s, until 4 % of the water is left
 };
 /// left: kg of the water that was added and is still there; area in m2.
 DryingResult drying_result(const std::vector<double>& time, const std::vector<double>& left, const std::vector<double>& temperature,

@@ -88,8 +88,8 @@ Json point_json(const TradeoffPoint& p)
               {"errors", p.errors ? errors_json(*p.errors) : Json(nullptr)},
               {"closed_forms", metric_errors_json(p.closed_forms)},
               {"stages_percent", Json::object()},
-              {"plan", Json::parse(plan_json(p.plan))},
-              {"switched_on", Json::parse(switched_json(p.switched_on))}};
+              {"plan", plan_value(p.plan)},
+              {"switched_on", switched_value(p.switched_on)}};
     for (const auto& [name, percent] : p.stages) json["stages_percent"][name] = percent;
     return json;
 }
@@ -108,8 +108,8 @@ TradeoffPoint point_from_json(const Json& json)
     if (!json.at("errors").is_null()) p.errors = errors_from_json(json.at("errors"));
     if (json.contains("closed_forms")) p.closed_forms = metric_errors_from_json(json.at("closed_forms"));
     for (const auto& [name, percent] : json.at("stages_percent").items()) p.stages[name] = percent;
-    p.plan = plan_from_json(json.at("plan").dump());
-    if (json.contains("switched_on")) p.switched_on = switched_from_json(json.at("switched_on").dump());
+    p.plan = plan_from_value(json.at("plan"));
+    if (json.contains("switched_on")) p.switched_on = switched_from_value(json.at("switched_on"));
     return p;
 }
 
@@ -231,8 +231,8 @@ std::string outcome_json(const TradeoffOutcome& o)
                 {"backend", o.backend},
                 {"device", o.device},
                 {"stages", stages},
-                {"plan", Json::parse(plan_json(o.plan))},
-                {"switched_on", Json::parse(switched_json(o.switched_on))}}
+                {"plan", plan_value(o.plan)},
+                {"switched_on", switched_value(o.switched_on)}}
         .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -256,8 +256,8 @@ try {
     o.backend = json.at("backend");
     o.device = json.at("device");
     for (const Json& s : json.at("stages")) o.stages.push_back({s[0], s[1], s[2]});
-    o.plan = plan_from_json(json.at("plan").dump());
-    o.switched_on = switched_from_json(json.at("switched_on").dump());
+    o.plan = plan_from_value(json.at("plan"));
+    o.switched_on = switched_from_value(json.at("switched_on"));
     return o;
 } catch (const Json::exception& e) {
     throw Error(std::string("What a run told of itself cannot be read: ") + e.what());

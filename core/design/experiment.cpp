@@ -1,16 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/experiment.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
 
-const char* name_of(ExperimentType type)
+namespace {
+
+using Table = std::array<ExperimentTypeInfo, experiment_types>;
+
+Experiment usual(const Climate& climate, const char* liquid, std::array<double, 2> sample_mm, double duration_s, double volume_ul = 200)
 {
-    constexpr const char* names[experiment_types] = {
-        "droplet", "moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat"};
-    return names[static_cast<int>(type)];
+    Experiment e;
+    e.climate = climate;
+    e.liquid = liquid;
+    e.sample_mm = sample_mm;
+    e.duration_s = duration_s;
+    e.volume_ul = volume_ul;
+    return e;
 }
+
+/// In the order of ExperimentType.
+Table make_table()
+{
+    using E = Experiment;
+    const ExperimentField volume{"volume_ul", &E::volume_ul, "volume of liquid", 1e-3, 1e5, "ul"};
+    return {{{.key = "droplet",
+              .title = "Droplets",
+              .standard = "AATCC 79",
+              .source = WaterSource::drops,
+              .usual = {},
+              .fields = {{"droplets", &E::droplets}},
+              .has_usual_duration = false},
+             {.key = "moisture_management",
+              .title = "Moisture management",
+              .standard = "AATCC 195",
+              .source = WaterSource::pool,
+              .usual = usual({21, 0.65, 0}, "saline", {80, 80}, 120),
+              .fields = {{"feed_s", &E::feed_s, "time the pump runs", 0.01, 86400, "s"},
+                         {.key = "drop_ul", .value = &E::drop_ul, .absent_at_zero = true},
+                         volume}},
+             {.key = "vertical_wicking",
+              .title = "Vertical wicking",
+              .standard = "AATCC 197",
+              .source = WaterSource::bath,
+              .usual = usual({21, 0.65, 0.1}, "water", {25, 150}, 600),
+              .fields = {{"direction", ExperimentChoice{&E::along_weft, "weft", "warp"}}, {"immersion_mm", &E::immersion_mm}},
+              .sample_key = "strip_mm",
+              .sample_name = "strip"},
+             {.key = "horizontal_wicking",
+              .title = "Horizontal wicking",
+              .standard = "AATCC 198",
+              .source = WaterSource::pool,
+              .usual = usual({21, 0.65, 0.1}, "water", {100, 100}, 300, 1000),
+              .fields = {volume}},
+             {.key = "drying",
+              .title = "Drying",
+              .standard = "AATCC 199, 201",
+              .source = WaterSource::cloth,
+              .usual = usual({21, 0.65, 1}, "water", {50, 50}, 3600),
+              .fields = {{"initial_water_g_m2", &E::initial_water_g_m2, "water at the start", 0, 1e5, "g/m2"}}},
+             {.key = "conditioning",
+              .title = "Conditioning",
+              .standard = "ISO 139",
+              .source = WaterSource::air,
+              .usual = usual({20, 0.65, 0.1}, "water", {50, 50}, 3600),
+              .fields = {{"initial", &E::initial}}},
+             {.key = "sweat",
+              .title = "Sweat",
+              .standard = "",
+              .source = WaterSource::face,
+              .usual = usual({25, 0.5, 0.5}, "sweat", {50, 50}, 600),
+              .fields = {{"rate_g_m2_h", &E::rate_g_m2_h, "rate of sweat", 0, 1e5, "g/(m2 h)"},
+                         {"side", ExperimentChoice{&E::from_top, "top", "bottom"}}}}}};
+}
+
+WaterSource source_of(ExperimentType type) { return info_of(type).source; }
+
+} // namespace
+
+const ExperimentTypeInfo& info_of(ExperimentType type)
+{
+    static const Table table = make_table();
+    return table[static_cast<std::size_t>(type)];
+}
+
+bool uses_field(ExperimentType type, std::string_view key)
+{
+    const auto& fields = info_of(type).fields;
+    return std::any_of(fields.begin(), fields.end(), [&](const ExperimentField& field) { return field.key == key; });
+}
+
+bool wets_a_spot(ExperimentType type) { return source_of(type) == WaterSource::drops || source_of(type) == WaterSource::pool; }
+bool stays_uniform(ExperimentType type) { return source_of(type) == WaterSource::cloth || source_of(type) == WaterSource::air; }
+bool changes_everywhere(ExperimentType type) { return stays_uniform(type) || source_of(type) == WaterSource::face; }
+bool starts_wet(ExperimentType type) { return source_of(type) == WaterSource::cloth; }
+bool is_strip(ExperimentType type) { return source_of(type) == WaterSource::bath; }
 
 const char* name_of(Closure closure)
 {
@@ -20,59 +106,23 @@ const char* name_of(Closure closure)
 
 Experiment standard_experiment(ExperimentType type)
 {
-    Experiment e;
+    Experiment e = info_of(type).usual;
     e.type = type;
-    if (type != ExperimentType::droplet) e.droplets.clear();
-    switch (type) {
-    case ExperimentType::droplet: break;
-    case ExperimentType::moisture_management:
-        e.climate = {21, 0.65, 0};
-        e.liquid = "saline";
-        e.sample_mm = {80, 80};
-        e.duration_s = 120;
-        break;
-    case ExperimentType::vertical_wicking:
-        e.climate = {21, 0.65, 0.1};
-        e.sample_mm = {25, 150};
-        e.duration_s = 600;
-        break;
-    case ExperimentType::horizontal_wicking:
-        e.climate = {21, 0.65, 0.1};
-        e.sample_mm = {100, 100};
-        e.volume_ul = 1000;
-        e.duration_s = 300;
-        break;
-    case ExperimentType::drying:
-        e.climate = {21, 0.65, 1};
-        e.sample_mm = {50, 50};
-        e.duration_s = 3600;
-        break;
-    case ExperimentType::conditioning:
-        e.climate = {20, 0.65, 0.1};
-        e.sample_mm = {50, 50};
-        e.duration_s = 3600;
-        break;
-    case ExperimentType::sweat:
-        e.climate = {25, 0.5, 0.5};
-        e.liquid = "sweat";
-        e.sample_mm = {50, 50};
-        e.duration_s = 600;
-        break;
-    }
+    if (!uses_field(type, "droplets")) e.droplets.clear();
     return e;
 }
 
 std::array<double, 2> sample_extent_mm(const Experiment& experiment)
 {
     const auto [across, along] = experiment.sample_mm;
-    if (experiment.type == ExperimentType::vertical_wicking && experiment.along_weft) return {along, across};
+    if (is_strip(experiment.type) && experiment.along_weft) return {along, across};
     return {across, along};
 }
 
 std::vector<Droplet> falling_drops(const Experiment& experiment)
 {
-    if (experiment.type == ExperimentType::droplet) return experiment.droplets;
-    if (experiment.type != ExperimentType::moisture_management || !(experiment.drop_ul > 0)) return {};
+    if (uses_field(experiment.type, "droplets")) return experiment.droplets;
+    if (!uses_field(experiment.type, "drop_ul") || !(experiment.drop_ul > 0)) return {};
     const double count = std::ceil(experiment.volume_ul / experiment.drop_ul * (1 - 1e-12)); // 0.3 / 0.1 is three
     std::vector<Droplet> drops(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < drops.size(); ++i)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A laboratory experiment on a fabric.
+// A laboratory experiment on a fabric, and the table of the types there are.
 #pragma once
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace hygroloom {
 
-constexpr double most_humidity = 2; ///< air may hold up to twice the vapour that saturates it; what is too much condenses on the cloth
+constexpr double most_humidity = 2; ///< air may hold up to twice the vapour that saturates it; the excess condenses on the cloth
 
 struct Climate {
     double temperature_c = 25;
@@ -17,7 +19,7 @@ struct Climate {
     bool operator==(const Climate&) const = default;
 };
 
-/// The climate at one moment of a course; between moments it changes evenly.
+/// The climate at one time of a course; between two times it changes linearly.
 struct ClimateMoment {
     double time_s = 0;
     Climate climate;
@@ -33,7 +35,7 @@ struct Droplet {
     bool operator==(const Droplet&) const = default;
 };
 
-/// What textile laboratories measure.
+/// What textile laboratories measure. What is known of each stands in the table: see info_of().
 enum class ExperimentType {
     droplet,             ///< drops fall on the cloth; AATCC 79
     moisture_management, ///< a feed on the top face between sensors; AATCC 195
@@ -44,8 +46,6 @@ enum class ExperimentType {
     sweat                ///< one face is fed evenly
 };
 constexpr int experiment_types = 7;
-/// As the project file has it: "droplet", "moisture_management".
-const char* name_of(ExperimentType type);
 
 /// How liquid moves in the pores of the yarns.
 enum class Closure {
@@ -56,7 +56,7 @@ enum class Closure {
 constexpr int closures = 3;
 const char* name_of(Closure closure);
 
-/// Only what its type has counts; the rest keeps its default.
+/// Fields that its type does not use keep their defaults.
 struct Experiment {
     std::string name;
     ExperimentType type = ExperimentType::droplet;
@@ -70,7 +70,7 @@ struct Experiment {
     std::vector<Droplet> droplets{Droplet{}};
     double volume_ul = 200;          ///< moisture_management, horizontal_wicking
     double feed_s = 20;              ///< moisture_management: how long the pump runs
-    double drop_ul = 0;              ///< moisture_management: volume of the drops that the feed falls in; 0: a pool that yarns drink from
+    double drop_ul = 0;              ///< moisture_management: volume of each drop of the feed; 0: a pool that the yarns absorb
     bool along_weft = false;         ///< vertical_wicking: the strip's long side
     double immersion_mm = 10;        ///< vertical_wicking: depth of the strip's end in the liquid
     double initial_water_g_m2 = 100; ///< drying
@@ -80,17 +80,78 @@ struct Experiment {
     bool operator==(const Experiment&) const = default;
 };
 
-/// With sample, duration and feed as the type's standard has them.
+/// How the water of an experiment comes to the cloth.
+enum class WaterSource {
+    drops, ///< free drops fall
+    pool,  ///< a feed on the middle of the cloth
+    bath,  ///< one end of a strip hangs in the liquid
+    cloth, ///< the cloth is wet at the start
+    air,   ///< vapour alone
+    face   ///< one face is fed evenly
+};
+
+/// A switch that the project file spells as one of two words.
+struct ExperimentChoice {
+    bool Experiment::*value;
+    const char* yes;
+    const char* no;
+};
+
+/// A field of the project file that only some types use.
+struct ExperimentField {
+    using Number = double Experiment::*;
+    using Air = Climate Experiment::*;
+    using Drops = std::vector<Droplet> Experiment::*;
+
+    const char* key;
+    std::variant<Number, ExperimentChoice, Air, Drops> value;
+    const char* name = ""; ///< of a number, in messages; empty where its limits depend on other fields
+    double least = 0, most = 0;
+    const char* unit = "";
+    bool absent_at_zero = false; ///< whether the file leaves the key out at 0
+};
+
+/// A row of the table of types. Reading, writing and validating follow from it.
+struct ExperimentTypeInfo {
+    const char* key;      ///< in the project file
+    const char* title;    ///< "Vertical wicking"
+    const char* standard; ///< the test method it follows, "AATCC 197"; empty: none
+    WaterSource source;
+    Experiment usual;                    ///< climate, liquid, sample, feed and duration of the standard
+    std::vector<ExperimentField> fields; ///< in the order of the project file
+    bool has_usual_duration = true;      ///< otherwise the project file must give one
+    const char* sample_key = "sample_mm";
+    const char* sample_name = "sample"; ///< in messages
+};
+
+const ExperimentTypeInfo& info_of(ExperimentType type);
+/// As in the project file: "droplet", "moisture_management".
+inline const char* name_of(ExperimentType type) { return info_of(type).key; }
+/// Whether the type uses a field, by its key in the project file.
+bool uses_field(ExperimentType type, std::string_view key);
+
+/// Whether the liquid comes to the middle of the cloth and leaves a stain there.
+bool wets_a_spot(ExperimentType type);
+/// Whether all of the cloth changes from the start.
+bool changes_everywhere(ExperimentType type);
+/// Whether all of the cloth but its edges stays alike.
+bool stays_uniform(ExperimentType type);
+/// Whether the cloth is wet at the start.
+bool starts_wet(ExperimentType type);
+/// Whether the sample is a strip that hangs in the liquid.
+bool is_strip(ExperimentType type);
+
+/// With sample, duration and feed of the type's standard.
 Experiment standard_experiment(ExperimentType type);
 
-/// Along the weft and along the warp, whichever way a strip is cut.
+/// Along the weft and along the warp, for either direction of a strip.
 std::array<double, 2> sample_extent_mm(const Experiment& experiment);
 
 /// The most drops that one experiment may have.
 constexpr int most_droplets = 64;
 constexpr double fastest_droplet_m_s = 10; ///< raindrops reach 9
 
-/// All drops that fall, of whichever type: those of droplet, or the feed of moisture_management in equal drops, evenly in time.
+/// All drops that fall: those of the experiment, or its feed in equal drops at equal intervals.
 std::vector<Droplet> falling_drops(const Experiment& experiment);
 
 Climate climate_at(const Experiment& experiment, double time_s);

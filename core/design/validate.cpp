@@ -17,13 +17,13 @@ void validate_size(const Fabric& fabric, const Experiment& experiment, const std
     const auto [width, height] = sample_extent_mm(experiment);
     const double ends = 0.1 * width * fabric.ends_per_cm;
     const double picks = 0.1 * height * fabric.picks_per_cm;
-    const char* sample = experiment.type == ExperimentType::vertical_wicking ? ".strip_mm" : ".sample_mm";
+    const std::string size = fmt::format("{}.{}", where, info_of(experiment.type).sample_key);
     if (!(ends * picks <= most_crossings))
-        list.error("sample_too_large", where + sample,
+        list.error("sample_too_large", size,
                    fmt::format("A sample of {} x {} mm of \"{}\" has {:.3g} million crossings; at most {:.3g} million are allowed.", width,
                                height, fabric.name, 1e-6 * ends * picks, 1e-6 * most_crossings));
     else if (ends < 1 || picks < 1)
-        list.add(Severity::warning, "sample_too_small", where + sample,
+        list.add(Severity::warning, "sample_too_small", size,
                  fmt::format("A sample of {} x {} mm is smaller than one crossing of \"{}\"; one crossing is taken.", width, height,
                              fabric.name));
 }

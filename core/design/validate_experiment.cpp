@@ -60,7 +60,7 @@ void validate_overlaps(const Experiment& experiment, const std::string& where, I
         }
 }
 
-/// What falls is counted in quanta of which 64 bits hold half a kilogram.
+/// Falling liquid is counted in quanta; 64 bits hold half a kilogram of them.
 void validate_fallen(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list)
 {
     constexpr double most_g = 499;
@@ -89,12 +89,11 @@ void validate_droplets(const Design& design, const Experiment& experiment, const
     if (list.errors() == before) validate_overlaps(experiment, where, list);
 }
 
-void validate_feed(const Experiment& e, const std::string& where, IssueList& list)
+void validate_feed_drops(const Experiment& e, const std::string& where, IssueList& list)
 {
-    list.range(where + ".feed_s", "time the pump runs", e.feed_s, 0.01, 86400, "s");
     if (e.drop_ul == 0) return;
     constexpr double smallest = 0.5, largest = 1000;
-    if (!list.range(where + ".drop_ul", "volume of the feed's drops, if it falls in drops,", e.drop_ul, smallest, largest, "ul")) return;
+    if (!list.range(where + ".drop_ul", "volume of each drop of the feed", e.drop_ul, smallest, largest, "ul")) return;
     if (e.drop_ul > e.volume_ul)
         list.error("drop_too_large", where + ".drop_ul",
                    fmt::format("The feed's drops of {} ul hold more than the whole feed of {} ul; make them smaller or the feed larger.",
@@ -131,34 +130,33 @@ void validate_climates(const Experiment& experiment, const std::string& where, I
         const std::string here = fmt::format("{}.climate[{}]", where, i + 1);
         const double time = experiment.climates[i].time_s;
         if (!(std::isfinite(time) && time > before && time <= 86400))
-            list.error(
-                "range", here + ".time_s",
-                fmt::format("The moments of a climate come in order of time, up to 86400 s: after {} s; given is {}.", before, time));
+            list.error("range", here + ".time_s",
+                       fmt::format("The times of a climate must rise, up to 86400 s: after {} s; given is {}.", before, time));
         before = std::max(before, time);
         validate_climate(experiment.climates[i].climate, here, list);
     }
 }
 
-/// What only some types have.
-void validate_type(const Design& design, const Experiment& e, const std::string& where, IssueList& list)
+void validate_immersion(const Experiment& e, const std::string& where, IssueList& list)
 {
-    switch (e.type) {
-    case ExperimentType::droplet: validate_droplets(design, e, where, list); break;
-    case ExperimentType::moisture_management: validate_feed(e, where, list); [[fallthrough]];
-    case ExperimentType::horizontal_wicking: list.range(where + ".volume_ul", "volume of liquid", e.volume_ul, 1e-3, 1e5, "ul"); break;
-    case ExperimentType::vertical_wicking:
-        if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) break;
-        list.error(
-            "range", where + ".immersion_mm",
-            fmt::format("The strip's end must hang in the liquid more than 0 mm and less than the strip's length of {} mm; given is {}.",
-                        e.sample_mm[1], e.immersion_mm));
-        break;
-    case ExperimentType::drying:
-        list.range(where + ".initial_water_g_m2", "water at the start", e.initial_water_g_m2, 0, 1e5, "g/m2");
-        break;
-    case ExperimentType::conditioning: validate_climate(e.initial, where + ".initial", list); break;
-    case ExperimentType::sweat: list.range(where + ".rate_g_m2_h", "rate of sweat", e.rate_g_m2_h, 0, 1e5, "g/(m2 h)"); break;
+    if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) return;
+    list.error("range", where + ".immersion_mm",
+               fmt::format("The strip's end must hang in the liquid more than 0 mm and less than the strip's length of {} mm; given is {}.",
+                           e.sample_mm[1], e.immersion_mm));
+}
+
+/// The fields that the type uses.
+void validate_fields(const Design& design, const Experiment& e, const std::string& where, IssueList& list)
+{
+    for (const ExperimentField& field : info_of(e.type).fields) {
+        const std::string here = fmt::format("{}.{}", where, field.key);
+        if (const auto* number = std::get_if<ExperimentField::Number>(&field.value); number && *field.name)
+            list.range(here, field.name, e.*(*number), field.least, field.most, field.unit);
+        if (const auto* air = std::get_if<ExperimentField::Air>(&field.value)) validate_climate(e.*(*air), here, list);
     }
+    if (uses_field(e.type, "droplets")) validate_droplets(design, e, where, list);
+    if (uses_field(e.type, "drop_ul")) validate_feed_drops(e, where, list);
+    if (uses_field(e.type, "immersion_mm")) validate_immersion(e, where, list);
 }
 
 } // namespace
@@ -176,14 +174,14 @@ void validate_experiment(const Design& design, const Experiment& experiment, con
     if (!find_liquid(design, experiment.liquid))
         list.error("unknown_liquid", where + ".liquid",
                    fmt::format("There is no liquid \"{}\"; there are water, saline, sweat and the project's own.", experiment.liquid));
-    const bool strip = experiment.type == ExperimentType::vertical_wicking;
+    const ExperimentTypeInfo& type = info_of(experiment.type);
+    const std::string size = fmt::format("{}'s size", type.sample_name);
     for (std::size_t axis = 0; axis < 2; ++axis)
-        list.range(fmt::format("{}.{}[{}]", where, strip ? "strip_mm" : "sample_mm", axis), strip ? "strip's size" : "sample's size",
-                   experiment.sample_mm[axis], 0.1, 2000, "mm");
+        list.range(fmt::format("{}.{}[{}]", where, type.sample_key, axis), size.c_str(), experiment.sample_mm[axis], 0.1, 2000, "mm");
     if (!(std::isfinite(experiment.duration_s) && experiment.duration_s > 0 && experiment.duration_s <= 86400))
         list.error("range", where + ".duration_s",
                    fmt::format("The duration must be more than 0 and at most 86400 s; given is {}.", experiment.duration_s));
-    validate_type(design, experiment, where, list);
+    validate_fields(design, experiment, where, list);
 }
 
 } // namespace hygroloom

@@ -58,7 +58,7 @@ PlannedPart part_from_json(const Json& json)
 
 } // namespace
 
-std::string plan_json(const ModelPlan& plan)
+Json plan_value(const ModelPlan& plan)
 {
     Json parts = Json::array();
     for (const PlannedPart& p : plan.parts)
@@ -68,7 +68,7 @@ std::string plan_json(const ModelPlan& plan)
                          {"share", p.share ? Json(*p.share) : Json(nullptr)},
                          {"watched", p.watched},
                          {"reason", p.reason}});
-    const Json json{
+    return {
         {"fidelity", name_of(plan.fidelity)},
         {"fidelity_reason", plan.fidelity_reason},
         {"knobs", knobs_json(plan.knobs)},
@@ -112,12 +112,12 @@ std::string plan_json(const ModelPlan& plan)
           {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
           {"source", plan.expectation_source}}},
     };
-    return json.dump(2);
 }
 
-ModelPlan plan_from_json(const std::string& text)
+std::string plan_json(const ModelPlan& plan) { return plan_value(plan).dump(2); }
+
+ModelPlan plan_from_value(const Json& json)
 try {
-    const Json json = Json::parse(text);
     ModelPlan plan;
     plan.fidelity = fidelity_from_name(json.at("fidelity"));
     plan.fidelity_reason = json.value("fidelity_reason", "");
@@ -147,7 +147,14 @@ try {
     throw Error(std::string("The model plan cannot be read: ") + e.what());
 }
 
-std::string switched_json(const std::vector<SwitchedPart>& parts)
+ModelPlan plan_from_json(const std::string& text)
+try {
+    return plan_from_value(Json::parse(text));
+} catch (const Json::exception& e) {
+    throw Error(std::string("The model plan cannot be read: ") + e.what());
+}
+
+Json switched_value(const std::vector<SwitchedPart>& parts)
 {
     Json json = Json::array();
     for (const SwitchedPart& part : parts)
@@ -157,13 +164,15 @@ std::string switched_json(const std::vector<SwitchedPart>& parts)
                         {"limit", part.limit},
                         {"estimate", part.estimate ? Json(*part.estimate) : Json(nullptr)},
                         {"kept_off", part.kept_off.empty() ? Json(nullptr) : Json(part.kept_off)}});
-    return json.dump();
+    return json;
 }
 
-std::vector<SwitchedPart> switched_from_json(const std::string& text)
+std::string switched_json(const std::vector<SwitchedPart>& parts) { return switched_value(parts).dump(); }
+
+std::vector<SwitchedPart> switched_from_value(const Json& list)
 try {
     std::vector<SwitchedPart> parts;
-    for (const Json& json : Json::parse(text)) {
+    for (const Json& json : list) {
         SwitchedPart& part = parts.emplace_back();
         part.name = json.at("name");
         part.time = json.at("time_s");
@@ -173,6 +182,13 @@ try {
         if (!json.at("kept_off").is_null()) part.kept_off = json.at("kept_off");
     }
     return parts;
+} catch (const Json::exception& e) {
+    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
+}
+
+std::vector<SwitchedPart> switched_from_json(const std::string& text)
+try {
+    return switched_from_value(Json::parse(text));
 } catch (const Json::exception& e) {
     throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
 }

@@ -308,7 +308,7 @@ void read_climates(ObjectReader& object, Experiment& experiment)
     Climate before = experiment.climate;
     for (std::size_t i = 0; i < climate->size(); ++i) {
         ObjectReader air((*climate)[i], object.file(), fmt::format("{}[{}]", path, i));
-        ClimateMoment moment{0, before}; // what a moment does not say stays
+        ClimateMoment moment{0, before}; // absent values stay as before
         if (i > 0) air.require("time_s");
         air.read("time_s", moment.time_s);
         read_air(air, moment.climate);
@@ -322,52 +322,50 @@ void read_climates(ObjectReader& object, Experiment& experiment)
     }
 }
 
-void read_droplets(ObjectReader& object, Experiment& experiment)
+void read_droplets(ObjectReader& object, const char* key, std::vector<Droplet>& droplets)
 {
-    const std::string path = object.path_of("droplets");
-    const ProjectJson& droplets = array_in(object.require("droplets"), object.file(), path);
-    experiment.droplets.clear();
-    for (std::size_t i = 0; i < droplets.size(); ++i)
-        experiment.droplets.push_back(read_droplet(droplets[i], object.file(), fmt::format("{}[{}]", path, i)));
+    const std::string path = object.path_of(key);
+    const ProjectJson& list = array_in(object.require(key), object.file(), path);
+    droplets.clear();
+    for (std::size_t i = 0; i < list.size(); ++i) droplets.push_back(read_droplet(list[i], object.file(), fmt::format("{}[{}]", path, i)));
 }
+
+/// Reads a field that only some types use.
+struct FieldReader {
+    ObjectReader& object;
+    Experiment& experiment;
+    const char* key;
+    void operator()(ExperimentField::Number number) const { object.read(key, experiment.*number); }
+    void operator()(const ExperimentChoice& choice) const
+    {
+        experiment.*choice.value = choice_in(object, key, choice.yes, choice.no, experiment.*choice.value);
+    }
+    void operator()(ExperimentField::Air climate) const
+    {
+        const ProjectJson* value = object.find(key);
+        if (!value) return;
+        ObjectReader air(*value, object.file(), object.path_of(key));
+        read_air(air, experiment.*climate);
+    }
+    void operator()(ExperimentField::Drops drops) const { read_droplets(object, key, experiment.*drops); }
+};
 
 Experiment read_experiment(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
     object.require("type");
     Experiment experiment = standard_experiment(kind_in(object, "type", ExperimentType::droplet, experiment_types));
+    const ExperimentTypeInfo& type = info_of(experiment.type);
     object.require("name");
     object.read("name", experiment.name);
     read_climates(object, experiment);
     object.read("liquid", experiment.liquid);
     experiment.closure = kind_in(object, "closure", experiment.closure, closures);
     object.read("swelling", experiment.swelling);
-    object.read(experiment.type == ExperimentType::vertical_wicking ? "strip_mm" : "sample_mm", experiment.sample_mm);
-    if (experiment.type == ExperimentType::droplet) object.require("duration_s");
+    object.read(type.sample_key, experiment.sample_mm);
+    if (!type.has_usual_duration) object.require("duration_s");
     object.read("duration_s", experiment.duration_s);
-    switch (experiment.type) {
-    case ExperimentType::droplet: read_droplets(object, experiment); break;
-    case ExperimentType::moisture_management:
-        object.read("feed_s", experiment.feed_s);
-        object.read("drop_ul", experiment.drop_ul);
-        [[fallthrough]];
-    case ExperimentType::horizontal_wicking: object.read("volume_ul", experiment.volume_ul); break;
-    case ExperimentType::vertical_wicking:
-        experiment.along_weft = choice_in(object, "direction", "weft", "warp", experiment.along_weft);
-        object.read("immersion_mm", experiment.immersion_mm);
-        break;
-    case ExperimentType::drying: object.read("initial_water_g_m2", experiment.initial_water_g_m2); break;
-    case ExperimentType::conditioning:
-        if (const ProjectJson* initial = object.find("initial")) {
-            ObjectReader air(*initial, file, object.path_of("initial"));
-            read_air(air, experiment.initial);
-        }
-        break;
-    case ExperimentType::sweat:
-        object.read("rate_g_m2_h", experiment.rate_g_m2_h);
-        experiment.from_top = choice_in(object, "side", "top", "bottom", experiment.from_top);
-        break;
-    }
+    for (const ExperimentField& field : type.fields) std::visit(FieldReader{object, experiment, field.key}, field.value);
     object.finish();
     return experiment;
 }

@@ -140,10 +140,10 @@ ProjectJson write_climates(const Experiment& experiment)
     return course;
 }
 
-ProjectJson write_droplets(const Experiment& experiment)
+ProjectJson write_droplets(const std::vector<Droplet>& droplets)
 {
     ProjectJson json = ProjectJson::array();
-    for (const Droplet& drop : experiment.droplets)
+    for (const Droplet& drop : droplets)
         json.push_back({{"volume_ul", drop.volume_ul},
                         {"time_s", drop.time_s},
                         {"at_mm", ProjectJson::array({drop.at_mm[0], drop.at_mm[1]})},
@@ -152,33 +152,28 @@ ProjectJson write_droplets(const Experiment& experiment)
     return json;
 }
 
+/// One value of a field that only some types use.
+struct FieldWriter {
+    const Experiment& experiment;
+    ProjectJson operator()(ExperimentField::Number number) const { return experiment.*number; }
+    ProjectJson operator()(const ExperimentChoice& choice) const { return experiment.*choice.value ? choice.yes : choice.no; }
+    ProjectJson operator()(ExperimentField::Air air) const { return write_climate(experiment.*air); }
+    ProjectJson operator()(ExperimentField::Drops drops) const { return write_droplets(experiment.*drops); }
+};
+
 ProjectJson write_experiment(const Experiment& experiment)
 {
-    ProjectJson json{{"name", experiment.name}, {"type", name_of(experiment.type)}};
+    const ExperimentTypeInfo& type = info_of(experiment.type);
+    ProjectJson json{{"name", experiment.name}, {"type", type.key}};
     json["climate"] = write_climates(experiment);
     json["liquid"] = experiment.liquid;
     if (experiment.closure != Closure::kissa) json["closure"] = name_of(experiment.closure);
     if (experiment.swelling) json["swelling"] = true;
-    json[experiment.type == ExperimentType::vertical_wicking ? "strip_mm" : "sample_mm"] =
-        ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
+    json[type.sample_key] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
     json["duration_s"] = experiment.duration_s;
-    switch (experiment.type) {
-    case ExperimentType::droplet: json["droplets"] = write_droplets(experiment); break;
-    case ExperimentType::moisture_management:
-        json["feed_s"] = experiment.feed_s;
-        if (experiment.drop_ul != 0) json["drop_ul"] = experiment.drop_ul;
-        [[fallthrough]];
-    case ExperimentType::horizontal_wicking: json["volume_ul"] = experiment.volume_ul; break;
-    case ExperimentType::vertical_wicking:
-        json["direction"] = experiment.along_weft ? "weft" : "warp";
-        json["immersion_mm"] = experiment.immersion_mm;
-        break;
-    case ExperimentType::drying: json["initial_water_g_m2"] = experiment.initial_water_g_m2; break;
-    case ExperimentType::conditioning: json["initial"] = write_climate(experiment.initial); break;
-    case ExperimentType::sweat:
-        json["rate_g_m2_h"] = experiment.rate_g_m2_h;
-        json["side"] = experiment.from_top ? "top" : "bottom";
-        break;
+    for (const ExperimentField& field : type.fields) {
+        const ProjectJson value = std::visit(FieldWriter{experiment}, field.value);
+        if (!field.absent_at_zero || value != 0.0) json[field.key] = value;
     }
     return json;
 }

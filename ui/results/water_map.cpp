@@ -28,8 +28,7 @@ FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, Ma
     made.size = QSizeF(run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch);
     // Only a drop or a feed in the middle makes a stain.
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
-    if (type == ExperimentType::droplet || type == ExperimentType::moisture_management || type == ExperimentType::horizontal_wicking) {
+    if (!experiment || wets_a_spot(experiment->type)) {
         made.stain = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
     }
     return made;

@@ -95,10 +95,9 @@ void WaterMapView::refresh()
         const FaceMap top = faceMap(*run, *frame, *first, MapSide::top, cells);
         const FaceMap bottom = faceMap(*run, *frame, *first, MapSide::bottom, cells);
         const Experiment* experiment = find_experiment(run->design, run->experiment);
-        const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
-        // What is wet from the start sets the scale, whichever moment is looked at first.
+        // Cloth that is wet at the start sets the scale, whatever time is shown first.
         double atStart = 0;
-        if (type == ExperimentType::drying) {
+        if (experiment && starts_wet(experiment->type)) {
             for (MapSide side : {MapSide::top, MapSide::bottom}) {
                 atStart = std::max(atStart, cell_map(run->textile, *first, start, side, cells).maximum());
             }
