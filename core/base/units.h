@@ -18,6 +18,8 @@ constexpr double mm_from_metre(double m) { return m * 1e3; }
 constexpr double metre_from_um(double um) { return um * 1e-6; }
 constexpr double um_from_metre(double m) { return m * 1e6; }
 constexpr double cubic_metre_from_ul(double ul) { return ul * 1e-9; }
+constexpr double newton_per_metre_from_mn_m(double mn_m) { return mn_m * 1e-3; }
+constexpr double pascal_second_from_mpa_s(double mpa_s) { return mpa_s * 1e-3; }
 constexpr double kelvin_from_celsius(double c) { return c + zero_celsius; }
 constexpr double celsius_from_kelvin(double k) { return k - zero_celsius; }
 constexpr double radian_from_degree(double d) { return d * (pi / 180.0); }

@@ -4,10 +4,9 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/physics/particle_steps.h"
 #include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
-#include "core/solver/droplet.h"
-#include "core/solver/state.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,11 +5,11 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/physics/heat_moisture.h"
+#include "core/physics/liquid.h"
 #include "core/physics/sorption.h"
 #include "core/physics/wicking.h"
 #include "core/plan/bundles.h"
 #include "core/plan/expectation.h"
-#include "core/scene/scene.h"
 
 #include <fmt/format.h>
 
@@ -105,7 +105,10 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     const Climate air = hardest_climate(experiment);
     const double temperature = kelvin_from_celsius(air.temperature_c);
     const double humidity = air.relative_humidity;
-    b.liquid = liquid_at(*find_liquid(design, experiment.liquid), kelvin_from_celsius(experiment.climate.temperature_c));
+    const Liquid& liquid = *find_liquid(design, experiment.liquid);
+    b.liquid = liquid_at(
+        {newton_per_metre_from_mn_m(liquid.surface_tension_mn_m), pascal_second_from_mpa_s(liquid.viscosity_mpa_s), liquid.density_kg_m3},
+        kelvin_from_celsius(experiment.climate.temperature_c));
     const double density = b.liquid.density;
     const bool conditioning = experiment.type == ExperimentType::conditioning;
 

@@ -38,17 +38,13 @@ void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, con
     if (!experiment.climates.empty()) scene.course.push_back(start);
     for (const ClimateMoment& moment : experiment.climates) scene.course.push_back(at(moment.climate, moment.time_s));
 
-    const LiquidAt here = liquid_at(liquid, climate.temperature);
+    const LiquidAt at_20_c{newton_per_metre_from_mn_m(liquid.surface_tension_mn_m), pascal_second_from_mpa_s(liquid.viscosity_mpa_s),
+                           liquid.density_kg_m3};
+    const LiquidAt here = liquid_at(at_20_c, climate.temperature);
     climate.surface_tension = here.surface_tension;
     climate.viscosity = here.viscosity;
     climate.density = here.density;
-    // A parabola through the values 15 K colder, here and 15 K warmer.
-    constexpr double apart = 15;
-    const auto ease = [&](double temperature) { return water_surface_tension(temperature) / water_viscosity(temperature); };
-    const double middle = ease(climate.temperature), cold = ease(climate.temperature - apart) / middle,
-                 warm = ease(climate.temperature + apart) / middle;
-    climate.flow_slope = (warm - cold) / (2 * apart);
-    climate.flow_curve = (warm + cold - 2) / (2 * apart * apart);
+    climate.flow = flow_of_warm_liquid(climate.temperature);
 }
 
 FibreDiffusivity diffusivity_of(const Material& fibre)
@@ -295,14 +291,6 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 }
 
 } // namespace
-
-LiquidAt liquid_at(const Liquid& liquid, double temperature)
-{
-    constexpr double known = 293.15;
-    return {1e-3 * liquid.surface_tension_mn_m * water_surface_tension(temperature) / water_surface_tension(known),
-            1e-3 * liquid.viscosity_mpa_s * water_viscosity(temperature) / water_viscosity(known),
-            liquid.density_kg_m3 * water_density(temperature) / water_density(known)};
-}
 
 SceneClimate air_at(const Scene& scene, double time)
 {

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/textile.h"
+#include "core/physics/liquid.h"
 #include "core/physics/sorption.h"
 #include "core/plan/model_plan.h"
 
@@ -46,12 +47,6 @@ struct CrossingParameters {
     double weft_rise = 0;
 };
 
-/// A liquid at a temperature: its own values at 20 C, changing with temperature as water's do.
-struct LiquidAt {
-    double surface_tension, viscosity, density; ///< N/m, Pa s, kg/m3
-};
-LiquidAt liquid_at(const Liquid& liquid, double temperature);
-
 /// Air and liquid.
 struct ClimateParameters {
     double temperature = 0;     ///< K, of the air at the start: what warmth counts from; the liquid's numbers are for it
@@ -60,19 +55,11 @@ struct ClimateParameters {
     double humidity = 0;        ///< 0..1
     double heat_transfer = 0;   ///< W/(m2 K), radiation included
     double mass_transfer = 0;   ///< m/s
-    double flow_slope = 0;      ///< 1/K, of surface tension / viscosity with warmth, over its value
-    double flow_curve = 0;      ///< 1/K2
+    FlowOfWarmLiquid flow;      ///< counted from temperature
     double surface_tension = 0; ///< N/m
     double viscosity = 0;       ///< Pa s
     double density = 0;         ///< kg/m3
 };
-
-/// How much faster liquid of this warmth flows: surface tension / viscosity over that at the climate's temperature.
-HL_FN double flow_factor(const ClimateParameters& climate, double warmth)
-{
-    const double factor = 1.0 + warmth * (climate.flow_slope + warmth * climate.flow_curve);
-    return factor < 0.2 ? 0.2 : factor > 5.0 ? 5.0 : factor;
-}
 
 /// The air at one moment; between moments it changes evenly.
 struct SceneClimate {

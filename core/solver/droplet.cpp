@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/solver/droplet.h"
 
-#include "core/base/units.h"
-#include "core/physics/sph_kernels.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,39 +33,6 @@ double height_clear_of(std::span<const Vec3> particles, const Vec3d& centre, dou
         if (std::hypot(static_cast<double>(p.x) - centre.x, static_cast<double>(p.y) - centre.y) <= radius + spacing)
             height = std::max(height, static_cast<double>(p.z) + spacing + radius);
     return height;
-}
-
-double viscosity_of_particles(double own, double capillarity, double spacing)
-{
-    constexpr double grain = 0.015; // numerical
-    return own + grain * std::sqrt(capillarity * spacing);
-}
-
-LiquidSteps longest_steps(double capillarity, double viscosity, double spacing)
-{
-    const double support = support_in_spacings * spacing;
-    // Neighbours that all move against a particle take its speed from it at a rate of twice 10 nu / 3 times the integral of the kernel's
-    // slope over the distance, which is 12 over the square of the support; it must not turn round.
-    constexpr double viscous = 2.0 / (2.0 * 10.0 / 3.0 * 12.0);
-    return {0.25 * std::sqrt(support * support * support / (2.0 * pi * capillarity)), viscous * support * support / viscosity};
-}
-
-double pressure_stiffness(double spacing, double support)
-{
-    Vec3d sum;
-    double squares = 0;
-    const int reach = static_cast<int>(std::ceil(support / spacing));
-    for (int k = -reach; k <= reach; ++k)
-        for (int j = -reach; j <= reach; ++j)
-            for (int i = -reach; i <= reach; ++i) {
-                const Vec3d d = spacing * Vec3d{double(i), double(j), double(k)};
-                const Vec3d gradient = double(spline_gradient_factor(Real(length(d)), Real(support))) * d;
-                sum += gradient;
-                squares += dot(gradient, gradient);
-            }
-    // delta = 1 / (beta (sum . sum + squares)), beta = 2 (m dt / rho0)^2 with m = rho0 spacing^3.
-    const double volume = spacing * spacing * spacing;
-    return 1.0 / (2.0 * volume * volume * (dot(sum, sum) + squares));
 }
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -4,6 +4,7 @@
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
+#include "core/physics/particle_steps.h"
 #include "core/scene/frame.h"
 #include "core/solver/droplet.h"
 #include "core/solver/host_cloth.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/lanes.h"
+#include "core/physics/particle_steps.h"
 #include "core/scene/scene.h"
 
 namespace hygroloom::inline HL_PRECISION {
@@ -258,9 +259,6 @@ struct SortedParticles {
 };
 
 constexpr int usual_near = 64, usual_distant = 112; // at most, at rest and with a skin
-/// Slots for at least so many neighbours, in whole packs, with room for one pack that may be empty.
-constexpr int slots_for(int neighbours) { return (neighbours / lanes + 1) * lanes; }
-constexpr int most_near = slots_for(120), most_distant = slots_for(152); // at rest 33 and 80 without a skin
 
 /// A box that holds liquid, wide open at its top; a plate if its sides are far away.
 struct Vessel {

@@ -2,6 +2,7 @@
 // The free liquid: drops that swing, rest and fall, against closed forms.
 #include "core/base/random.h"
 #include "core/physics/fluid_forces.h"
+#include "core/physics/particle_steps.h"
 #include "core/solver/droplet.h"
 #include "core/verify/drop_shapes.h"
 #include "core/verify/fits.h"

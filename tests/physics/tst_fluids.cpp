@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Water and air against tables: IAPWS, physics handbooks.
 #include "core/physics/heat_moisture.h"
+#include "core/physics/liquid.h"
 
 #include <QTest>
 
@@ -79,6 +80,26 @@ private Q_SLOTS:
         // Half fibre, half pores, fibres of 8 um: 2 x 0.5 / 8e-6 = 125 000 m2 of surface per m3, into half a m3 of pores, at 0.17 m/s.
         QVERIFY(within(phase_change_rate(0.5, 8e-6, 0.5), 0.17 * 125000 / 0.5, 1e-9));
         QVERIFY(within(phase_change_rate(0.5 * 3e-8, 8e-6, 0.5 * 3e-8), phase_change_rate(0.5, 8e-6, 0.5), 1e-9)); // by areas
+    }
+    void aLiquidIsItselfAtTwentyDegreesAndChangesAsWaterDoes()
+    {
+        const LiquidAt syrup{60e-3, 10e-3, 1200};
+        const LiquidAt known = liquid_at(syrup, 293.15), warm = liquid_at(syrup, kelvin_from_celsius(36));
+        QVERIFY(within(known.surface_tension, 60e-3, 1e-12));
+        QVERIFY(within(known.viscosity, 10e-3, 1e-12));
+        QVERIFY(within(known.density, 1200, 1e-12));
+        QVERIFY(within(warm.surface_tension, 60e-3 * 70.24 / 72.74, 5e-4));
+        QVERIFY(within(warm.viscosity, 10e-3 * 0.705 / 1.0016, 2e-3));
+        QVERIFY(within(warm.density, 1200 * 993.68 / 998.20, 1e-4));
+    }
+    void warmLiquidFlowsAsSurfaceTensionOverViscositySays()
+    {
+        // From the steam tables above: (70.24 / 0.705) / (72.74 / 1.0016) = 1.3719 at 36 C over its value at 20 C.
+        const FlowOfWarmLiquid flow = flow_of_warm_liquid(kelvin_from_celsius(20));
+        QCOMPARE(flow_factor(flow, 0), 1.0);
+        QVERIFY(within(flow_factor(flow, 16), 1.3719, 5e-3));
+        QCOMPARE(flow_factor({0.02, 0}, 1e3), 5.0);
+        QCOMPARE(flow_factor({0.02, 0}, -1e3), 0.2);
     }
     void vapourDiffusesAsMassmanFound()
     {

@@ -2,6 +2,7 @@
 // Properties every SPH kernel must have, and the surface forces built on it.
 #include "core/base/random.h"
 #include "core/physics/fluid_forces.h"
+#include "core/physics/particle_steps.h"
 #include "core/solver/droplet.h"
 
 #include <QTest>
@@ -52,6 +53,24 @@ private Q_SLOTS:
         QVERIFY(std::abs(pressure_stiffness(1.0, 2.0) - 1.1769) < 1e-3);
         QVERIFY(std::abs(pressure_stiffness(1.0, 2.4) - 2.404) < 2e-3);
         QVERIFY(std::abs(pressure_stiffness(1.0, 3.0) - 6.891) < 5e-3);
+    }
+    void stepsShortenWithTheSpacingAndWithWhatDrivesThem()
+    {
+        // Water: 72.74e-3 N/m, 998.2 kg/m3, 1.0016e-3 Pa s. sqrt((0.2 mm)^3 / (2 pi 7.287e-5 m3/s2)) / 4 = 33.05 us.
+        const double capillarity = 72.74e-3 / 998.2, viscosity = 1.0016e-3 / 998.2, spacing = 1e-4;
+        const LiquidSteps steps = longest_steps(capillarity, viscosity, spacing);
+        QVERIFY(std::abs(steps.capillary - 33.05e-6) < 0.02e-6);
+        QVERIFY(std::abs(steps.viscous - 0.025 * 4 * spacing * spacing / viscosity) < 1e-12);
+        const LiquidSteps finer = longest_steps(capillarity, viscosity, 0.5 * spacing);
+        QVERIFY(std::abs(finer.capillary / steps.capillary - std::pow(0.5, 1.5)) < 1e-12);
+        QVERIFY(std::abs(finer.viscous / steps.viscous - 0.25) < 1e-12);
+    }
+    void particlesAreMoreViscousThanTheirLiquidAndLessSoTheFinerTheyAre()
+    {
+        const double capillarity = 72.74e-3 / 998.2, own = 1.0016e-3 / 998.2;
+        const double coarse = viscosity_of_particles(own, capillarity, 1e-4), fine = viscosity_of_particles(own, capillarity, 0.25e-4);
+        QVERIFY(fine > own);
+        QVERIFY(std::abs((coarse - own) / (fine - own) - 2) < 1e-9);
     }
     void wallPullAddsUpToTheWorkOfAdhesion()
     {

@@ -138,7 +138,7 @@ Network hanging_yarn(int places)
 void go_along(Network& n, int threads, bool last_first)
 {
     ClimateParameters climate = room();
-    climate.flow_slope = 0.02;
+    climate.flow.slope = 0.02;
     const Segments s = n.views();
     with_team(threads, last_first, n.picks, [&](const auto& team) {
         for (double dt : {1e-3, 0.1, 10.0}) {

@@ -179,7 +179,7 @@ private Q_SLOTS:
     void warmLiquidFlowsFaster() // 2 % a kelvin: surface tension over viscosity
     {
         ClimateParameters climate = room();
-        climate.flow_slope = 0.02;
+        climate.flow.slope = 0.02;
         const YarnParameters yarn = cotton();
         const auto moved = [&](double warmth) {
             Network n(1, 2, yarn, yarn);

@@ -43,7 +43,7 @@ struct WickAlongYarn {
     {
         const double area = (s.pores[i] + s.pores[i + 1]) * per_length;
         if (s.warmth[i] == 0 && s.warmth[i + 1] == 0) return area;
-        return area * 0.5 * (flow_factor(climate, s.warmth[i]) + flow_factor(climate, s.warmth[i + 1]));
+        return area * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[i + 1]));
     }
     HL_FN double joint(const Line& line, int i) const // kg per unit of potential, between i and i + 1
     {
