@@ -19,31 +19,27 @@ namespace h5 = hdf5;
 namespace {
 
 constexpr int recording_version = 1;
-constexpr const char* ledger_columns =
-    "time_s,water_initial_kg,water_delivered_kg,water_free_kg,water_liquid_kg,water_bound_kg,water_vapour_kg,water_evaporated_kg,"
-    "water_dripped_kg,energy_stored_j,energy_released_j,energy_lost_j,energy_delivered_j";
 
-std::vector<double> row_of(const Ledger& l)
+std::string column_names()
 {
-    return {l.time,
-            l.water_initial,
-            l.water_delivered,
-            l.water_free,
-            l.water_liquid,
-            l.water_bound,
-            l.water_vapour,
-            l.water_evaporated,
-            l.water_dripped,
-            l.energy_stored,
-            l.energy_released,
-            l.energy_lost,
-            l.energy_delivered};
+    std::string names;
+    for (const LedgerColumn& column : ledger_columns) names += (names.empty() ? "" : ",") + std::string(column.name);
+    return names;
 }
 
-Ledger ledger_of(const std::vector<double>& r)
+std::vector<double> row_of(const Ledger& ledger)
 {
-    if (r.size() != 13) throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
-    return {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11], r[12]};
+    std::vector<double> row;
+    for (const LedgerColumn& column : ledger_columns) row.push_back(ledger.*column.value);
+    return row;
+}
+
+Ledger ledger_of(const std::vector<double>& row)
+{
+    if (row.size() != std::size(ledger_columns)) throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
+    Ledger ledger;
+    for (std::size_t k = 0; k < row.size(); ++k) ledger.*ledger_columns[k].value = row[k];
+    return ledger;
 }
 
 void write_textile(hid_t file, const Textile& textile)
@@ -143,7 +139,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
     h5::create_group(file, "frames");
     file_->warp_pores = pore_shares(run.textile, YarnKind::warp);
     file_->weft_pores = pore_shares(run.textile, YarnKind::weft);
-    file_->ledger = h5::create_table(file, "ledger", 13, ledger_columns);
+    file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
     H5Fflush(file, H5F_SCOPE_GLOBAL);
 }
 
@@ -168,11 +164,7 @@ void RecordingWriter::append(const Frame& frame)
         along(file_->warp_pores, file_->weft_pores.size());
         along(file_->weft_pores, file_->warp_pores.size());
         h5::write_floats(g, "liquid_volume_fraction", fraction.data(), n, 1, "1");
-        h5::write_floats(g, "saturation", frame.saturation.data(), n, 1, "1");
-        h5::write_floats(g, "liquid", frame.liquid.data(), n, 1, "kg");
-        h5::write_floats(g, "bound_water", frame.regain.data(), n, 1, "kg/kg");
-        h5::write_floats(g, "vapour_concentration", frame.vapour.data(), n, 1, "kg/m3");
-        h5::write_floats(g, "temperature", frame.temperature.data(), n, 1, "K");
+        for (const FrameField& field : frame_fields) h5::write_floats(g, field.name, (frame.*field.values).data(), n, 1, field.unit);
         const auto particles = frame.positions.size();
         h5::write_floats(g, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
         h5::write_floats(g, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
@@ -285,15 +277,12 @@ Frame Recording::frame(int index) const
     frame.time = h5::read_number(g, "time_s");
     frame.water_top = h5::read_number(g, "water_top_kg");
     frame.water_bottom = h5::read_number(g, "water_bottom_kg");
-    frame.saturation = h5::read_floats(g, "saturation");
-    frame.liquid = h5::read_floats(g, "liquid");
-    frame.regain = h5::read_floats(g, "bound_water");
-    frame.vapour = h5::read_floats(g, "vapour_concentration");
-    frame.temperature = h5::read_floats(g, "temperature");
-    frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];
     const auto n = static_cast<std::size_t>(file_->run.textile.segments());
-    for (const auto* values : {&frame.saturation, &frame.liquid, &frame.regain, &frame.vapour, &frame.temperature})
-        if (values->size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
+    for (const FrameField& field : frame_fields) {
+        frame.*field.values = h5::read_floats(g, field.name);
+        if ((frame.*field.values).size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
+    }
+    frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];
     const std::vector<float> x = h5::read_floats(g, "particle_position"), v = h5::read_floats(g, "particle_velocity");
     for (std::size_t i = 0; i + 2 < x.size() && i + 2 < v.size(); i += 3) {
         frame.positions.push_back({x[i], x[i + 1], x[i + 2]});

@@ -148,20 +148,15 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     frame.time = cells.time;
     frame.ledger = cells.ledger;
     const auto segments = static_cast<std::size_t>(fine.segments());
-    for (auto* values : {&frame.saturation, &frame.liquid, &frame.regain, &frame.vapour, &frame.temperature}) values->resize(segments);
+    frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();
     frame.shells.resize(shells * segments);
     blocks.each_part([&](std::size_t i, std::size_t c, double share) {
-        const auto add = [&](std::vector<float>& to, std::size_t at, float value) {
-            to[at] += static_cast<float>(share * static_cast<double>(value));
-        };
-        add(frame.saturation, i, cells.saturation[c]);
-        add(frame.regain, i, cells.regain[c]);
-        add(frame.vapour, i, cells.vapour[c]);
-        add(frame.temperature, i, cells.temperature[c]);
-        for (std::size_t k = 0; k < shells; ++k) add(frame.shells, i * shells + k, cells.shells[c * shells + k]);
         const double part = share * fine.length[i] / (blocks.yarns_of(c) * coarse.length[c]); // of the cell's pores
-        frame.liquid[i] += static_cast<float>(part * static_cast<double>(cells.liquid[c]));
+        const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
+        for (const FrameField& field : frame_fields)
+            add((frame.*field.values)[i], field.is_amount ? part : share, (cells.*field.values)[c]);
+        for (std::size_t k = 0; k < shells; ++k) add(frame.shells[i * shells + k], share, cells.shells[c * shells + k]);
     });
     add_up_faces(frame, fine);
     return frame;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace hygroloom {
@@ -30,6 +31,27 @@ struct Ledger {
     double energy_imbalance() const { return energy_stored - energy_released - energy_delivered + energy_lost; }
 };
 
+/// A number of the ledger, by the name that recordings have for it; the name ends in the unit.
+struct LedgerColumn {
+    const char* name;
+    double Ledger::*value;
+};
+inline constexpr LedgerColumn ledger_columns[] = {
+    {"time_s", &Ledger::time},
+    {"water_initial_kg", &Ledger::water_initial},
+    {"water_delivered_kg", &Ledger::water_delivered},
+    {"water_free_kg", &Ledger::water_free},
+    {"water_liquid_kg", &Ledger::water_liquid},
+    {"water_bound_kg", &Ledger::water_bound},
+    {"water_vapour_kg", &Ledger::water_vapour},
+    {"water_evaporated_kg", &Ledger::water_evaporated},
+    {"water_dripped_kg", &Ledger::water_dripped},
+    {"energy_stored_j", &Ledger::energy_stored},
+    {"energy_released_j", &Ledger::energy_released},
+    {"energy_lost_j", &Ledger::energy_lost},
+    {"energy_delivered_j", &Ledger::energy_delivered},
+};
+
 struct Frame {
     double time = 0; ///< s
     // One value per segment, in the textile's order.
@@ -47,6 +69,26 @@ struct Frame {
     // Totals of each face, kg: water over the start in segments that lie on top and at the bottom.
     double water_top = 0;
     double water_bottom = 0;
+
+    void resize_fields(std::size_t segments);
 };
+
+/// A value that frames show of every segment, by the name that recordings have for it.
+struct FrameField {
+    const char* name;
+    std::vector<float> Frame::*values;
+    const char* unit;
+    bool is_amount; ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
+};
+inline constexpr FrameField frame_fields[] = {
+    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true},
+    {"bound_water", &Frame::regain, "kg/kg", false},  {"vapour_concentration", &Frame::vapour, "kg/m3", false},
+    {"temperature", &Frame::temperature, "K", false},
+};
+
+inline void Frame::resize_fields(std::size_t segments)
+{
+    for (const FrameField& field : frame_fields) (this->*field.values).resize(segments);
+}
 
 } // namespace hygroloom

@@ -589,7 +589,7 @@ template <typename Executor> Frame Solver<Executor>::frame_of(const Stock& stock
     f.shells.assign(stock.regain.begin(), stock.regain.end());
     Segments s;
     static_cast<Yarns&>(s) = yarns_on_host();
-    for (auto* values : {&f.saturation, &f.liquid, &f.regain, &f.vapour, &f.temperature}) values->resize(stock.liquid.size());
+    f.resize_fields(stock.liquid.size());
     for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited
         const YarnLine l = s.visited_line(line);
         const double fibre_mass = l.yarn.fibre_area * l.yarn.fibre_density;
