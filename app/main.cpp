@@ -18,7 +18,7 @@ int main(int argc, char* argv[])
     QApplication::setDesktopFileName("hygroloom");
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(QApplication::translate("main", "Design woven fabrics and watch them take up water."));
+    parser.setApplicationDescription(QApplication::translate("main", "Design woven fabrics and simulate how they take up water."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument("file", QApplication::translate("main", "A project (.hygro) or a recording (.hygrorec)."), "[file]");

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/project/project_file.h"
-#include "ui/basics/examples.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/panels/candidates_panel.h"
+#include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/panels/fabric_panel.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/weave/point_paper.h"
 #include "ui/weave/weave_editor.h"
+#include "ui/window/examples.h"
 
 #include <QComboBox>
 #include <QRegularExpression>
@@ -107,7 +108,7 @@ private Q_SLOTS:
         });
         QStringList sentences;
         Severity last = Severity::error;
-        for (const Issue* issue : issuesToTell(*document_)) {
+        for (const Issue* issue : shownIssues(*document_)) {
             QVERIFY(issue->severity <= last);
             last = issue->severity;
             sentences << issueInWords(*document_->design(), *issue);
@@ -118,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(sentences.filter("Denim, yarn B (extra yarn 1): ").size(), 1);
         document_->edit("apart", {}, [](Design& d) { d.fabrics[0].weft.twist_per_m = -2; });
         sentences.clear();
-        for (const Issue* issue : issuesToTell(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
+        for (const Issue* issue : shownIssues(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
         QCOMPARE(sentences.filter("Denim, weft: ").size(), 1);
     }
 
@@ -131,11 +132,11 @@ private Q_SLOTS:
             d.experiments[0].climates = {{-5, {}}};
         });
         QStringList sentences;
-        for (const Issue* issue : issuesToTell(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
+        for (const Issue* issue : shownIssues(*document_)) { sentences << issueInWords(*document_->design(), *issue); }
         QCOMPARE(sentences.filter("soap: The surface tension").size(), 1);
         QCOMPARE(sentences.filter("Liquid 2: The name is empty").size(), 1);
-        QCOMPARE(sentences.filter("drop, climate at the start: ").size(), 1);
-        QCOMPARE(sentences.filter("drop, climate, moment 1: ").size(), 1);
+        QCOMPARE(sentences.filter("drop, initial climate: ").size(), 1);
+        QCOMPARE(sentences.filter("drop, climate, row 1: ").size(), 1);
     }
 
     void editsOfThePanelsCanBeUndone_data()
@@ -171,9 +172,9 @@ private Q_SLOTS:
         } else if (edit == "delete fabric") {
             candidates.deleteFabric();
         } else if (edit == "add droplet") {
-            experiment.addDroplet();
+            experiment.droplets().addDroplet();
         } else if (edit == "remove droplet") {
-            experiment.removeDroplet();
+            experiment.droplets().removeDroplet();
         } else if (edit == "add experiment") {
             experiment.addExperiment();
         } else if (edit == "finish") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The draft editor: what is changed in the draft shows in the cloth, and the other way round; the order of the yarns.
 #include "core/project/project_file.h"
-#include "ui/basics/examples.h"
 #include "ui/document/document.h"
 #include "ui/weave/cloth_picture.h"
 #include "ui/weave/draft_editor.h"
 #include "ui/weave/order_editor.h"
 #include "ui/weave/weave_edits.h"
+#include "ui/window/examples.h"
 
 #include <QComboBox>
 #include <QLineEdit>

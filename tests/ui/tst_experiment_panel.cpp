@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The experiment panel: the course of the climate, the project's own liquids, where an issue leads; and the results of a run.
+// The experiment panel: the climate over time, the project's own liquids, where an issue leads; and the results of a run.
 #include "core/plan/model_plan.h"
 #include "core/project/project_file.h"
 #include "tests/support/drop_design.h"
-#include "ui/basics/examples.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/panels/climate_course.h"
 #include "ui/panels/experiment_panel.h"
@@ -12,6 +11,7 @@
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
 #include "ui/results/simulation_run.h"
+#include "ui/window/examples.h"
 
 #include <QDir>
 #include <QLabel>
@@ -66,20 +66,20 @@ private Q_SLOTS:
     void aStripHasAWidthAndALength()
     {
         document_->setExperimentIndex(0);
-        QVERIFY(field("Along the weft") && !field("Strip's width"));
+        QVERIFY(field("Along the weft") && !field("Strip width"));
         document_->setExperimentIndex(static_cast<int>(ExperimentType::vertical_wicking));
-        QVERIFY(field("Strip's width") && field("Strip's length"));
+        QVERIFY(field("Strip width") && field("Strip length"));
         document_->edit("strip", {}, [](Design& d) { d.experiments[2].sample_mm[0] = -1; });
-        QVERIFY(field("Strip's width")->accessibleDescription().contains("strip's size must be"));
+        QVERIFY(field("Strip width")->accessibleDescription().contains("strip's size must be"));
     }
 
     void aFeedsDropsAreTypedWithTheirUnit()
     {
         document_->setExperimentIndex(0);
-        QVERIFY(!field("Drops")->isVisibleTo(panel_.get()));
+        QVERIFY(!field("Drop volume")->isVisibleTo(panel_.get()));
         document_->setExperimentIndex(static_cast<int>(ExperimentType::moisture_management));
         const std::string before = text();
-        QuantityEdit* drops = field("Drops");
+        QuantityEdit* drops = field("Drop volume");
         QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("0: one pool"));
         QCOMPARE(drops->value().value(), 0.0);
         drops->setFocus();
@@ -94,7 +94,7 @@ private Q_SLOTS:
             d.experiments[1].volume_ul = 200;
             d.experiments[1].drop_ul = 2;
         });
-        QVERIFY(field("Drops")->accessibleDescription().contains("of 3.125 ul or more"));
+        QVERIFY(field("Drop volume")->accessibleDescription().contains("of 3.125 ul or more"));
     }
 
     void theClimateStaysUntilAMomentIsAdded()
@@ -167,8 +167,8 @@ private Q_SLOTS:
         type(1, 2, "150");
         QVERIFY(table()->item(2, 0)->toolTip().contains("in order of time"));
         QVERIFY(table()->item(1, 2)->toolTip().contains("relative humidity"));
-        const QString told = named<QLabel>("About the course of the climate")->text();
-        QVERIFY(told.contains("Moment 2: ") && told.contains("Moment 1: "));
+        const QString told = named<QLabel>("About the climate over time")->text();
+        QVERIFY(told.contains("Row 2: ") && told.contains("Row 1: "));
         type(0, 1, "99");
         QVERIFY(field("Temperature")->accessibleDescription().contains("temperature must be"));
     }
@@ -260,13 +260,13 @@ private Q_SLOTS:
         QTest::newRow("a whole of two") << 0 << "experiments[0].sample_mm"
                                         << "Along the weft";
         QTest::newRow("a strip") << 2 << "experiments[2].strip_mm[1]"
-                                 << "Strip's length";
+                                 << "Strip length";
         QTest::newRow("a feed's drops") << 1 << "experiments[1].drop_ul"
                                         << "Drops";
         QTest::newRow("a climate") << 1 << "experiments[1].climate.air_speed_m_s"
                                    << "Air speed";
         QTest::newRow("one that a type has") << 5 << "experiments[5].initial.relative_humidity"
-                                             << "From humidity";
+                                             << "Initial humidity";
         QTest::newRow("a liquid's name") << 0 << "experiments[0].liquid"
                                          << "Liquid";
         QTest::newRow("a droplet") << 0 << "experiments[0].droplets[1].volume_ul"
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QTest::newRow("a folded section") << 0 << "liquids[1].viscosity_mpa_s"
                                           << "Viscosity";
         QTest::newRow("a moment") << 6 << "experiments[6].climate[2].temperature_c"
-                                  << "Course of the climate";
+                                  << "Climate over time";
         QTest::newRow("the start of a course") << 6 << "experiments[6].climate[0].temperature_c"
                                                << "Temperature";
         QTest::newRow("what has no field") << 0 << "experiments[0].name"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Exporting from the window: the size foretold, the file written, cancelled, refused, and the choice remembered.
-#include "ui/basics/examples.h"
+// Exporting from the window: the estimated size, the file written, cancelled, refused, and the choice remembered.
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
 #include "ui/results/playback.h"
+#include "ui/window/examples.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a designer has made is not lost: not while it is typed, nor when it is saved over, nor in a crash. Needs a display: xvfb-run.
 #include "core/project/project_file.h"
-#include "ui/basics/appearance.h"
 #include "ui/basics/quantity_edit.h"
+#include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/textile_canvas.h"
-#include "ui/results/compare_view.h"
-#include "ui/results/simulation_panel.h"
 #include "ui/weave/weave_editor.h"
-#include "ui/window/main_window.h"
+#include "window_test.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
 
@@ -27,28 +19,19 @@
 
 using namespace hygroloom;
 
-class TestKeeping : public QObject {
+class TestKeeping : public WindowTest {
     Q_OBJECT
-
-public:
-    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
     {
-        QCoreApplication::setOrganizationName("hygroloom-test");
-        QCoreApplication::setApplicationName("hygroloom-test");
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
-        applyAppearance(Appearance::light);
-        QVERIFY(QFile::copy(QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/one-drop-on-cotton.hygro", project()));
+        useOwnSettings();
+        QVERIFY(QFile::copy(example("one-drop-on-cotton"), project()));
     }
 
     void init()
     {
-        window_ = std::make_unique<MainWindow>();
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
+        openWindow();
         QVERIFY(window_->openFile(project()));
     }
 
@@ -66,15 +49,15 @@ private Q_SLOTS:
     void aRunTakesWhatStandsInAField()
     {
         window_->setWorkspace(Workspace::simulate);
-        window_->simulationPanel().setFidelity(Fidelity::draft);
+        simulationPanel().setFidelity(Fidelity::draft);
         type("Duration", "0.2 s");
-        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
-        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
+        QSignalSpy started(&simulation(), &SimulationRun::started);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
         trigger("Run");
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
-        window_->simulation().cancel();
+        simulation().cancel();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 10000);
-        QCOMPARE(window_->playback().run()->design.experiments[0].duration_s, 0.2);
+        QCOMPARE(playback().run()->design.experiments[0].duration_s, 0.2);
     }
 
     void closingAsksAboutWhatStandsInAField()
@@ -110,13 +93,13 @@ private Q_SLOTS:
         for (QToolButton* button : panel->findChildren<QToolButton*>()) {
             if (button->accessibleName().startsWith("Place the droplet")) { button->click(); }
         }
-        QVERIFY(panel->placing());
+        QVERIFY(panel->droplets().placing());
         QTest::mouseClick(canvas, Qt::LeftButton, {}, aside);
         const auto& at = window_->document().experiment()->droplets[0].at_mm;
         QVERIFY2(std::abs(at[0] - 3) < 0.3 && std::abs(at[1] + 2) < 0.3, qPrintable(QString("%1, %2").arg(at[0]).arg(at[1])));
         QCOMPARE(canvas->drops()[0], QPointF(at[0], at[1]));
         QTest::keyClick(canvas, Qt::Key_Escape);
-        QVERIFY(!panel->placing());
+        QVERIFY(!panel->droplets().placing());
         window_->document().history()->undo();
         QVERIFY(!window_->document().modified());
     }
@@ -144,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(old.open(QIODevice::WriteOnly));
         old.write("an older recording");
         old.close();
-        QVERIFY(QFile::remove(window_->playback().path()));
+        QVERIFY(QFile::remove(playback().path()));
         saveRecording(saved);
         QTRY_VERIFY(QApplication::activeModalWidget());
         auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -159,23 +142,23 @@ private Q_SLOTS:
         run();
         const QString saved = folder_.filePath("saved.hygrorec");
         saveRecording(saved);
-        QTRY_COMPARE(QFileInfo(saved).size(), QFileInfo(window_->playback().path()).size());
+        QTRY_COMPARE(QFileInfo(saved).size(), QFileInfo(playback().path()).size());
     }
 
     void anotherRunLeavesTheEarlierOne()
     {
         run();
-        const QString first = window_->playback().path();
+        const QString first = playback().path();
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
         run();
-        QVERIFY(window_->playback().path() != first);
-        QCOMPARE(window_->runs().runs().size(), std::size_t{2});
+        QVERIFY(playback().path() != first);
+        QCOMPARE(runs().runs().size(), std::size_t{2});
         QVERIFY(QFile::exists(first));
-        Q_EMIT window_->compareView().runRequested(first);
-        QTRY_COMPARE_WITH_TIMEOUT(window_->playback().path(), first, 5000);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->playback().frame(), 5000);
+        Q_EMIT compareView().runRequested(first);
+        QTRY_COMPARE_WITH_TIMEOUT(playback().path(), first, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(playback().frame(), 5000);
         QCOMPARE(window_->document().fabric()->ends_per_cm, 30.0); // the project stays
-        QVERIFY(window_->resultsAreStale());
+        QVERIFY(window_->simulate().resultsAreStale());
         QVERIFY(!QSettings().value("recent").toStringList().contains(first)); // it goes with the window
     }
 
@@ -236,14 +219,14 @@ private Q_SLOTS:
     void aRunThatIsStoppedForAnotherRecordingIsKept()
     {
         run();
-        const QString first = window_->playback().path();
+        const QString first = playback().path();
         const QString saved = folder_.filePath("first.hygrorec");
         QVERIFY(QFile::copy(first, saved));
         window_->document().edit("a longer experiment", {}, [](Design& d) { d.experiments[0].duration_s = 30; });
-        QSignalSpy arrived(&window_->simulation(), &SimulationRun::frameArrived);
-        window_->startRun();
+        QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
+        window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);
-        const QString second = window_->playback().path();
+        const QString second = playback().path();
         meet<QMessageBox>([](QMessageBox* box) {
             for (QAbstractButton* button : box->buttons()) {
                 if (button->text().remove('&') == "Stop the Run") {
@@ -253,8 +236,8 @@ private Q_SLOTS:
             }
         });
         QVERIFY(window_->openFile(saved));
-        QTRY_COMPARE_WITH_TIMEOUT(window_->playback().path(), saved, 10000);
-        const auto& runs = window_->runs().runs();
+        QTRY_COMPARE_WITH_TIMEOUT(playback().path(), saved, 10000);
+        const auto& runs = runs().runs();
         const auto stopped = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) { return run.path == second; });
         QVERIFY(stopped != runs.end());
         QVERIFY(!stopped->complete() && stopped->own && !stopped->saved);
@@ -293,53 +276,11 @@ private:
         QFAIL(qPrintable("There is no field " + field));
     }
 
-    void trigger(const QString& words)
-    {
-        for (QAction* action : window_->findChildren<QAction*>()) {
-            if (action->text().remove('&').startsWith(words)) {
-                action->trigger();
-                return;
-            }
-        }
-        QFAIL(qPrintable("There is no action " + words));
-    }
-
-    /// Does the work with the next dialog of its kind, whenever it comes.
-    template <typename Dialog, typename Work> void meet(Work work)
-    {
-        auto* timer = new QTimer(this);
-        connect(timer, &QTimer::timeout, this, [timer, work] {
-            if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
-                timer->deleteLater();
-                timer->stop();
-                work(dialog);
-            }
-        });
-        timer->start(50);
-    }
-
-    /// Answers the next question; whether there was one.
-    std::shared_ptr<bool> answer(QMessageBox::StandardButton button)
-    {
-        auto asked = std::make_shared<bool>(false);
-        meet<QMessageBox>([asked, button](QMessageBox* box) {
-            *asked = true;
-            box->button(button)->click();
-        });
-        return asked;
-    }
-
     void run()
     {
-        window_->document().edit("a short experiment", {}, [](Design& d) {
-            Experiment& e = d.experiments[0];
-            e.duration_s = 0.1;
-            e.sample_mm = {4, 4};
-            e.droplets = {Droplet{0.5, 0, {0, 0}, 0.05, 0}};
-        });
-        window_->simulationPanel().setFidelity(Fidelity::draft);
-        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
-        window_->startRun();
+        shortenExperiment(0.1, 4, 0.5);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
     }
 
@@ -352,9 +293,6 @@ private:
         });
         trigger("Save Recording As");
     }
-
-    QTemporaryDir folder_;
-    std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(TestKeeping)

@@ -2,20 +2,18 @@
 // The whole window, driven as a designer would. Needs a display: xvfb-run.
 #include "core/design/draft.h"
 #include "core/project/project_file.h"
-#include "ui/basics/appearance.h"
-#include "ui/basics/command_palette.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/results/chart.h"
 #include "ui/results/plan_dialog.h"
 #include "ui/results/results_panel.h"
-#include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/weave/weave_editor.h"
-#include "ui/window/main_window.h"
+#include "ui/window/command_palette.h"
+#include "window_test.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -27,18 +25,12 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QRegularExpression>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTextBrowser>
-#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -46,27 +38,19 @@
 
 using namespace hygroloom;
 
-class TestMainWindow : public QObject {
+class TestMainWindow : public WindowTest {
     Q_OBJECT
-
-public:
-    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
     {
-        QCoreApplication::setOrganizationName("hygroloom-test");
-        QCoreApplication::setApplicationName("hygroloom-test");
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
-        applyAppearance(Appearance::light);
-        window_ = std::make_unique<MainWindow>();
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        useOwnSettings();
+        openWindow();
     }
 
     void cleanupTestCase()
     {
-        window_->simulation().cancel();
+        simulation().cancel();
         window_.reset();
     }
 
@@ -77,7 +61,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
         QVERIFY(window_->document().fabric());
         QVERIFY(window_->viewport().shown());
-        QVERIFY(window_->simulationPanel().canRun());
+        QVERIFY(simulationPanel().canRun());
         QVERIFY(window_->windowTitle().contains("cotton"));
     }
 
@@ -127,10 +111,10 @@ private Q_SLOTS:
     {
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = -1; });
         QString reason;
-        QVERIFY(!window_->simulationPanel().canRun(&reason));
+        QVERIFY(!simulationPanel().canRun(&reason));
         QVERIFY(reason.endsWith('.'));
         window_->document().history()->undo();
-        QVERIFY(window_->simulationPanel().canRun());
+        QVERIFY(simulationPanel().canRun());
     }
 
     void everyFieldHasAName()
@@ -148,43 +132,37 @@ private Q_SLOTS:
 
     void aRunShowsWaterOnTheMaps()
     {
-        window_->document().edit("a short experiment", {}, [](Design& d) {
-            Experiment& e = d.experiments[0];
-            e.duration_s = 0.4;
-            e.sample_mm = {6, 6};
-            e.droplets = {Droplet{1, 0, {0, 0}, 0.05, 0}};
-        });
-        window_->simulationPanel().setFidelity(Fidelity::draft);
-        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
-        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
-        QSignalSpy maps(&window_->waterMaps(), &WaterMapView::mapChanged);
+        shortenExperiment(0.4, 6, 1);
+        QSignalSpy started(&simulation(), &SimulationRun::started);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy maps(&waterMaps(), &WaterMapView::mapChanged);
 
-        window_->startRun();
+        window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
         QCOMPARE(window_->workspace(), Workspace::simulate);
         QTRY_VERIFY_WITH_TIMEOUT(maps.count() > 0, 60000);
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 120000);
 
         QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::finished);
-        QVERIFY(window_->playback().frames() > 1);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
-        QVERIFY(window_->waterMaps().top().circle().radius > 0);
+        QVERIFY(playback().frames() > 1);
+        QTRY_VERIFY_WITH_TIMEOUT(waterMaps().top().map().maximum() > 0, 5000);
+        QVERIFY(waterMaps().top().circle().radius > 0);
         // Of the last moment, also where the map of it came after the run was complete.
-        const double reached = wetted_circle(window_->playback().run()->textile, *window_->playback().frame(), Face::top).radius;
-        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().top().circle().radius, reached, 5000);
-        QVERIFY(window_->chart().points() > 1);
-        QCOMPARE(window_->chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
-        QVERIFY(!window_->resultsAreStale());
+        const double reached = wetted_circle(playback().run()->textile, *playback().frame(), Face::top).radius;
+        QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().circle().radius, reached, 5000);
+        QVERIFY(chart().points() > 1);
+        QCOMPARE(chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
+        QVERIFY(!window_->simulate().resultsAreStale());
     }
 
     void resultsSayHowTheyWereComputed()
     {
-        const auto& run = window_->playback().run();
+        const auto& run = playback().run();
         QVERIFY(run->wall > 0);
         const QString line = originOf(*run, false);
         QVERIFY(run->plan.expected_error);
         QVERIFY2(line.contains(QRegularExpression("^Draft, expected error [0-9.]+ %, on ")) && line.contains(", took "), qPrintable(line));
-        const QString text = window_->results().text();
+        const QString text = results().text();
         QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. From ")), qPrintable(text));
         QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nBegun: "), qPrintable(text));
         RunRecord other = *run;
@@ -197,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(originOf(other, true).endsWith(", running"));
         QVERIFY(originOf(other, false).endsWith(", cut short"));
         other.plan.expected_error = 0;
-        QVERIFY(originOf(other, false).contains("what errors are measured against"));
+        QVERIFY(originOf(other, false).contains("the reference for errors"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false)
                     .join('\n')
@@ -207,7 +185,7 @@ private Q_SLOTS:
     void plansSayWhichRunTheyAreOf()
     {
         window_->document().edit("another name", {}, [](Design& d) { d.experiments[0].name = "soon"; });
-        QTRY_VERIFY_WITH_TIMEOUT(window_->simulationPanel().canRun(), 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(simulationPanel().canRun(), 5000);
         const auto told = [](QWidget& panel) {
             auto* dialog = panel.findChild<PlanDialog*>();
             const QString text = dialog ? dialog->findChild<QTextBrowser*>()->toPlainText() : QString();
@@ -216,88 +194,88 @@ private Q_SLOTS:
         };
         QString next;
         const auto ask = [&] {
-            window_->simulationPanel().showPlan();
-            next = told(window_->simulationPanel());
+            simulationPanel().showPlan();
+            next = told(simulationPanel());
             return next;
         };
         QTRY_VERIFY_WITH_TIMEOUT(ask().startsWith("The next run: soon on "), 5000);
-        window_->results().showPlan();
-        const QString shown = told(window_->results());
-        const QString ran = QString::fromStdString(window_->playback().run()->experiment);
+        results().showPlan();
+        const QString shown = told(results());
+        const QString ran = QString::fromStdString(playback().run()->experiment);
         QVERIFY2(shown.startsWith("The run that is shown: " + ran + " on ") && ran != "soon", qPrintable(shown));
-        QVERIFY(shown.contains(QString::fromStdString(window_->playback().run()->plan.parts[0].reason)));
+        QVERIFY(shown.contains(QString::fromStdString(playback().run()->plan.parts[0].reason)));
         window_->document().history()->undo();
     }
 
     void scrubbingToTheStartShowsADryMap()
     {
-        window_->playback().show(0);
-        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().top().map().maximum(), 0.0, 5000);
-        window_->playback().show(window_->playback().frames() - 1);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->waterMaps().top().map().maximum() > 0, 5000);
+        playback().show(0);
+        QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().map().maximum(), 0.0, 5000);
+        playback().show(playback().frames() - 1);
+        QTRY_VERIFY_WITH_TIMEOUT(waterMaps().top().map().maximum() > 0, 5000);
     }
 
     void anEditMarksTheResultsStaleAndUndoDoesNot()
     {
         window_->document().edit("picks", {}, [](Design& d) { d.fabrics[0].picks_per_cm -= 1; });
-        QVERIFY(window_->resultsAreStale());
-        QVERIFY(window_->waterMaps().top().map().maximum() > 0);
+        QVERIFY(window_->simulate().resultsAreStale());
+        QVERIFY(waterMaps().top().map().maximum() > 0);
         window_->document().history()->undo();
-        QVERIFY(!window_->resultsAreStale());
+        QVERIFY(!window_->simulate().resultsAreStale());
     }
 
     void theLiquidThatWasUsedMakesResultsStale()
     {
         window_->document().edit("another", {}, [](Design& d) { d.liquids = {{"oil"}}; });
-        QVERIFY(!window_->resultsAreStale());
+        QVERIFY(!window_->simulate().resultsAreStale());
         window_->document().edit("water", {}, [](Design& d) { d.liquids = {{"water", 72.74, 5}}; });
-        QVERIFY(window_->resultsAreStale());
+        QVERIFY(window_->simulate().resultsAreStale());
         window_->document().history()->undo();
         window_->document().history()->undo();
-        QVERIFY(!window_->resultsAreStale());
+        QVERIFY(!window_->simulate().resultsAreStale());
     }
 
     void theRecordingOpensAgain()
     {
-        const QString path = window_->playback().path();
-        const int frames = window_->playback().frames();
-        const double water = window_->waterMaps().top().map().maximum(), range = window_->waterMaps().range();
-        QSignalSpy opened(&window_->playback(), &Playback::opened);
+        const QString path = playback().path();
+        const int frames = playback().frames();
+        const double water = waterMaps().top().map().maximum(), range = waterMaps().range();
+        QSignalSpy opened(&playback(), &Playback::opened);
         QVERIFY(window_->openFile(path));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 10000);
-        QCOMPARE(window_->playback().frames(), frames);
-        QTRY_VERIFY_WITH_TIMEOUT(qAbs(window_->waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->chart().points() == frames, 10000);
-        QTRY_COMPARE_WITH_TIMEOUT(window_->waterMaps().range(), range, 5000);
-        QVERIFY(window_->playback().run()->wall > 0 && !window_->playback().run()->date.empty());
+        QCOMPARE(playback().frames(), frames);
+        QTRY_VERIFY_WITH_TIMEOUT(qAbs(waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(chart().points() == frames, 10000);
+        QTRY_COMPARE_WITH_TIMEOUT(waterMaps().range(), range, 5000);
+        QVERIFY(playback().run()->wall > 0 && !playback().run()->date.empty());
     }
 
     void playingMovesThroughTheRecording()
     {
-        window_->playback().show(0);
-        window_->timeline().togglePlaying();
-        QVERIFY(window_->timeline().playing());
-        QTRY_VERIFY_WITH_TIMEOUT(window_->playback().current() > 0, 5000);
-        if (window_->timeline().playing()) { window_->timeline().togglePlaying(); }
+        playback().show(0);
+        timeline().togglePlaying();
+        QVERIFY(timeline().playing());
+        QTRY_VERIFY_WITH_TIMEOUT(playback().current() > 0, 5000);
+        if (timeline().playing()) { timeline().togglePlaying(); }
     }
 
     void aRunCanBePausedAndStopped()
     {
         window_->document().edit("a long experiment", {}, [](Design& d) { d.experiments[0].duration_s = 60; });
-        QSignalSpy started(&window_->simulation(), &SimulationRun::started);
-        QSignalSpy progressed(&window_->simulation(), &SimulationRun::progressed);
-        QSignalSpy ended(&window_->simulation(), &SimulationRun::ended);
-        window_->startRun();
+        QSignalSpy started(&simulation(), &SimulationRun::started);
+        QSignalSpy progressed(&simulation(), &SimulationRun::progressed);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1 && progressed.count() > 0, 20000);
 
-        window_->simulation().setPaused(true);
-        QVERIFY(window_->simulation().paused());
-        window_->simulation().setPaused(false);
-        window_->simulation().cancel();
+        simulation().setPaused(true);
+        QVERIFY(simulation().paused());
+        simulation().setPaused(false);
+        simulation().cancel();
 
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 2000);
         QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::cancelled);
-        QVERIFY(!window_->simulation().running());
+        QVERIFY(!simulation().running());
     }
 
     void savingAndOpeningKeepsTheDesign()
@@ -470,9 +448,8 @@ private Q_SLOTS:
         palette.search("no command has this name");
         QCOMPARE(palette.shown(), 0);
         const auto labels = palette.findChildren<QLabel*>();
-        QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisibleTo(&palette) && label->text() == "No command of this name.";
-        }));
+        QVERIFY(std::any_of(labels.begin(), labels.end(),
+                            [&](const QLabel* label) { return label->isVisibleTo(&palette) && label->text() == "No command matches."; }));
         QVERIFY(!palette.chosen());
     }
 
@@ -688,25 +665,11 @@ private:
         }
         return false;
     }
-    void trigger(const QString& words)
-    {
-        for (QAction* action : window_->findChildren<QAction*>()) {
-            if (action->text().remove('&').startsWith(words)) {
-                action->trigger();
-                return;
-            }
-        }
-        QFAIL(qPrintable("There is no action " + words));
-    }
-
     QImage settled()
     {
         QTest::qWait(300);
         return window_->viewport().picture();
     }
-
-    QTemporaryDir settings_;
-    std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(TestMainWindow)

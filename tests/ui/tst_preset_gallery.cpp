@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The library as pictures to choose from, and a user's own part of it.
-#include "ui/basics/examples.h"
 #include "ui/document/document.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/preset_gallery.h"
+#include "ui/window/examples.h"
 
 #include <QListWidget>
 #include <QPushButton>

@@ -12,7 +12,7 @@ class TestQuantityEdit : public QObject {
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-    void momentsOfARunAreToldAlike()
+    void timesOfARunHaveEqualDecimals()
     {
         const auto text = [](double seconds, double duration) { return momentText(seconds, duration).replace(QChar(0x00a0), ' '); };
         QCOMPARE(text(3600, 3600), QString("3600 s"));

@@ -3,17 +3,12 @@
 #include "core/base/units.h"
 #include "core/project/project_file.h"
 #include "core/solver/droplet.h"
-#include "ui/basics/appearance.h"
 #include "ui/picture/view_bar.h"
 #include "ui/weave/point_paper.h"
 #include "ui/weave/weave_editor.h"
-#include "ui/window/main_window.h"
+#include "window_test.h"
 
 #include <QElapsedTimer>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <array>
 #include <cmath>
@@ -61,25 +56,16 @@ double difference(const std::array<double, 3>& a, const std::array<double, 3>& b
 
 } // namespace
 
-class TestView : public QObject {
+class TestView : public WindowTest {
     Q_OBJECT
-
-public:
-    static void initMain() { requestOpenGL(); }
 
 private Q_SLOTS:
     void initTestCase()
     {
-        QCoreApplication::setOrganizationName("hygroloom-test");
-        QCoreApplication::setApplicationName("hygroloom-test-view");
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
-        applyAppearance(Appearance::light);
-        window_ = std::make_unique<MainWindow>();
-        window_->resize(1100, 760);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        useOwnSettings();
+        openWindow({1100, 760});
         QSignalSpy preview(&window_->viewport(), &Viewport::previewUpdated);
-        QVERIFY(window_->openFile(QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/textile-F.hygro"));
+        QVERIFY(window_->openFile(example("textile-F")));
         QTRY_VERIFY_WITH_TIMEOUT(preview.count() > 0, 5000);
         canvas_ = window_->viewport().canvas();
         QVERIFY(canvas_);
@@ -531,8 +517,6 @@ private:
                                          QSizeF(canvas_->size()));
     }
 
-    QTemporaryDir settings_;
-    std::unique_ptr<MainWindow> window_;
     TextileCanvas* canvas_ = nullptr;
 };
 

@@ -2,11 +2,11 @@
 // The weave editor's tools and actions, with mouse and keys.
 #include "core/project/project_file.h"
 #include "ui/basics/appearance.h"
-#include "ui/basics/examples.h"
 #include "ui/document/document.h"
 #include "ui/weave/point_paper.h"
 #include "ui/weave/weave_editor.h"
 #include "ui/weave/weave_notes.h"
+#include "ui/window/examples.h"
 
 #include <QAction>
 #include <QApplication>

@@ -14,14 +14,14 @@ enum class Appearance { desktop, light, dark, contrast };
 /// Makes icons, shaders and the built-in example available; a static library does not do so by itself.
 void useResources();
 
-/// Sets the application's style and palette. desktop asks the desktop portal, and is light where nobody answers.
+/// Sets the application's style and palette. desktop reads the desktop portal, and is light where there is none.
 void applyAppearance(Appearance appearance);
 Appearance savedAppearance();
 void saveAppearance(Appearance appearance);
 
 bool isDark(const QPalette& palette);
 
-/// An icon of resources/icons, drawn in the palette's text colour of the moment it is painted.
+/// An icon of resources/icons, drawn in the palette's text colour at the time of painting.
 QIcon themedIcon(const QString& name);
 
 QColor severityColor(Severity severity, const QPalette& palette);

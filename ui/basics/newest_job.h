@@ -12,12 +12,12 @@
 
 namespace hygroloom {
 
-/// Runs the newest job offered; one that still waits when a newer comes is dropped, one that runs is told it is outdated.
+/// Runs the newest job offered; one that still waits when a newer comes is dropped, one that runs can see that it is outdated.
 /// Deliveries run in the thread of this object, in order, and never after its destruction.
 class NewestJob : public QObject {
     Q_OBJECT
 public:
-    /// What a running job may ask and do.
+    /// What a running job may read and do.
     class Turn {
     public:
         bool outdated() const { return *generation_ != own_; }

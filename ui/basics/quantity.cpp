@@ -221,11 +221,10 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
     for (const TypedUnit& candidate : units) { known << candidate.spellings.first(); }
     known.removeAll(QString());
     if (known.isEmpty()) {
-        return complain(
-            QCoreApplication::translate("hygroloom::Quantity", "This is a number without a unit; “%1” was typed.").arg(spelled));
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "This number has no unit; remove “%1”.").arg(spelled));
     }
     return complain(
-        QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a unit of this field; use %2.").arg(spelled, known.join(", ")));
+        QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a unit of this field. Use %2.").arg(spelled, known.join(", ")));
 }
 
 double Quantity::stepped(double stored, double steps) const

@@ -54,10 +54,10 @@ struct Quantity {
     double stepped(double stored, double steps) const;
 };
 
-/// A number with at most so many decimals and no trailing zeros, in the user's locale.
+/// A number with at most this number of decimals and no trailing zeros, in the user's locale.
 QString shownNumber(double value, int decimals);
 
-/// A moment, s, of what lasts so many seconds, with as many decimals as all of its moments: "3.20 s" of 10 s.
+/// A time in s within a duration in s; all times of one duration have equal decimals: "3.20 s" of 10 s.
 QString momentText(double seconds, double duration);
 
 /// "820 kB", "3.4 MB", "34 MB", "1.2 GB".

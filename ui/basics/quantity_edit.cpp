@@ -34,7 +34,7 @@ std::optional<double> QuantityEdit::typed(QString* complaint) const
     if (optional_ && text().trimmed().isEmpty()) { return {}; }
     const std::optional<double> value = quantity_.parse(text(), complaint);
     if (value && (*value < quantity_.minimum || *value > quantity_.maximum)) {
-        if (complaint) { *complaint = tr("%1 is outside of what can be. %2").arg(text().trimmed(), quantity_.range()); }
+        if (complaint) { *complaint = tr("%1 is out of range. %2").arg(text().trimmed(), quantity_.range()); }
         return {};
     }
     return value;

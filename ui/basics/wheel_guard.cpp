@@ -22,7 +22,7 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
     if (event->type() != QEvent::Wheel) { return QObject::eventFilter(watched, event); }
     const auto* count = qobject_cast<QAbstractSpinBox*>(watched);
     if (count && count->hasFocus()) { return false; }
-    event->ignore(); // so that it goes on to what can scroll
+    event->ignore(); // so that the widget behind it scrolls
     return true;
 }
 

@@ -75,7 +75,7 @@ void Document::edit(const QString& text, const std::string& field, const std::fu
     change(design);
     DesignState after = state_;
     after.design = std::make_shared<const Design>(std::move(design));
-    history_.push(new EditDesign(*this, text, state_, std::move(after), field, stroke_));
+    history_.push(step(text, std::move(after), field));
 }
 
 void Document::editState(const QString& text, const std::function<void(Design&, DesignState&)>& change)
@@ -85,7 +85,12 @@ void Document::editState(const QString& text, const std::function<void(Design&, 
     change(design, after);
     after.design = std::make_shared<const Design>(std::move(design));
     endStroke();
-    history_.push(new EditDesign(*this, text, state_, std::move(after), {}, stroke_));
+    history_.push(step(text, std::move(after), {}));
+}
+
+EditDesign* Document::step(const QString& text, DesignState after, const std::string& field)
+{
+    return new EditDesign([this](const DesignState& state) { apply(state); }, text, state_, std::move(after), field, stroke_);
 }
 
 void Document::apply(DesignState state)

@@ -54,11 +54,11 @@ public:
     /// For the window's title: the file's name, or the example's.
     QString title() const;
 
-    /// Each returns false after failed() told why; the document is then as before.
+    /// Each returns false after failed() gave the reason; the document is then unchanged.
     bool open(const QString& path);
-    /// Opens a copy: saving asks for a new place.
+    /// Opens a copy: saving opens a file dialog.
     bool openExample(const QString& path);
-    /// Opens unsaved work that was kept elsewhere; saving writes to path, or asks where there is none.
+    /// Opens recovered work. Saving writes to path, or opens a file dialog when path is empty.
     bool openUnsaved(const QString& file, const QString& path, const QString& title);
     bool save();
     bool saveAs(const QString& path);
@@ -73,8 +73,8 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
-    friend class EditDesign;
     void apply(DesignState state);
+    EditDesign* step(const QString& text, DesignState after, const std::string& field);
     void replace(Design design, const QString& path, const QString& title);
 
     DesignState state_;

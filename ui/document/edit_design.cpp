@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/document/edit_design.h"
 
-#include "ui/document/document.h"
-
 namespace hygroloom {
 
-EditDesign::EditDesign(Document& document, const QString& text, DesignState before, DesignState after, std::string field, int stroke)
-    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)), field_(std::move(field)),
+EditDesign::EditDesign(std::function<void(const DesignState&)> apply, const QString& text, DesignState before, DesignState after,
+                       std::string field, int stroke)
+    : QUndoCommand(text), apply_(std::move(apply)), before_(std::move(before)), after_(std::move(after)), field_(std::move(field)),
       stroke_(stroke)
 {
 }
 
-void EditDesign::undo() { document_.apply(before_); }
+void EditDesign::undo() { apply_(before_); }
 
-void EditDesign::redo() { document_.apply(after_); }
+void EditDesign::redo() { apply_(after_); }
 
 bool EditDesign::mergeWith(const QUndoCommand* other)
 {

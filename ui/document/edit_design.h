@@ -6,11 +6,10 @@
 
 #include <QUndoCommand>
 
+#include <functional>
 #include <memory>
 
 namespace hygroloom {
-
-class Document;
 
 /// What the document shows: the design, and which of its fabrics and experiments.
 struct DesignState {
@@ -22,7 +21,9 @@ struct DesignState {
 /// Consecutive edits with the same non-empty field and stroke become one, so that a drag is undone at once.
 class EditDesign : public QUndoCommand {
 public:
-    EditDesign(Document& document, const QString& text, DesignState before, DesignState after, std::string field, int stroke);
+    /// apply: shows a state in the document.
+    EditDesign(std::function<void(const DesignState&)> apply, const QString& text, DesignState before, DesignState after, std::string field,
+               int stroke);
 
     void undo() override;
     void redo() override;
@@ -30,7 +31,7 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
-    Document& document_;
+    std::function<void(const DesignState&)> apply_;
     DesignState before_;
     DesignState after_;
     std::string field_;

@@ -23,12 +23,12 @@ struct LeftOver {
     bool outdated = false; ///< what is at its path was saved later
 };
 
-/// Writes the design beside other work a moment after it changed, and takes it away once it is saved or given up.
+/// Writes the design beside other work shortly after it changed, and removes the copy once it is saved or discarded.
 class Recovery : public QObject {
     Q_OBJECT
 public:
     explicit Recovery(Document& document, QString folder = standardFolder(), QObject* parent = nullptr);
-    /// An end that was asked for: nothing stays.
+    /// A regular end: no copy stays.
     ~Recovery() override;
 
     static QString standardFolder();

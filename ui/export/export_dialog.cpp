@@ -29,14 +29,14 @@
 
 namespace hygroloom {
 
-/// What the background says about a choice.
-struct ExportDialog::Foretold {
+/// What is known of a choice once its textile has been built.
+struct ExportDialog::Forecast {
     ExportEstimate size;
     MeshRequest mesh;
     int ends = 0;
     int picks = 0;
     int smooth_samples = 0;
-    double free_bytes = -1; ///< on the disk; negative when it cannot be told
+    double free_bytes = -1; ///< on the disk; negative when it is not known
     QString complaint;      ///< about the piece; nothing else is known then
 };
 
@@ -54,6 +54,7 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
       fields_(new QWidget)
 {
     setWindowTitle(tr("Export Mesh"));
+    setMinimumWidth(480);
     auto* form = new QFormLayout(fields_);
     form->setContentsMargins(0, 0, 0, 0);
     form->setHorizontalSpacing(16);
@@ -61,31 +62,53 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setLabelAlignment(Qt::AlignLeft);
     buildForm(form);
+    prepareReport();
+    arrange();
+    connectButtons();
+    const QSettings settings;
+    chooseFolder(settings);
+    showChoice(savedExportChoice(settings));
+    connectFields();
+    refresh();
+    adjustSize();
+    resize(width() + 40, height() + 3 * fontMetrics().lineSpacing()); // for the sentences beside the fields
+}
 
-    estimate_->setWordWrap(true);
-    estimate_->setAccessibleName(tr("Size of the export"));
-    estimate_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    estimate_->setMinimumHeight(3 * fontMetrics().lineSpacing());
-    estimate_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    progress_->setRange(0, 1000);
-    progress_->setAccessibleName(tr("Progress of the export"));
-    result_->setWordWrap(true);
+/// Size, progress and result, with room that stays, so that the buttons do not move as sentences come and go.
+void ExportDialog::prepareReport()
+{
     for (QLabel* label : {fabric_, estimate_, result_}) {
         label->setTextFormat(Qt::PlainText); // names of fabrics and files
     }
+    for (QLabel* label : {estimate_, result_}) {
+        label->setWordWrap(true);
+        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    }
+    estimate_->setAccessibleName(tr("Size of the export"));
+    estimate_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    estimate_->setMinimumHeight(3 * fontMetrics().lineSpacing());
     result_->setAccessibleName(tr("Result of the export"));
-    result_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    // Room that stays, so that the buttons do not move as sentences come and go.
     result_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    progress_->setRange(0, 1000);
+    progress_->setAccessibleName(tr("Progress of the export"));
     QSizePolicy stays = progress_->sizePolicy();
     stays.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(stays);
+    progress_->hide();
+}
+
+void ExportDialog::arrange()
+{
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(open_folder_);
     buttons->addStretch();
     buttons->addWidget(export_);
     buttons->addWidget(close_);
+    export_->setDefault(true);
+    close_->setAutoDefault(false);
+    open_folder_->setAutoDefault(false);
+    open_folder_->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(16);
@@ -95,34 +118,24 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     layout->addWidget(progress_);
     layout->addWidget(result_);
     layout->addLayout(buttons);
-    setMinimumWidth(480);
-    export_->setDefault(true);
-    close_->setAutoDefault(false);
-    open_folder_->setAutoDefault(false);
-    open_folder_->hide();
-    progress_->hide();
+}
 
+void ExportDialog::connectButtons()
+{
     connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
     connect(close_, &QPushButton::clicked, this, &QDialog::reject);
     connect(open_folder_, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_)); });
-    connect(&document_, &Document::designChanged, this, [this] {
-        refreshPieces();
-        refresh();
-    });
-    connect(&playback_, &Playback::runChanged, this, [this] {
-        refreshPieces();
-        refresh();
-    });
-    connect(&playback_, &Playback::frameShown, this, &ExportDialog::refreshPieces); // the size stays
+}
 
-    const QSettings settings;
-    const QString beside = document_.path().isEmpty() ? QString() : QFileInfo(document_.path()).absolutePath();
-    const QString folders[] = {settings.value("export/folder").toString(), beside,
-                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)};
-    const auto* there =
-        std::find_if(std::begin(folders), std::end(folders), [](const QString& folder) { return QFileInfo(folder).isDir(); });
-    folder_ = there == std::end(folders) ? QDir::homePath() : *there;
-    showChoice(savedExportChoice(settings));
+void ExportDialog::connectFields()
+{
+    const auto follow = [this] {
+        refreshPieces();
+        refresh();
+    };
+    connect(&document_, &Document::designChanged, this, follow);
+    connect(&playback_, &Playback::runChanged, this, follow);
+    connect(&playback_, &Playback::frameShown, this, &ExportDialog::refreshPieces); // the size stays
     for (QComboBox* box : {detail_, piece_}) { connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh); }
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::takeEnding);
     for (QuantityEdit* edit : {repeats_[0], repeats_[1], size_[0], size_[1], samples_, sides_, seed_}) {
@@ -130,9 +143,17 @@ ExportDialog::ExportDialog(Document& document, Playback& playback, QWidget* pare
     }
     for (QCheckBox* box : {capped_, flyaways_}) { connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh); }
     connect(file_, &QLineEdit::textEdited, this, &ExportDialog::setFile);
-    refresh();
-    adjustSize();
-    resize(width() + 40, height() + 3 * fontMetrics().lineSpacing()); // for what the fields will say
+}
+
+/// The folder of the last export, of the project, or the user's documents: the first that exists.
+void ExportDialog::chooseFolder(const QSettings& settings)
+{
+    const QString beside = document_.path().isEmpty() ? QString() : QFileInfo(document_.path()).absolutePath();
+    const QString folders[] = {settings.value("export/folder").toString(), beside,
+                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)};
+    const auto* there =
+        std::find_if(std::begin(folders), std::end(folders), [](const QString& folder) { return QFileInfo(folder).isDir(); });
+    folder_ = there == std::end(folders) ? QDir::homePath() : *there;
 }
 
 ExportDialog::~ExportDialog() = default;
@@ -183,52 +204,52 @@ void ExportDialog::refresh()
         return;
     }
     estimator_.run([this, chosen = *chosen, source = source(), folder = QFileInfo(filePath()).absolutePath()](const NewestJob::Turn& turn) {
-        Foretold foretold;
+        Forecast forecast;
         try {
             const MeshExport made = meshExport(source, chosen);
-            foretold.mesh = made.options.mesh;
-            foretold.ends = made.textile.ends();
-            foretold.picks = made.textile.picks();
-            foretold.smooth_samples = made.smooth_samples;
-            foretold.size = export_estimate(made.textile, made.fabric, made.options, mesh_format_of("x" + chosen.ending.toStdString()));
-            if (const QStorageInfo disk(folder); disk.isValid()) { foretold.free_bytes = static_cast<double>(disk.bytesAvailable()); }
+            forecast.mesh = made.options.mesh;
+            forecast.ends = made.textile.ends();
+            forecast.picks = made.textile.picks();
+            forecast.smooth_samples = made.smooth_samples;
+            forecast.size = export_estimate(made.textile, made.fabric, made.options, mesh_format_of("x" + chosen.ending.toStdString()));
+            if (const QStorageInfo disk(folder); disk.isValid()) { forecast.free_bytes = static_cast<double>(disk.bytesAvailable()); }
         } catch (const std::bad_alloc&) {
-            foretold.complaint = tr("There is not enough memory for this piece. Take a smaller one.");
+            forecast.complaint = tr("Not enough memory for this piece. Choose a smaller one.");
         } catch (const std::exception& error) {
-            foretold.complaint = QString::fromStdString(error.what());
+            forecast.complaint = QString::fromStdString(error.what());
         }
-        turn.deliver([this, foretold, turn] {
-            if (!turn.outdated() && !writing_) { tell(foretold); }
+        turn.deliver([this, forecast, turn] {
+            if (!turn.outdated() && !writing_) { showForecast(forecast); }
         });
     });
 }
 
-void ExportDialog::tell(const Foretold& foretold)
+void ExportDialog::showForecast(const Forecast& forecast)
 {
-    const ExportEstimate& size = foretold.size;
+    const ExportEstimate& size = forecast.size;
     const QLocale locale;
     const auto count = [&](std::size_t number) { return locale.toString(static_cast<qulonglong>(number)); };
     estimate_->setEnabled(true);
-    if (foretold.complaint.isEmpty()) { estimated_ = size; }
-    samples_->setDerived(foretold.mesh.samples_per_crossing);
-    sides_->setDerived(foretold.mesh.sides);
-    const bool large_piece = static_cast<double>(foretold.ends) * foretold.picks > most_crossings;
-    say(piece_note_, large_piece ? QString::fromStdString(size.refusal) : foretold.complaint);
+    if (forecast.complaint.isEmpty()) { estimated_ = size; }
+    samples_->setDerived(forecast.mesh.samples_per_crossing);
+    sides_->setDerived(forecast.mesh.sides);
+    const bool large_piece = static_cast<double>(forecast.ends) * forecast.picks > most_crossings;
+    say(piece_note_, large_piece ? QString::fromStdString(size.refusal) : forecast.complaint);
     say(format_note_, large_piece ? QString() : QString::fromStdString(size.refusal));
     say(samples_note_,
-        foretold.mesh.samples_per_crossing < foretold.smooth_samples
-            ? tr("The twist turns the fibres too often for %1 samples per crossing; %2 draw them smoothly.")
-                  .arg(foretold.mesh.samples_per_crossing)
-                  .arg(foretold.smooth_samples)
+        forecast.mesh.samples_per_crossing < forecast.smooth_samples
+            ? tr("%1 samples per crossing are too few for this twist. Use %2 for smooth fibres.")
+                  .arg(forecast.mesh.samples_per_crossing)
+                  .arg(forecast.smooth_samples)
             : QString(),
         Severity::warning);
-    const bool refused = !foretold.complaint.isEmpty() || !size.refusal.empty();
-    const bool full = !refused && foretold.free_bytes >= 0 && size.most_bytes > foretold.free_bytes;
+    const bool refused = !forecast.complaint.isEmpty() || !size.refusal.empty();
+    const bool full = !refused && forecast.free_bytes >= 0 && size.most_bytes > forecast.free_bytes;
     export_->setEnabled(!refused && !full);
     QStringList lines;
-    if (foretold.complaint.isEmpty()) {
+    if (forecast.complaint.isEmpty()) {
         lines << tr("%1 ends × %2 picks")
-                     .arg(count(static_cast<std::size_t>(foretold.ends)), count(static_cast<std::size_t>(foretold.picks)));
+                     .arg(count(static_cast<std::size_t>(forecast.ends)), count(static_cast<std::size_t>(forecast.picks)));
     }
     if (!refused) {
         lines << (size.curves > 0 ? tr("%1 curves with %2 points").arg(count(size.curves), count(size.vertices))
@@ -237,10 +258,11 @@ void ExportDialog::tell(const Foretold& foretold)
     }
     QString text = lines.isEmpty() ? QString() : lines.join(", ") + ".";
     if (full) {
-        text += "\n" +
-                tr("It may take up to %1, and the disk has only %2 left.").arg(bytesText(size.most_bytes), bytesText(foretold.free_bytes));
+        text +=
+            "\n" +
+            tr("The file may need up to %1; only %2 are free on the disk.").arg(bytesText(size.most_bytes), bytesText(forecast.free_bytes));
     } else if (!refused && size.bytes > large_file) {
-        text += "\n" + tr("That is much: many programs cannot open a file of more than 1 GB.");
+        text += "\n" + tr("Many programs cannot open files larger than 1 GB.");
     }
     QPalette palette = estimate_->palette();
     palette.setColor(QPalette::WindowText, full                      ? severityColor(Severity::error, palette)
@@ -263,10 +285,10 @@ void ExportDialog::start()
     stop_ = std::make_shared<std::atomic<bool>>(false);
     setWriting(true);
     exporter_.run([this, chosen = *chosen, source = source(), path, stop = stop_](const NewestJob::Turn& turn) {
-        QElapsedTimer told;
+        QElapsedTimer reported;
         const auto progress = [&](double share) {
-            if (!told.isValid() || told.elapsed() > 50) {
-                told.start();
+            if (!reported.isValid() || reported.elapsed() > 50) {
+                reported.start();
                 turn.deliver([this, share] { progress_->setValue(static_cast<int>(1000 * share)); });
             }
             return !*stop && !turn.outdated();
@@ -283,7 +305,7 @@ void ExportDialog::start()
         } catch (const Cancelled&) {
             sentence = tr("Cancelled. No file was written.");
         } catch (const std::bad_alloc&) {
-            sentence = tr("There is not enough memory for this export. Take a smaller piece.");
+            sentence = tr("Not enough memory for this export. Choose a smaller piece.");
         } catch (const std::exception& error) {
             sentence = QString::fromStdString(error.what());
         }
@@ -293,7 +315,7 @@ void ExportDialog::start()
 
 void ExportDialog::cancel()
 {
-    // The job goes on to its end, which it tells; dropped before it began, it would not.
+    // The job runs to its end and reports it; a job dropped before it began would not.
     if (writing_) {
         *stop_ = true;
         close_->setText(tr("Cancelling…"));
@@ -346,7 +368,7 @@ std::vector<std::filesystem::path> ExportDialog::filesOf(const QString& path, co
         const MeshExport made = meshExport(source(), choice);
         return files_of_export(path.toStdString(),
                                export_estimate(made.textile, made.fabric, made.options, mesh_format_of(path.toStdString())));
-    } catch (const std::exception&) { // the export says why
+    } catch (const std::exception&) { // the export reports the reason
         return {};
     }
 }
@@ -359,7 +381,7 @@ bool ExportDialog::mayReplace(const QString& path, const ExportChoice& choice)
         if (file.filePath() != agreed_ && file.exists()) { there << file.fileName(); }
     }
     if (there.isEmpty()) { return true; }
-    const QString question = there.size() == 1 ? tr("%1 is there already. Replace it?") : tr("%1 are there already. Replace them?");
+    const QString question = there.size() == 1 ? tr("%1 already exists. Replace it?") : tr("%1 already exist. Replace them?");
     QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(there.join(tr(" and "))), QMessageBox::Yes | QMessageBox::No, this);
     box.setTextFormat(Qt::PlainText);
     box.setDefaultButton(QMessageBox::No);

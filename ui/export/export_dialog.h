@@ -15,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QSettings;
 
 namespace hygroloom {
 
@@ -50,9 +51,14 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct Foretold;
+    struct Forecast;
+    void prepareReport();
+    void arrange();
+    void connectButtons();
+    void connectFields();
+    void chooseFolder(const QSettings& settings);
     void refresh();
-    void tell(const Foretold& foretold);
+    void showForecast(const Forecast& forecast);
     void end(const QString& sentence, bool problem, const QString& path);
     void setWriting(bool writing);
     ExportSource source() const;
@@ -60,15 +66,23 @@ private:
     std::vector<std::filesystem::path> filesOf(const QString& path, const ExportChoice& choice) const;
     // export_dialog_fields.cpp
     void buildForm(QFormLayout* form);
+    void addPieceRows(QFormLayout* form);
+    void addTubeRows(QFormLayout* form);
+    void addFileRow(QFormLayout* form);
     QLabel* addNote(QFormLayout* form);
     /// Gives each sentence beside the fields the height that its lines take.
     void fitNotes();
     static void say(QLabel* note, const QString& sentence, Severity severity = Severity::error);
     void showChoice(const ExportChoice& choice);
     void refreshPieces();
-    /// Without a value after the notes beside the fields say what is wrong.
+    /// No value when a field is wrong; the note beside it then gives the reason.
     std::optional<ExportChoice> choice();
+    /// Fills the numbers of a choice; complaints: by field.
+    struct Complaints;
+    void readNumbers(ExportChoice& chosen, Complaints& complaints) const;
     QString sampleComplaint() const;
+    QString fabricComplaint() const;
+    QString fileComplaint() const;
     QString filePath() const;
     void takeEnding();
     void nameFile();

@@ -50,7 +50,14 @@ QuantityEdit* field(const Quantity& quantity, const QString& name, const QString
     return edit;
 }
 
-/// A name that any disk takes.
+void addRow(QFormLayout* form, const QString& label, QWidget* widget, QWidget* buddy)
+{
+    auto* name = new QLabel(label);
+    name->setBuddy(buddy);
+    form->addRow(name, widget);
+}
+
+/// A name without the characters that some file systems refuse.
 QString fileNameOf(const std::string& fabric)
 {
     QString name = QString::fromStdString(fabric).simplified();
@@ -60,7 +67,7 @@ QString fileNameOf(const std::string& fabric)
     return name.isEmpty() ? QStringLiteral("fabric") : name;
 }
 
-/// Of several lines, whose height fitNotes() gives: a form that asks for it itself takes it from other rows where some are hidden.
+/// Of several lines, whose height fitNotes() sets: QFormLayout takes a label's own height from other rows while some rows are hidden.
 class Note : public QLabel {
 public:
     bool hasHeightForWidth() const override { return false; }
@@ -79,26 +86,27 @@ void ExportDialog::say(QLabel* note, const QString& sentence, Severity severity)
 
 void ExportDialog::buildForm(QFormLayout* form)
 {
-    const auto row = [form](const QString& label, QWidget* widget, QWidget* buddy) {
-        auto* name = new QLabel(label);
-        name->setBuddy(buddy);
-        form->addRow(name, widget);
-    };
     form->addRow(tr("Fabric"), fabric_);
     fabric_note_ = addNote(form);
     for (const MeshFormatTraits& format : mesh_formats()) {
         format_->addItem(tr("%1 (%2)").arg(format.name, format.ending), QString(format.ending));
     }
     format_->setAccessibleName(tr("Format"));
-    row(tr("For&mat"), format_, format_);
+    addRow(form, tr("For&mat"), format_, format_);
     format_note_ = addNote(form);
-    detail_->addItems({tr("Centrelines of the yarns"), tr("Skins of the yarns"), tr("Single fibres")});
+    detail_->addItems({tr("Yarn centrelines"), tr("Yarn surfaces"), tr("Single fibres")});
     detail_->setAccessibleName(tr("Detail"));
-    row(tr("&Detail"), detail_, detail_);
+    addRow(form, tr("&Detail"), detail_, detail_);
+    addPieceRows(form);
+    addTubeRows(form);
+    addFileRow(form);
+}
 
-    piece_->addItems({tr("Repeats of the fabric"), tr("A size"), {}, {}}); // refreshPieces() names the others
+void ExportDialog::addPieceRows(QFormLayout* form)
+{
+    piece_->addItems({tr("Repeats of the fabric"), tr("By size"), {}, {}}); // refreshPieces() names the others
     piece_->setAccessibleName(tr("Piece"));
-    row(tr("&Piece"), piece_, piece_);
+    addRow(form, tr("&Piece"), piece_, piece_);
     const QString along_weft = tr("Along the weft."), along_warp = tr("Along the warp.");
     repeats_[0] = field(Quantity::count(1, largest_yarn_order), tr("Repeats along the weft"), along_weft);
     repeats_[1] = field(Quantity::count(1, largest_yarn_order), tr("Repeats along the warp"), along_warp);
@@ -106,26 +114,32 @@ void ExportDialog::buildForm(QFormLayout* form)
     size_[1] = field(Quantity::length(0.1, 2000), tr("Height along the warp"), along_warp);
     repeats_row_ = pairOf(repeats_[0], repeats_[1]);
     size_row_ = pairOf(size_[0], size_[1]);
-    row(tr("&Repeats"), repeats_row_, repeats_[0]);
-    row(tr("Si&ze"), size_row_, size_[0]);
+    addRow(form, tr("&Repeats"), repeats_row_, repeats_[0]);
+    addRow(form, tr("Si&ze"), size_row_, size_[0]);
     piece_note_ = addNote(form);
+}
 
+void ExportDialog::addTubeRows(QFormLayout* form)
+{
     samples_ = field(Quantity::count(1, most_samples), tr("Samples per crossing"),
-                     tr("Rings of a tube, or points of a line, from crossing to crossing."));
-    sides_ = field(Quantity::count(3, most_sides), tr("Sides"), tr("Of the tube that stands for a yarn or a fibre."));
+                     tr("Rings of a tube, or points of a curve, from one crossing to the next."));
+    sides_ = field(Quantity::count(3, most_sides), tr("Sides"), tr("Sides of the tube that represents a yarn or a fibre."));
     for (QuantityEdit* edit : {samples_, sides_}) { edit->setOptional(true); }
-    row(tr("&Samples per crossing"), samples_, samples_);
+    addRow(form, tr("&Samples per crossing"), samples_, samples_);
     samples_note_ = addNote(form);
-    row(tr("Sides of a &tube"), sides_, sides_);
+    addRow(form, tr("Sides of a &tube"), sides_, sides_);
     sides_note_ = addNote(form);
     capped_->setAccessibleName(tr("Close the ends with caps"));
     form->addRow(QString(), capped_);
     form->addRow(QString(), flyaways_);
-    seed_ =
-        field(Quantity::count(0, std::numeric_limits<int>::max()), tr("Seed of the fibres"), tr("The same number gives the same fibres."));
-    row(tr("Seed of the &fibres"), seed_, seed_);
+    seed_ = field(Quantity::count(0, std::numeric_limits<int>::max()), tr("Seed of the fibres"),
+                  tr("Start of the random numbers: equal seeds give equal fibres."));
+    addRow(form, tr("Seed of the &fibres"), seed_, seed_);
     seed_note_ = addNote(form);
+}
 
+void ExportDialog::addFileRow(QFormLayout* form)
+{
     auto* place = new QWidget;
     auto* layout = new QHBoxLayout(place);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -136,7 +150,7 @@ void ExportDialog::buildForm(QFormLayout* form)
     connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
     layout->addWidget(browse);
     file_->setAccessibleName(tr("File"));
-    row(tr("F&ile"), place, file_);
+    addRow(form, tr("F&ile"), place, file_);
     file_note_ = addNote(form);
 }
 
@@ -208,7 +222,12 @@ QString ExportDialog::sampleComplaint() const
     return {};
 }
 
-std::optional<ExportChoice> ExportDialog::choice()
+/// What is wrong with the numbers, by field.
+struct ExportDialog::Complaints {
+    QString repeats, size, samples, sides, seed;
+};
+
+void ExportDialog::readNumbers(ExportChoice& chosen, Complaints& complaints) const
 {
     const auto number = [&](const QuantityEdit* edit, QString& complaint) {
         QString why;
@@ -220,51 +239,62 @@ std::optional<ExportChoice> ExportDialog::choice()
         const std::optional<double> value = number(edit, complaint);
         return value ? std::optional<int>(static_cast<int>(std::lround(*value))) : std::nullopt;
     };
+    for (int i = 0; i < 2; ++i) {
+        chosen.repeats[i] = whole(repeats_[i], complaints.repeats).value_or(1);
+        chosen.size_mm[i] = number(size_[i], complaints.size).value_or(1);
+    }
+    chosen.samples = whole(samples_, complaints.samples);
+    chosen.sides = whole(sides_, complaints.sides);
+    chosen.seed = whole(seed_, complaints.seed).value_or(1);
+}
+
+QString ExportDialog::fabricComplaint() const
+{
+    if (!document_.fabric()) { return tr("This project has no fabric to export."); }
+    if (document_.fabricHasError()) { return tr("This fabric has an error and cannot be exported. See the Issues panel."); }
+    return {};
+}
+
+QString ExportDialog::fileComplaint() const
+{
+    const QFileInfo file(filePath()), folder(file.absolutePath());
+    if (file_->text().trimmed().isEmpty()) { return tr("Enter a file name."); }
+    if (file.isDir()) { return tr("This is a folder. Enter a file name."); }
+    if (!folder.isDir()) { return tr("The folder %1 does not exist.").arg(folder.filePath()); }
+    if (!folder.isWritable()) { return tr("The folder %1 cannot be written to.").arg(folder.filePath()); }
+    return {};
+}
+
+std::optional<ExportChoice> ExportDialog::choice()
+{
     ExportChoice chosen;
     chosen.ending = format_->currentData().toString();
     chosen.detail = static_cast<MeshDetail>(detail_->currentIndex());
     chosen.piece = static_cast<ExportPiece>(piece_->currentIndex());
-    QString of_repeats, of_size, of_samples, of_sides, of_seed;
-    for (int i = 0; i < 2; ++i) {
-        chosen.repeats[i] = whole(repeats_[i], of_repeats).value_or(1);
-        chosen.size_mm[i] = number(size_[i], of_size).value_or(1);
-    }
-    chosen.samples = whole(samples_, of_samples);
-    chosen.sides = whole(sides_, of_sides);
     chosen.capped = capped_->isChecked();
     chosen.flyaways = flyaways_->isChecked();
-    chosen.seed = whole(seed_, of_seed).value_or(1);
+    Complaints wrong;
+    readNumbers(chosen, wrong);
 
     const bool wet = chosen.piece == ExportPiece::simulated;
     fabric_->setText(wet                  ? QString::fromStdString(playback_.run()->fabric)
                      : document_.fabric() ? QString::fromStdString(document_.fabric()->name)
                                           : QString());
-    const QString of_fabric = wet                   ? QString()
-                              : !document_.fabric() ? tr("This project has no fabric to export.")
-                              : document_.fabricHasError()
-                                  ? tr("The fabric has an error, so it cannot be exported; the Issues panel says which.")
-                                  : QString();
-    const QFileInfo file(filePath()), folder(file.absolutePath());
-    const QString of_file = file_->text().trimmed().isEmpty() ? tr("Give the file a name.")
-                            : file.isDir()                    ? tr("This is a folder; give the file a name.")
-                            : !folder.isDir()                 ? tr("The folder %1 does not exist.").arg(folder.filePath())
-                            : !folder.isWritable()            ? tr("The folder %1 cannot be written to.").arg(folder.filePath())
-                                                              : QString();
     const std::pair<QLabel*, QString> complaints[] = {
-        {fabric_note_, of_fabric},
-        {piece_note_, chosen.piece == ExportPiece::repeats  ? of_repeats
-                      : chosen.piece == ExportPiece::size   ? of_size
+        {fabric_note_, wet ? QString() : fabricComplaint()},
+        {piece_note_, chosen.piece == ExportPiece::repeats  ? wrong.repeats
+                      : chosen.piece == ExportPiece::size   ? wrong.size
                       : chosen.piece == ExportPiece::sample ? sampleComplaint()
                                                             : QString()},
-        {samples_note_, of_samples},
-        {sides_note_, chosen.detail == MeshDetail::centreline ? QString() : of_sides},
-        {seed_note_, chosen.detail == MeshDetail::fibre ? of_seed : QString()},
-        {file_note_, of_file},
+        {samples_note_, wrong.samples},
+        {sides_note_, chosen.detail == MeshDetail::centreline ? QString() : wrong.sides},
+        {seed_note_, chosen.detail == MeshDetail::fibre ? wrong.seed : QString()},
+        {file_note_, fileComplaint()},
     };
     const bool good =
         std::all_of(std::begin(complaints), std::end(complaints), [](const auto& complaint) { return complaint.second.isEmpty(); });
     for (const auto& [note, sentence] : complaints) {
-        // What the background said of a good choice stays until it says something new.
+        // Notes of the forecast about a good choice stay until there is a new forecast.
         if (!good || (note != piece_note_ && note != samples_note_)) { say(note, sentence); }
     }
     return good ? std::optional(chosen) : std::nullopt;
@@ -318,7 +348,7 @@ void ExportDialog::browse()
     const QString ending = format_->itemData(static_cast<int>(filters.indexOf(filter))).toString();
     const bool known = format_->findData("." + QFileInfo(path).suffix().toLower()) >= 0;
     setFile(known ? path : path + ending);
-    agreed_ = known ? path : QString(); // the dialog asked about what was chosen
+    agreed_ = known ? path : QString(); // the file dialog has confirmed it
 }
 
 } // namespace hygroloom

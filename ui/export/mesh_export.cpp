@@ -17,7 +17,7 @@ MeshExport simulatedPiece(const ExportSource& source)
 {
     const RunRecord& run = *source.run;
     const Fabric* fabric = find_fabric(run.design, run.fabric);
-    if (!fabric) { throw Error(QCoreApplication::translate("hygroloom", "The recording does not hold its fabric.").toStdString()); }
+    if (!fabric) { throw Error(QCoreApplication::translate("hygroloom", "The recording does not contain its fabric.").toStdString()); }
     return {*fabric, run.textile, {{}, source.frame->saturation}, 0};
 }
 

@@ -32,7 +32,7 @@ struct ExportChoice {
 ExportChoice savedExportChoice(const QSettings& settings);
 void saveExportChoice(QSettings& settings, const ExportChoice& choice);
 
-/// What there is to export at a moment. None of it changes any more.
+/// Copies of what can be exported now; none of them changes.
 struct ExportSource {
     std::shared_ptr<const Design> design;
     int fabric = 0;

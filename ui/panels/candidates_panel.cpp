@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
+#include "ui/document/free_name.h"
 #include "ui/panels/preset_gallery.h"
 
 #include <QAction>
@@ -21,7 +22,7 @@ namespace hygroloom {
 
 namespace {
 
-/// A small piece of the weave, so that fabrics are told apart at a glance.
+/// A small piece of the weave, to recognize fabrics by.
 QPixmap swatch(const Weave& weave, const QPalette& palette, double ratio)
 {
     constexpr int squares = 6, size = 3;
@@ -38,14 +39,12 @@ QPixmap swatch(const Weave& weave, const QPalette& palette, double ratio)
     return pixmap;
 }
 
-std::string freeName(const Design& design, const std::string& wish)
+std::string freeFabricName(const Design& design, const std::string& wish)
 {
-    std::string name = wish;
-    for (int i = 2; find_fabric(design, name); ++i) { name = wish + " " + std::to_string(i); }
-    return name;
+    return freeName(wish, [&design](const std::string& name) { return find_fabric(design, name) != nullptr; });
 }
 
-/// A fabric that comes first has something to be tried with.
+/// A project with a fabric has an experiment.
 void ensureExperiment(Design& design)
 {
     if (design.experiments.empty()) {
@@ -64,7 +63,7 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
     setFocusProxy(list_);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     list_->setFrameShape(QFrame::NoFrame);
-    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long names end in dots, and are told in full by the tool tip
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the tool tip shows long names in full
     list_->setIconSize({18, 18});
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
@@ -83,12 +82,12 @@ CandidatesPanel::CandidatesPanel(Document& document, QWidget* parent)
         buttons->addWidget(button);
         actions_ << action;
     };
-    add("add", tr("&Add Fabric"), tr("Add a plain cotton fabric"), qOverload<>(&CandidatesPanel::addFabric));
-    add("duplicate", tr("D&uplicate Fabric"), tr("Add a copy of the chosen fabric"), &CandidatesPanel::duplicateFabric);
-    add("rename", tr("&Rename Fabric"), tr("Rename the chosen fabric"), &CandidatesPanel::renameFabric);
-    add("delete", tr("&Delete Fabric"), tr("Delete the chosen fabric"), &CandidatesPanel::deleteFabric);
+    add("add", tr("&Add Fabric"), tr("Add a plain-weave cotton fabric"), qOverload<>(&CandidatesPanel::addFabric));
+    add("duplicate", tr("D&uplicate Fabric"), tr("Add a copy of the selected fabric"), &CandidatesPanel::duplicateFabric);
+    add("rename", tr("&Rename Fabric"), tr("Rename the selected fabric"), &CandidatesPanel::renameFabric);
+    add("delete", tr("&Delete Fabric"), tr("Delete the selected fabric"), &CandidatesPanel::deleteFabric);
     add("gallery", tr("From &Preset…"), tr("Add a fabric from the library"), &CandidatesPanel::chooseFromLibrary);
-    add("keep", tr("&Keep in My Library"), tr("Keep the chosen fabric in my library"), &CandidatesPanel::keepFabric);
+    add("keep", tr("&Save to My Library"), tr("Save the selected fabric to my library"), &CandidatesPanel::keepFabric);
     actions_[2]->setShortcut(Qt::Key_F2);
     actions_[3]->setShortcut(QKeySequence::Delete);
     for (QAction* action : actions_) {
@@ -152,7 +151,7 @@ void CandidatesPanel::addFabric()
 void CandidatesPanel::addFabric(const QString& undo, Fabric fabric)
 {
     document_.editState(undo, [&](Design& design, DesignState& state) {
-        fabric.name = freeName(design, fabric.name);
+        fabric.name = freeFabricName(design, fabric.name);
         design.fabrics.push_back(std::move(fabric));
         ensureExperiment(design);
         state.fabric = static_cast<int>(design.fabrics.size()) - 1;
@@ -178,9 +177,9 @@ void CandidatesPanel::keepFabric()
     if (!document_.fabric()) { return; }
     try {
         keepInLibrary(*document_.design(), *document_.fabric(), userLibraryPath());
-        Q_EMIT told(tr("Kept %1 in my library.").arg(QString::fromStdString(document_.fabric()->name)), false);
+        Q_EMIT reported(tr("Saved %1 to my library.").arg(QString::fromStdString(document_.fabric()->name)), false);
     } catch (const Error& error) {
-        Q_EMIT told(QString::fromStdString(error.what()), true);
+        Q_EMIT reported(QString::fromStdString(error.what()), true);
     }
 }
 
@@ -189,7 +188,7 @@ void CandidatesPanel::duplicateFabric()
     if (!document_.fabric()) { return; }
     document_.editState(tr("duplicate fabric"), [this](Design& design, DesignState& state) {
         Fabric fabric = *document_.fabric();
-        fabric.name = freeName(design, tr("%1 copy").arg(QString::fromStdString(fabric.name)).toStdString());
+        fabric.name = freeFabricName(design, tr("%1 copy").arg(QString::fromStdString(fabric.name)).toStdString());
         design.fabrics.insert(design.fabrics.begin() + state.fabric + 1, fabric);
         ++state.fabric;
     });

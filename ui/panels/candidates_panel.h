@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
     /// A sentence about what was done, or why it was not.
-    void told(const QString& sentence, bool problem);
+    void reported(const QString& sentence, bool problem);
 
 private:
     void refresh();

@@ -34,7 +34,7 @@ double& valueIn(ClimateMoment& moment, int column)
     return *values[column];
 }
 
-/// The start, and the moments after it.
+/// The start and the times after it.
 std::vector<ClimateMoment> momentsOf(const Experiment& experiment)
 {
     std::vector<ClimateMoment> moments{{0, experiment.climate}};
@@ -94,9 +94,9 @@ ClimateCourse::ClimateCourse(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), table_(new QTableWidget(0, columns)), add_(new QToolButton), remove_(new QToolButton),
       note_(new QLabel)
 {
-    table_->setAccessibleName(tr("Course of the climate"));
+    table_->setAccessibleName(tr("Climate over time"));
     table_->setHorizontalHeaderLabels({tr("Time"), tr("Temp."), tr("Humidity"), tr("Air")});
-    const QString tips[columns] = {tr("Moment, from the start of the experiment"), tr("Temperature"), tr("Relative humidity"),
+    const QString tips[columns] = {tr("Time from the start of the experiment"), tr("Temperature"), tr("Relative humidity"),
                                    tr("Air speed")};
     for (int column = 0; column < columns; ++column) { table_->horizontalHeaderItem(column)->setToolTip(tips[column]); }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -109,7 +109,7 @@ ClimateCourse::ClimateCourse(Document& document, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::SelectedClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed);
     table_->setItemDelegate(new MomentDelegate(this));
-    table_->setTabKeyNavigation(false); // Tab leaves the table; it goes on only from cell to cell while one is edited
+    table_->setTabKeyNavigation(false); // Tab leaves the table, except while a cell is edited
     const auto prepare = [this](QToolButton* button, const char* icon, const QString& name, void (ClimateCourse::*work)()) {
         button->setIcon(themedIcon(icon));
         button->setAutoRaise(true);
@@ -117,8 +117,8 @@ ClimateCourse::ClimateCourse(Document& document, QWidget* parent)
         button->setToolTip(name);
         connect(button, &QToolButton::clicked, this, work);
     };
-    prepare(add_, "add", tr("Add a moment of the climate"), &ClimateCourse::addMoment);
-    prepare(remove_, "remove", tr("Remove the moment of the climate"), &ClimateCourse::removeMoment);
+    prepare(add_, "add", tr("Add a time"), &ClimateCourse::addMoment);
+    prepare(remove_, "remove", tr("Remove the selected time"), &ClimateCourse::removeMoment);
     auto* remove = new QAction(table_);
     remove->setShortcut(QKeySequence::Delete);
     remove->setShortcutContext(Qt::WidgetShortcut);
@@ -126,7 +126,7 @@ ClimateCourse::ClimateCourse(Document& document, QWidget* parent)
     connect(remove, &QAction::triggered, this, &ClimateCourse::removeMoment);
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
-    note_->setAccessibleName(tr("About the course of the climate"));
+    note_->setAccessibleName(tr("About the climate over time"));
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(4);
     buttons->addWidget(add_);
@@ -169,7 +169,7 @@ void ClimateCourse::refresh()
     std::vector<ClimateMoment> moments;
     if (course) { moments = momentsOf(*experiment); }
     table_->setRowCount(static_cast<int>(moments.size()));
-    QStringList told;
+    QStringList faults;
     for (int row = 0; row < table_->rowCount(); ++row) {
         for (int column = 0; column < columns; ++column) {
             QTableWidgetItem* item = table_->item(row, column);
@@ -186,7 +186,7 @@ void ClimateCourse::refresh()
             const auto issues = document_.issuesAt(path(row, column));
             for (const Issue* issue : issues) {
                 sentences << QString::fromStdString(issue->text);
-                told << tr("Moment %1: %2").arg(row).arg(sentences.last());
+                faults << tr("Row %1: %2").arg(row).arg(sentences.last());
             }
             item->setData(Qt::UserRole + 1, issues.empty() ? QVariant() : QVariant(static_cast<int>(issues.front()->severity)));
             item->setToolTip("<p>" + (sentences << quantity(column).range()).join('\n').toHtmlEscaped().replace('\n', "</p><p>") + "</p>");
@@ -194,7 +194,7 @@ void ClimateCourse::refresh()
     }
     if (course) {
         for (const Issue* issue : document_.issuesAt(path(0, 0).substr(0, path(0, 0).rfind('[')))) {
-            told << QString::fromStdString(issue->text);
+            faults << QString::fromStdString(issue->text);
         }
     }
     const int rows = std::min(table_->rowCount(), shown_rows);
@@ -204,10 +204,10 @@ void ClimateCourse::refresh()
     remove_->setVisible(course);
     remove_->setEnabled(table_->currentRow() > 0);
     add_->setEnabled(experiment);
-    note_->setForegroundRole(told.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
-    note_->setText(!told.isEmpty() ? told.join('\n')
-                   : course        ? tr("Between moments the climate changes evenly; after the last it stays.")
-                                   : tr("The climate stays as it is. Add a moment to let it change."));
+    note_->setForegroundRole(faults.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
+    note_->setText(!faults.isEmpty() ? faults.join('\n')
+                   : course          ? tr("The climate changes linearly between these times and is constant after the last.")
+                                     : tr("The climate is constant. Add a time to change it."));
 }
 
 void ClimateCourse::edit(const QString& undo, const std::string& field, const std::function<void(Experiment&)>& change)
@@ -224,7 +224,7 @@ void ClimateCourse::setCell(int row, int column, double value)
     ClimateMoment moment = momentsOf(*experiment)[static_cast<std::size_t>(row)];
     if (valueIn(moment, column) == value) { return; }
     valueIn(moment, column) = value;
-    edit(tr("course of the climate"), {}, [&](Experiment& e) {
+    edit(tr("climate over time"), {}, [&](Experiment& e) {
         if (row == 0) {
             e.climate = moment.climate;
         } else {
@@ -247,7 +247,7 @@ void ClimateCourse::addMoment()
     } else {
         made.time_s = experiment->duration_s > made.time_s ? experiment->duration_s : std::min(last_moment, made.time_s + 60);
     }
-    edit(tr("add moment of the climate"), {}, [&](Experiment& e) { e.climates.insert(e.climates.begin() + row, made); });
+    edit(tr("add climate time"), {}, [&](Experiment& e) { e.climates.insert(e.climates.begin() + row, made); });
     table_->setCurrentCell(row + 1, 0);
     table_->setFocus();
 }
@@ -257,7 +257,7 @@ void ClimateCourse::removeMoment()
     const int row = table_->currentRow();
     const Experiment* experiment = document_.experiment();
     if (experiment && row > 0 && row <= static_cast<int>(experiment->climates.size())) {
-        edit(tr("remove moment of the climate"), {}, [&](Experiment& e) { e.climates.erase(e.climates.begin() + row - 1); });
+        edit(tr("remove climate time"), {}, [&](Experiment& e) { e.climates.erase(e.climates.begin() + row - 1); });
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The course of the climate in the chosen experiment: a table of moments, the start first.
+// The climate over time in the selected experiment: a table of times, the start first.
 #pragma once
 
 #include "ui/basics/quantity.h"
@@ -18,7 +18,7 @@ class ClimateCourse : public QWidget {
 public:
     explicit ClimateCourse(Document& document, QWidget* parent = nullptr);
 
-    /// Half-way to the moment after the chosen one, or at the experiment's end.
+    /// Half-way to the time after the selected one, or at the experiment's end.
     void addMoment();
     void removeMoment();
     /// Chooses the cell of the value at this path and gives it the focus. False where the path leads elsewhere.

@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/experiment_panel.h"
 
-#include "ui/basics/appearance.h"
+#include "ui/basics/icon_button.h"
+#include "ui/document/free_name.h"
 #include "ui/panels/climate_course.h"
+#include "ui/panels/droplet_section.h"
 #include "ui/panels/liquid_panel.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
-#include <QListWidget>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace hygroloom {
 
 namespace {
-
-QToolButton* iconButton(const QString& icon, const QString& name)
-{
-    auto* button = new QToolButton;
-    button->setIcon(themedIcon(icon));
-    button->setAutoRaise(true);
-    button->setToolTip(name);
-    button->setAccessibleName(name);
-    return button;
-}
-
-std::string freeName(const Design& design, std::string wish)
-{
-    std::string name = wish;
-    for (int i = 2; find_experiment(design, name); ++i) { name = wish + " " + std::to_string(i); }
-    return name;
-}
 
 QString nameOfType(ExperimentType type)
 {
@@ -59,13 +41,13 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     addChoice();
     addConditions();
     addTypes();
-    addDroplets();
+    groups_.push_back({form_->addGroup(), {ExperimentType::droplet}});
+    droplets_ = new DropletSection(*form_, this);
     addModel();
     form_->fill(this);
     form_->onRefresh([this] {
         refreshChoice();
         refreshType();
-        refreshDroplets();
     });
     form_->refresh();
 }
@@ -119,25 +101,6 @@ QuantityEdit* ExperimentPanel::addSampleSize(std::size_t axis)
             [axis](Experiment& e, double v) { e.sample_mm[axis] = v; }));
 }
 
-DesignField ExperimentPanel::dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
-                                          const QString& help)
-{
-    return field(
-        label, undo,
-        [this, where] {
-            return "experiments[" + std::to_string(document_.experimentIndex()) + "].droplets[" + std::to_string(droplet_) + "]." + where;
-        },
-        [this, member](const Experiment& e) -> std::optional<double> {
-            if (droplet_ >= static_cast<int>(e.droplets.size())) { return std::nullopt; }
-            Droplet drop = e.droplets[static_cast<std::size_t>(droplet_)];
-            return member(drop);
-        },
-        [this, member](Experiment& e, double value) {
-            if (droplet_ < static_cast<int>(e.droplets.size())) { member(e.droplets[static_cast<std::size_t>(droplet_)]) = value; }
-        },
-        help);
-}
-
 void ExperimentPanel::addChoice()
 {
     choice_ = new QComboBox;
@@ -158,7 +121,7 @@ void ExperimentPanel::addChoice()
     form_->addWide(line);
     type_ = new QComboBox;
     for (int type = 0; type < experiment_types; ++type) { type_->addItem(nameOfType(static_cast<ExperimentType>(type))); }
-    type_->setToolTip(tr("Choosing another type takes its standard's climate, sample and duration."));
+    type_->setToolTip(tr("A new type sets the climate, sample and duration of its standard."));
     type_->setAccessibleName(tr("Type of experiment"));
     type_->setMinimumContentsLength(8);
     type_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -202,14 +165,14 @@ void ExperimentPanel::addTypes()
     group({Type::moisture_management});
     form_->addQuantity(Quantity::time(0.01, 86400),
                        fixedField(
-                           tr("Feed"), tr("time of the feed"), "feed_s", [](const Experiment& e) { return std::optional(e.feed_s); },
-                           [](Experiment& e, double v) { e.feed_s = v; }, tr("How long the pump runs.")));
-    form_->addQuantity(Quantity::volume(0, 1000),
-                       fixedField(
-                           tr("Drops"), tr("volume of the feed's drops"), "drop_ul",
-                           [](const Experiment& e) { return std::optional(e.drop_ul); }, [](Experiment& e, double v) { e.drop_ul = v; },
-                           tr("The feed falls on the cloth in drops of this volume, at most 64 of them, evenly in time. 0: one pool that "
-                              "the yarns drink from.")));
+                           tr("Feed time"), tr("feed time"), "feed_s", [](const Experiment& e) { return std::optional(e.feed_s); },
+                           [](Experiment& e, double v) { e.feed_s = v; }, tr("Time for which the pump runs.")));
+    form_->addQuantity(
+        Quantity::volume(0, 1000),
+        fixedField(
+            tr("Drop volume"), tr("drop volume of the feed"), "drop_ul", [](const Experiment& e) { return std::optional(e.drop_ul); },
+            [](Experiment& e, double v) { e.drop_ul = v; },
+            tr("The feed falls in drops of this volume at equal intervals, at most 64. 0: the yarns absorb from one pool.")));
     group({Type::vertical_wicking});
     direction_ = new QComboBox;
     direction_->addItems({tr("Along the warp"), tr("Along the weft")});
@@ -220,30 +183,31 @@ void ExperimentPanel::addTypes()
                        fixedField(
                            tr("Immersion"), tr("immersion"), "immersion_mm",
                            [](const Experiment& e) { return std::optional(e.immersion_mm); },
-                           [](Experiment& e, double v) { e.immersion_mm = v; }, tr("How deep the strip's end hangs in the liquid.")));
+                           [](Experiment& e, double v) { e.immersion_mm = v; }, tr("Depth of the strip's end below the liquid surface.")));
     group({Type::drying});
-    form_->addQuantity(Quantity::arealDensity(100000), fixedField(
-                                                           tr("Water"), tr("water at the start"), "initial_water_g_m2",
-                                                           [](const Experiment& e) { return std::optional(e.initial_water_g_m2); },
-                                                           [](Experiment& e, double v) { e.initial_water_g_m2 = v; },
-                                                           tr("In the cloth at the start, over what it holds in this climate.")));
+    form_->addQuantity(Quantity::arealDensity(100000),
+                       fixedField(
+                           tr("Initial water"), tr("initial water"), "initial_water_g_m2",
+                           [](const Experiment& e) { return std::optional(e.initial_water_g_m2); },
+                           [](Experiment& e, double v) { e.initial_water_g_m2 = v; },
+                           tr("Liquid water in the fabric at the start, in addition to its regain in this climate.")));
     group({Type::conditioning});
     form_->addQuantity(Quantity::temperature(-10, 60), fixedField(
-                                                           tr("From"), tr("temperature at the start"), "initial.temperature_c",
+                                                           tr("Initial temperature"), tr("initial temperature"), "initial.temperature_c",
                                                            [](const Experiment& e) { return std::optional(e.initial.temperature_c); },
                                                            [](Experiment& e, double v) { e.initial.temperature_c = v; },
-                                                           tr("The sample comes from air of this temperature.")));
+                                                           tr("Temperature of the air in which the sample was conditioned.")));
     form_->addQuantity(Quantity::percent(0, most_humidity),
                        fixedField(
-                           tr("From humidity"), tr("humidity at the start"), "initial.relative_humidity",
+                           tr("Initial humidity"), tr("initial humidity"), "initial.relative_humidity",
                            [](const Experiment& e) { return std::optional(e.initial.relative_humidity); },
                            [](Experiment& e, double v) { e.initial.relative_humidity = v; },
-                           tr("The sample comes from air of this humidity.")));
+                           tr("Relative humidity of the air in which the sample was conditioned.")));
     group({Type::sweat});
-    form_->addQuantity(Quantity::arealRate(100000),
-                       fixedField(
-                           tr("Rate"), tr("rate of sweat"), "rate_g_m2_h", [](const Experiment& e) { return std::optional(e.rate_g_m2_h); },
-                           [](Experiment& e, double v) { e.rate_g_m2_h = v; }));
+    form_->addQuantity(Quantity::arealRate(100000), fixedField(
+                                                        tr("Sweat rate"), tr("sweat rate"), "rate_g_m2_h",
+                                                        [](const Experiment& e) { return std::optional(e.rate_g_m2_h); },
+                                                        [](Experiment& e, double v) { e.rate_g_m2_h = v; }));
     side_ = new QComboBox;
     side_->addItems({tr("Bottom"), tr("Top")});
     form_->addRow(tr("Face"), side_);
@@ -256,75 +220,16 @@ void ExperimentPanel::addModel()
     form_->addSection(tr("Liquid"));
     liquids_ = new LiquidPanel(*form_, this);
     closure_ = new QComboBox;
-    closure_->addItems({tr("As Kissa measured"), tr("Li and Zhu"), tr("As the paper prints")});
-    closure_->setToolTip(tr("How liquid moves in the pores of the yarns. As the paper prints: pores of 0.2 mm, one contact angle "
-                            "for all fibres, uptake in proportion to their regain."));
-    form_->addRow(tr("Flow in yarns"), closure_);
+    closure_->addItems({tr("Kissa (measured)"), tr("Li and Zhu"), tr("Mao et al. (as printed)")});
+    closure_->setToolTip(tr("How liquid moves in the pores of the yarns. Mao et al.: pores of 0.2 mm, one contact angle for all "
+                            "fibres, uptake in proportion to regain."));
+    form_->addRow(tr("Wicking model"), closure_);
     connect(closure_, &QComboBox::activated, this,
-            [this](int chosen) { edit(tr("flow in yarns"), [&](Experiment& e) { e.closure = static_cast<Closure>(chosen); }); });
-    swelling_ = new QCheckBox(tr("Wet fibres narrow the pores"));
+            [this](int chosen) { edit(tr("wicking model"), [&](Experiment& e) { e.closure = static_cast<Closure>(chosen); }); });
+    swelling_ = new QCheckBox(tr("Swelling of wet fibres narrows the pores"));
     form_->addWide(swelling_);
     connect(swelling_, &QCheckBox::clicked, this, [this](bool on) { edit(tr("swelling"), [&](Experiment& e) { e.swelling = on; }); });
     liquids_->addOwnLiquids();
-}
-
-void ExperimentPanel::addDroplets()
-{
-    groups_.push_back({form_->addGroup(), {ExperimentType::droplet}});
-    droplets_ = new QListWidget;
-    droplets_->setAccessibleName(tr("Droplets"));
-    droplets_->setFixedHeight(90); // as three buttons
-    auto* buttons = new QVBoxLayout;
-    QToolButton* add = iconButton("add", tr("Add a droplet"));
-    remove_droplet_ = iconButton("remove", tr("Remove the droplet"));
-    place_ = iconButton("drop", tr("Place the droplet: click on the fabric"));
-    place_->setCheckable(true);
-    connect(place_, &QToolButton::toggled, this, &ExperimentPanel::placingChanged);
-    buttons->setSpacing(4);
-    buttons->addWidget(add);
-    buttons->addWidget(remove_droplet_);
-    buttons->addWidget(place_);
-    buttons->addStretch();
-    auto* line = new QWidget;
-    auto* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(droplets_, 1);
-    layout->addLayout(buttons);
-    form_->addWide(line);
-    no_droplet_ = new QLabel(tr("No droplet yet. Add one to wet the fabric."));
-    no_droplet_->setWordWrap(true);
-    form_->addWide(no_droplet_);
-    connect(add, &QToolButton::clicked, this, &ExperimentPanel::addDroplet);
-    connect(remove_droplet_, &QToolButton::clicked, this, &ExperimentPanel::removeDroplet);
-    connect(droplets_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0 && row != droplet_) {
-            droplet_ = row;
-            form_->refresh();
-            Q_EMIT dropletChosen();
-        }
-    });
-    using D = Droplet&;
-    droplet_fields_ = {
-        form_->addQuantity(Quantity::volume(0.001, 5000),
-                           dropletField(tr("Volume"), tr("droplet volume"), "volume_ul", [](D d) -> double& { return d.volume_ul; })),
-        form_->addQuantity(Quantity::time(0, 86400),
-                           dropletField(
-                               tr("Time"), tr("droplet time"), "time_s", [](D d) -> double& { return d.time_s; }, tr("When it appears."))),
-        form_->addQuantity(Quantity::length(-1000, 1000), dropletField(
-                                                              tr("Place along weft"), tr("droplet place"), "at_mm[0]",
-                                                              [](D d) -> double& { return d.at_mm[0]; }, tr("From the sample's centre."))),
-        form_->addQuantity(Quantity::length(-1000, 1000), dropletField(
-                                                              tr("Place along warp"), tr("droplet place"), "at_mm[1]",
-                                                              [](D d) -> double& { return d.at_mm[1]; }, tr("From the sample's centre."))),
-        form_->addQuantity(Quantity::length(0, 100),
-                           dropletField(
-                               tr("Height"), tr("droplet height"), "height_mm", [](D d) -> double& { return d.height_mm; },
-                               tr("Of its lowest point over the fabric."))),
-        form_->addQuantity(Quantity::speed(fastest_droplet_m_s),
-                           dropletField(
-                               tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
-                               tr("Downwards, when it appears.")))};
 }
 
 void ExperimentPanel::refreshChoice()
@@ -352,10 +257,10 @@ void ExperimentPanel::refreshType()
     side_->setCurrentIndex(experiment->from_top ? 1 : 0);
     closure_->setCurrentIndex(static_cast<int>(experiment->closure));
     swelling_->setChecked(experiment->swelling);
-    // Of a strip it is the way it hangs that counts.
+    // A strip is measured as it is held, not by warp and weft.
     const bool strip = experiment->type == ExperimentType::vertical_wicking;
-    form_->setLabel(size_[0], strip ? tr("Strip's width") : tr("Along the weft"));
-    form_->setLabel(size_[1], strip ? tr("Strip's length") : tr("Along the warp"));
+    form_->setLabel(size_[0], strip ? tr("Strip width") : tr("Along the weft"));
+    form_->setLabel(size_[1], strip ? tr("Strip length") : tr("Along the warp"));
 }
 
 void ExperimentPanel::setType(int chosen)
@@ -371,73 +276,11 @@ void ExperimentPanel::setType(int chosen)
     });
 }
 
-void ExperimentPanel::refreshDroplets()
-{
-    const QSignalBlocker quiet(droplets_);
-    const Experiment* experiment = document_.experiment();
-    const int count = experiment ? static_cast<int>(experiment->droplets.size()) : 0;
-    const int chosen = std::clamp(droplet_, 0, std::max(0, count - 1));
-    if (chosen != droplet_) {
-        droplet_ = chosen;
-        form_->refresh();
-        return;
-    }
-    droplets_->clear();
-    for (int i = 0; i < count; ++i) {
-        const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
-        droplets_->addItem(tr("%1: %2 µl at %3 s, place %4, %5 mm")
-                               .arg(i + 1)
-                               .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1),
-                                    shownNumber(drop.at_mm[1], 1)));
-    }
-    droplets_->setCurrentRow(count > 0 ? droplet_ : -1);
-    remove_droplet_->setEnabled(count > 0);
-    place_->setEnabled(count > 0);
-    if (count == 0 || experiment->type != ExperimentType::droplet) { place_->setChecked(false); }
-    no_droplet_->setVisible(count == 0);
-    for (QWidget* widget : droplet_fields_) { widget->setEnabled(count > 0); }
-}
-
 void ExperimentPanel::edit(const QString& undo, const std::function<void(Experiment&)>& change)
 {
     if (document_.experiment()) {
         const auto index = static_cast<std::size_t>(document_.experimentIndex());
         document_.edit(undo, {}, [&](Design& design) { change(design.experiments[index]); });
-    }
-}
-
-void ExperimentPanel::addDroplet()
-{
-    const Experiment* experiment = document_.experiment();
-    if (!experiment) { return; }
-    // After the last one by default: two drops in one place at one time would overlap.
-    Droplet drop = experiment->droplets.empty() ? Droplet{} : experiment->droplets.back();
-    if (!experiment->droplets.empty()) { drop.time_s += std::min(1.0, std::max(0.0, experiment->duration_s - drop.time_s) / 2); }
-    droplet_ = static_cast<int>(experiment->droplets.size());
-    edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
-}
-
-void ExperimentPanel::placeDroplet(const QPointF& at)
-{
-    const auto rounded = [](double mm) { return std::round(10 * mm) / 10; };
-    const Experiment* experiment = document_.experiment();
-    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
-        edit(tr("droplet place"), [&](Experiment& e) {
-            e.droplets[static_cast<std::size_t>(droplet_)].at_mm = {rounded(at.x()), rounded(at.y())};
-        });
-        document_.endStroke();
-    }
-}
-
-bool ExperimentPanel::placing() const { return place_->isChecked(); }
-
-void ExperimentPanel::endPlacing() { place_->setChecked(false); }
-
-void ExperimentPanel::removeDroplet()
-{
-    const Experiment* experiment = document_.experiment();
-    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
-        edit(tr("remove droplet"), [&](Experiment& e) { e.droplets.erase(e.droplets.begin() + droplet_); });
     }
 }
 
@@ -448,10 +291,7 @@ bool ExperimentPanel::showField(const std::string& where)
         return at == std::string::npos ? -1 : std::atoi(where.c_str() + at + std::char_traits<char>::length(key));
     };
     if (where.starts_with("liquids[")) { liquids_->choose(numberAfter("liquids[")); }
-    if (const int droplet = numberAfter("].droplets["); droplet >= 0 && droplet != droplet_) {
-        droplet_ = droplet;
-        form_->refresh();
-    }
+    if (const int droplet = numberAfter("].droplets["); droplet >= 0) { droplets_->choose(droplet); }
     if (numberAfter("].climate[") > 0 && course_->showField(where)) {
         QMetaObject::invokeMethod(
             this, [this] { ensureWidgetVisible(course_, 0, 8); }, Qt::QueuedConnection);
@@ -459,9 +299,10 @@ bool ExperimentPanel::showField(const std::string& where)
     }
     if (form_->showField(where)) { return true; }
     if (where.find("].droplets") != std::string::npos) { // there is none, or there are too many
-        droplets_->setFocus();
+        QWidget* list = droplets_->list();
+        list->setFocus();
         QMetaObject::invokeMethod(
-            this, [this] { ensureWidgetVisible(droplets_, 0, 8); }, Qt::QueuedConnection);
+            this, [this, list] { ensureWidgetVisible(list, 0, 8); }, Qt::QueuedConnection);
         return true;
     }
     choice_->setFocus();
@@ -472,7 +313,8 @@ void ExperimentPanel::addExperiment()
 {
     document_.editState(tr("add experiment"), [this](Design& design, DesignState& state) {
         Experiment experiment = document_.experiment() ? *document_.experiment() : Experiment{};
-        experiment.name = freeName(design, experiment.name.empty() ? tr("one drop").toStdString() : experiment.name);
+        const std::string wish = experiment.name.empty() ? tr("one drop").toStdString() : experiment.name;
+        experiment.name = freeName(wish, [&design](const std::string& name) { return find_experiment(design, name) != nullptr; });
         design.experiments.push_back(experiment);
         state.experiment = static_cast<int>(design.experiments.size()) - 1;
     });

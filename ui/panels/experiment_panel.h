@@ -7,12 +7,12 @@
 #include <QScrollArea>
 
 class QCheckBox;
-class QListWidget;
 class QToolButton;
 
 namespace hygroloom {
 
 class ClimateCourse;
+class DropletSection;
 class LiquidPanel;
 
 class ExperimentPanel : public QScrollArea {
@@ -21,21 +21,9 @@ public:
     explicit ExperimentPanel(Document& document, QWidget* parent = nullptr);
 
     void addExperiment();
-    void addDroplet();
-    void removeDroplet();
-    /// The number of the droplet whose fields are shown.
-    int droplet() const { return droplet_; }
-    bool placing() const;
-    /// Moves it, mm from the sample's middle.
-    void placeDroplet(const QPointF& at);
-    void endPlacing();
+    DropletSection& droplets() { return *droplets_; }
     /// Shows the field of the value at this path, in the chosen experiment or in a liquid of the project, and gives it the focus.
     bool showField(const std::string& where);
-
-Q_SIGNALS:
-    void dropletChosen();
-    /// Whether clicks on the fabric are to place the droplet.
-    void placingChanged(bool placing);
 
 private:
     using Read = std::function<std::optional<double>(const Experiment&)>;
@@ -47,17 +35,13 @@ private:
                              const QString& help = {});
     QuantityEdit* addSampleSize(std::size_t axis);
     DesignField fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
-    DesignField dropletField(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
-                             const QString& help = {});
     void addChoice();
     void addConditions();
     void addTypes();
     void addModel();
-    void addDroplets();
     void refreshChoice();
     void refreshType();
     void setType(int chosen);
-    void refreshDroplets();
     void renameExperiment();
     void removeExperiment();
     void edit(const QString& undo, const std::function<void(Experiment&)>& change);
@@ -81,12 +65,7 @@ private:
     QComboBox* direction_ = nullptr;
     QComboBox* side_ = nullptr;
     QCheckBox* swelling_ = nullptr;
-    QListWidget* droplets_ = nullptr;
-    QToolButton* remove_droplet_ = nullptr;
-    QToolButton* place_ = nullptr;
-    QLabel* no_droplet_ = nullptr;
-    std::vector<QWidget*> droplet_fields_;
-    int droplet_ = 0;
+    DropletSection* droplets_ = nullptr;
 };
 
 } // namespace hygroloom

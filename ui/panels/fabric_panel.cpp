@@ -69,43 +69,68 @@ DesignField FabricPanel::field(const QString& label, const QString& undo, const 
 void FabricPanel::addConstruction()
 {
     form_->addSection(tr("Construction"));
-    QuantityEdit* ends =
-        form_->addQuantity(Quantity::sett(0.5, 500),
-                           field(
-                               tr("Ends"), tr("ends per cm"), "ends_per_cm", [](const Fabric& f) { return std::optional(f.ends_per_cm); },
-                               [](Fabric& f, std::optional<double> v) { f.ends_per_cm = v.value_or(f.ends_per_cm); },
-                               tr("Warp yarns per centimetre. “89 epi” may be typed.")));
-    QLabel* endsNote = form_->noteBeside(ends);
-    QuantityEdit* picks = form_->addQuantity(Quantity::sett(0.5, 500),
-                                             field(
-                                                 tr("Picks"), tr("picks per cm"), "picks_per_cm",
-                                                 [](const Fabric& f) { return std::optional(f.picks_per_cm); },
-                                                 [](Fabric& f, std::optional<double> v) { f.picks_per_cm = v.value_or(f.picks_per_cm); },
-                                                 tr("Weft yarns per centimetre. “89 ppi” may be typed.")));
-    QLabel* picksNote = form_->noteBeside(picks);
-    QuantityEdit* thickness =
-        form_->addQuantity(Quantity::length(0.01, 50),
-                           field(
-                               tr("Thickness"), tr("thickness"), "thickness_mm", [](const Fabric& f) { return f.thickness_mm; },
-                               [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; }, tr("Empty: worked out from the yarns.")),
-                           true);
-    QuantityEdit* angle = form_->addQuantity(
-        Quantity::angle(0, 180),
+    addSett(tr("Ends"), tr("ends per cm"), "ends_per_cm", &Fabric::ends_per_cm, tr("Warp yarns per centimetre. You can type “89 epi”."));
+    addSett(tr("Picks"), tr("picks per cm"), "picks_per_cm", &Fabric::picks_per_cm,
+            tr("Weft yarns per centimetre. You can type “89 ppi”."));
+    addThickness();
+    addFinish();
+    addCrimps();
+    addDerived();
+}
+
+void FabricPanel::addSett(const QString& label, const QString& undo, const char* where, double Fabric::*member, const QString& help)
+{
+    QuantityEdit* edit = form_->addQuantity(Quantity::sett(0.5, 500),
+                                            field(
+                                                label, undo, where, [member](const Fabric& f) { return std::optional(f.*member); },
+                                                [member](Fabric& f, std::optional<double> v) { f.*member = v.value_or(f.*member); }, help));
+    QLabel* note = form_->noteBeside(edit);
+    form_->onRefresh([=, this] {
+        const Fabric* f = document_.fabric();
+        edit->setEnabled(f != nullptr);
+        note->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->*member), 0)) : QString());
+    });
+}
+
+void FabricPanel::addThickness()
+{
+    QuantityEdit* thickness = form_->addQuantity(
+        Quantity::length(0.01, 50),
         field(
-            tr("Contact angle"), tr("contact angle"), "contact_angle_deg", [](const Fabric& f) { return f.contact_angle_deg; },
-            [](Fabric& f, std::optional<double> v) { f.contact_angle_deg = v; },
-            tr("Of water on the finished fabric, advancing. Empty: that of each yarn's fibres. Above 90° water is not drawn in.")),
+            tr("Thickness"), tr("thickness"), "thickness_mm", [](const Fabric& f) { return f.thickness_mm; },
+            [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; }, tr("Leave empty to calculate it from the yarns.")),
         true);
     auto* automatic = new QCheckBox(tr("Auto"));
-    automatic->setAccessibleName(tr("Work the thickness out from the yarns"));
+    automatic->setAccessibleName(tr("Calculate the thickness from the yarns"));
     automatic->setToolTip(automatic->accessibleName());
-    qobject_cast<QGridLayout*>(form_->layout())->addWidget(automatic, qobject_cast<QGridLayout*>(form_->layout())->rowCount() - 2, 2);
+    auto* grid = qobject_cast<QGridLayout*>(form_->layout());
+    grid->addWidget(automatic, grid->rowCount() - 1, 2);
     connect(automatic, &QCheckBox::clicked, this, [this](bool on) {
         const auto index = static_cast<std::size_t>(document_.fabricIndex());
         const double derived = document_.quantities() ? std::round(document_.quantities()->thickness_mm * 1000) / 1000 : 0.5;
         document_.edit(tr("thickness"), {},
                        [&](Design& design) { design.fabrics[index].thickness_mm = on ? std::nullopt : std::optional(derived); });
     });
+    form_->onRefresh([=, this] {
+        const Fabric* f = document_.fabric();
+        const auto& q = document_.quantities();
+        for (QWidget* widget : {static_cast<QWidget*>(thickness), static_cast<QWidget*>(automatic)}) { widget->setEnabled(f != nullptr); }
+        automatic->setChecked(f && !f->thickness_mm);
+        thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
+    });
+}
+
+/// The contact angle, and finishes that set it.
+void FabricPanel::addFinish()
+{
+    QuantityEdit* angle = form_->addQuantity(
+        Quantity::angle(0, 180),
+        field(
+            tr("Contact angle"), tr("contact angle"), "contact_angle_deg", [](const Fabric& f) { return f.contact_angle_deg; },
+            [](Fabric& f, std::optional<double> v) { f.contact_angle_deg = v; },
+            tr("Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn's fibres. Above 90° the "
+               "yarns do not absorb water.")),
+        true);
     auto* finish = new QComboBox;
     finish->addItem(tr("As the fibres"));
     for (const Finish& one : finishes()) {
@@ -115,7 +140,8 @@ void FabricPanel::addConstruction()
     finish->addItem(tr("Own contact angle"));
     finish->setMinimumContentsLength(8);
     finish->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    finish->setToolTip("<p>" + tr("A finish sets the contact angle above to a typical value; measure yours where it matters.") + "</p>");
+    finish->setToolTip("<p>" + tr("Sets the contact angle above to a typical value for the finish. Measure your own fabric if you can.") +
+                       "</p>");
     form_->addRow(tr("Finish"), finish);
     connect(finish, &QComboBox::activated, this, [this](int index) {
         if (index > static_cast<int>(finishes().size())) {
@@ -128,19 +154,11 @@ void FabricPanel::addConstruction()
                 index == 0 ? std::nullopt : std::optional(finishes()[static_cast<std::size_t>(index) - 1].contact_angle_deg);
         });
     });
-    addCrimps();
-    addDerived();
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
-        for (QWidget* widget : {static_cast<QWidget*>(ends), static_cast<QWidget*>(picks), static_cast<QWidget*>(thickness),
-                                static_cast<QWidget*>(angle), static_cast<QWidget*>(automatic), static_cast<QWidget*>(finish)}) {
-            widget->setEnabled(f != nullptr);
-        }
-        endsNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->ends_per_cm), 0)) : QString());
-        picksNote->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->picks_per_cm), 0)) : QString());
-        automatic->setChecked(f && !f->thickness_mm);
         const auto& q = document_.quantities();
-        thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
+        angle->setEnabled(f != nullptr);
+        finish->setEnabled(f != nullptr);
         angle->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
         int row = f && f->contact_angle_deg ? static_cast<int>(finishes().size()) + 1 : 0;
         for (std::size_t i = 0; f && i < finishes().size(); ++i) {
@@ -158,13 +176,13 @@ void FabricPanel::addCrimps()
     percent.step = 0.5;
     percent.decimals = 1;
     const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
-        return form_->addQuantity(
-            percent,
-            field(
-                label, undo, where, [member](const Fabric& f) { return f.*member; },
-                [member](Fabric& f, std::optional<double> v) { f.*member = v; },
-                tr("How much longer the yarn is than the fabric. Empty: warp and weft share the crimp by their stiffness.")),
-            true);
+        return form_->addQuantity(percent,
+                                  field(
+                                      label, undo, where, [member](const Fabric& f) { return f.*member; },
+                                      [member](Fabric& f, std::optional<double> v) { f.*member = v; },
+                                      tr("How much longer the yarn is than the fabric. Leave empty to share the crimp between warp and "
+                                         "weft by their stiffness.")),
+                                  true);
     };
     QuantityEdit* warp = add(tr("Warp crimp"), tr("warp crimp"), "warp_crimp_percent", &Fabric::warp_crimp_percent);
     QuantityEdit* weft = add(tr("Weft crimp"), tr("weft crimp"), "weft_crimp_percent", &Fabric::weft_crimp_percent);
@@ -179,21 +197,21 @@ void FabricPanel::addCrimps()
 
 void FabricPanel::addDerived()
 {
-    form_->addSection(tr("Follows from this"));
-    QLabel* weight = form_->addDerived(tr("Weight"), tr("Areal density, dry."));
-    QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Share of the area that yarns cover, c₁ + c₂ − c₁c₂."));
+    form_->addSection(tr("Calculated"));
+    QLabel* weight = form_->addDerived(tr("Weight"), tr("Dry mass per area."));
+    QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Fraction of the area covered by yarns, c₁ + c₂ − c₁c₂."));
     QLabel* bending = form_->addDerived(
-        tr("Yarns bend"), tr("Round each other. Where yarns lie too close for full arcs (the cloth is jammed), they are squeezed "
-                             "where they change sides, though neighbours need not touch."));
-    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("One less the share of fibre in the fabric's volume."));
+        tr("Yarn path"), tr("Round: yarns cross in circular arcs (Peirce). Flattened: the sett is too dense for full arcs, so yarns are "
+                            "flattened where they cross."));
+    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("Fraction of the fabric's volume that is not fibre."));
     QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
-    QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends, and between neighbouring picks."));
+    QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends × between neighbouring picks."));
     form_->onRefresh([=, this] {
         const auto& q = document_.quantities();
         const QString none = QStringLiteral("–");
         weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
         cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
-        bending->setText(!q ? none : q->jammed ? tr("squeezed where they turn") : tr("in full arcs"));
+        bending->setText(!q ? none : q->jammed ? tr("flattened at crossings") : tr("round (Peirce)"));
         porosity->setText(q ? shownNumber(q->porosity, 2) : none);
         layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
         gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
@@ -224,7 +242,7 @@ void FabricPanel::addMeasured()
                                   field(
                                       label, undo, where, [member](const Fabric& f) { return f.measured.*member; },
                                       [member](Fabric& f, std::optional<double> v) { f.measured.*member = v; },
-                                      tr("Replaces the derived value. Empty: the derived one is used.")),
+                                      tr("Replaces the calculated value. Leave empty to use the calculated one.")),
                                   true);
     };
     Quantity weight = Quantity::fraction(1, 10000);

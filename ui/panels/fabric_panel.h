@@ -25,6 +25,9 @@ private:
     using Write = std::function<void(Fabric&, std::optional<double>)>;
     DesignField field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     void addConstruction();
+    void addSett(const QString& label, const QString& undo, const char* where, double Fabric::*member, const QString& help);
+    void addThickness();
+    void addFinish();
     void addCrimps();
     void addFlyaway();
     void addMeasured();

@@ -32,7 +32,7 @@ QString partInWords(const QString& path)
     }
     if (const auto match = climate.match(path); match.hasMatch()) {
         const int moment = match.captured(1).toInt();
-        return moment == 0 ? IssuesPanel::tr("climate at the start") : IssuesPanel::tr("climate, moment %1").arg(moment);
+        return moment == 0 ? IssuesPanel::tr("initial climate") : IssuesPanel::tr("climate, row %1").arg(moment);
     }
     return {};
 }
@@ -56,14 +56,14 @@ bool repeatsTheWarp(const Document& document, const Issue& issue)
 
 } // namespace
 
-std::vector<const Issue*> issuesToTell(const Document& document)
+std::vector<const Issue*> shownIssues(const Document& document)
 {
-    std::vector<const Issue*> told;
+    std::vector<const Issue*> shown;
     for (const Issue& issue : document.issues()) {
-        if (!repeatsTheWarp(document, issue)) { told.push_back(&issue); }
+        if (!repeatsTheWarp(document, issue)) { shown.push_back(&issue); }
     }
-    std::stable_sort(told.begin(), told.end(), [](const Issue* a, const Issue* b) { return a->severity > b->severity; });
-    return told;
+    std::stable_sort(shown.begin(), shown.end(), [](const Issue* a, const Issue* b) { return a->severity > b->severity; });
+    return shown;
 }
 
 QString issueInWords(const Design& design, const Issue& issue)
@@ -93,7 +93,7 @@ QString issueInWords(const Design& design, const Issue& issue)
 }
 
 IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), list_(new QListWidget), empty_(new QLabel(tr("Nothing to complain about.")))
+    : QWidget(parent), document_(document), list_(new QListWidget), empty_(new QLabel(tr("No issues.")))
 {
     list_->setAccessibleName(tr("Issues of the project"));
     list_->setWordWrap(true);
@@ -116,10 +116,10 @@ IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
 void IssuesPanel::refresh()
 {
     // In their places: the chosen one stays chosen while it is mended, and a click may lead here.
-    const std::vector<const Issue*> told = issuesToTell(document_);
-    while (list_->count() > static_cast<int>(told.size())) { delete list_->takeItem(list_->count() - 1); }
-    for (std::size_t row = 0; row < told.size(); ++row) {
-        const Issue* issue = told[row];
+    const std::vector<const Issue*> shown = shownIssues(document_);
+    while (list_->count() > static_cast<int>(shown.size())) { delete list_->takeItem(list_->count() - 1); }
+    for (std::size_t row = 0; row < shown.size(); ++row) {
+        const Issue* issue = shown[row];
         QListWidgetItem* item = list_->item(static_cast<int>(row));
         item = item ? item : new QListWidgetItem(list_);
         item->setIcon(severityIcon(issue->severity));

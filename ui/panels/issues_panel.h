@@ -11,8 +11,8 @@ class QListWidget;
 
 namespace hygroloom {
 
-/// The issues to tell of, errors first; what a weft has because it is the same as the warp is not told again.
-std::vector<const Issue*> issuesToTell(const Document& document);
+/// The issues to show, errors first. Those of a weft that is the same as the warp are shown once.
+std::vector<const Issue*> shownIssues(const Document& document);
 /// The sentence after what it is about: "Textile F, weft: ...".
 QString issueInWords(const Design& design, const Issue& issue);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/liquid_panel.h"
 
-#include "ui/basics/appearance.h"
+#include "ui/basics/icon_button.h"
+#include "ui/document/free_name.h"
 
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -24,11 +25,9 @@ QString shownName(const std::string& name)
     return shown;
 }
 
-std::string freeName(const Design& design, const std::string& wish)
+std::string freeLiquidName(const Design& design, const std::string& wish)
 {
-    std::string name = wish;
-    for (int i = 2; name.empty() || find_liquid(design, name); ++i) { name = wish + " " + std::to_string(i); }
-    return name;
+    return freeName(wish, [&design](const std::string& name) { return name.empty() || find_liquid(design, name) != nullptr; });
 }
 
 } // namespace
@@ -65,11 +64,7 @@ void LiquidPanel::addOwnLiquids()
     layout->setSpacing(4);
     layout->addWidget(own_, 1);
     const auto button = [&](const char* icon, const QString& name, void (LiquidPanel::*work)()) {
-        auto* made = new QToolButton;
-        made->setIcon(themedIcon(icon));
-        made->setAutoRaise(true);
-        made->setToolTip(name);
-        made->setAccessibleName(name);
+        QToolButton* made = iconButton(icon, name);
         connect(made, &QToolButton::clicked, this, work);
         layout->addWidget(made);
         return made;
@@ -83,9 +78,9 @@ void LiquidPanel::addOwnLiquids()
     users_->setWordWrap(true);
     users_->setTextFormat(Qt::PlainText);
     users_->setForegroundRole(QPalette::PlaceholderText);
-    users_->setAccessibleName(tr("Who uses the liquid"));
+    users_->setAccessibleName(tr("Experiments that use the liquid"));
     form_.addWide(users_);
-    const QString at20 = tr("At 20 °C; elsewhere it follows that of water.");
+    const QString at20 = tr("At 20 °C. Other temperatures scale it as for water.");
     fields_ = {form_.addQuantity(Quantity::surfaceTension(1, 500), field(tr("Surface tension"), tr("surface tension"),
                                                                          "surface_tension_mn_m", &Liquid::surface_tension_mn_m, at20)),
                form_.addQuantity(Quantity::viscosity(0.05, 1000),
@@ -185,7 +180,7 @@ void LiquidPanel::addLiquid()
     Document& document = form_.document();
     const Liquid* like = document.experiment() ? find_liquid(*document.design(), document.experiment()->liquid) : nullptr;
     Liquid made = like ? *like : library_liquids().front();
-    made.name = freeName(*document.design(), made.name);
+    made.name = freeLiquidName(*document.design(), made.name);
     document.editState(tr("add liquid"), [&](Design& design, DesignState& state) {
         design.liquids.push_back(made);
         if (document.experiment()) { design.experiments[static_cast<std::size_t>(state.experiment)].liquid = made.name; }
@@ -198,7 +193,7 @@ void LiquidPanel::duplicateLiquid()
     if (!own()) { return; }
     Document& document = form_.document();
     Liquid made = *own();
-    made.name = freeName(*document.design(), made.name);
+    made.name = freeLiquidName(*document.design(), made.name);
     document.endStroke();
     document.edit(tr("duplicate liquid"), {}, [&](Design& design) { design.liquids.push_back(made); });
     choose(static_cast<int>(document.design()->liquids.size()) - 1);
@@ -215,7 +210,7 @@ bool LiquidPanel::rename(const QString& name, QString* why)
     if (wanted == old) { return true; }
     Document& document = form_.document();
     if (find_liquid(*document.design(), wanted)) {
-        *why = tr("There is a liquid “%1” already. Choose another name.").arg(name.trimmed());
+        *why = tr("A liquid “%1” already exists. Choose another name.").arg(name.trimmed());
         return false;
     }
     const auto index = static_cast<std::size_t>(own() - document.design()->liquids.data());
@@ -259,9 +254,9 @@ void LiquidPanel::askRemoval()
     const QStringList users = own() ? usersOf(own()->name) : QStringList();
     if (!users.isEmpty()) {
         QMessageBox box(QMessageBox::Question, tr("Delete liquid"),
-                        tr("“%1” is used by %2. Without it they take %3.")
+                        tr("“%1” is used by %2. They will use %3 instead.")
                             .arg(QString::fromStdString(own()->name), users.join(", "),
-                                 inLibrary(own()->name) ? tr("the library's of the same name") : tr("water")),
+                                 inLibrary(own()->name) ? tr("the library's liquid of the same name") : tr("water")),
                         QMessageBox::Cancel, window_);
         box.setTextFormat(Qt::PlainText);
         QPushButton* remove = box.addButton(tr("Delete"), QMessageBox::AcceptRole);

@@ -63,7 +63,7 @@ void keepInLibrary(const Design& design, const Fabric& fabric, const QString& pa
     std::vector<Preset> kept = read_library(path.toStdString());
     std::erase_if(kept, [&](const Preset& preset) { return preset.fabric().name == fabric.name; });
     kept.push_back(
-        preset_of(design, fabric, PresetGallery::tr("My library").toStdString(), PresetGallery::tr("Kept by you.").toStdString()));
+        preset_of(design, fabric, PresetGallery::tr("My library").toStdString(), PresetGallery::tr("Saved by you.").toStdString()));
     write_library(kept, path.toStdString());
 }
 
@@ -85,7 +85,7 @@ PresetGallery::PresetGallery(const QString& library, QWidget* parent)
     list_->setWordWrap(true);
     list_->setUniformItemSizes(true);
     about_->setWordWrap(true);
-    about_->setAccessibleName(tr("About the chosen fabric"));
+    about_->setAccessibleName(tr("About the selected fabric"));
     about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     about_->setFixedWidth(230);
@@ -231,7 +231,7 @@ void PresetGallery::describe()
     add_->setEnabled(preset != nullptr);
     remove_->setEnabled(preset && preset - presets_.data() >= static_cast<std::ptrdiff_t>(shipped_));
     if (!preset) {
-        about_->setText(problem_.isEmpty() ? tr("No fabric has these words. Take some away.") : "<p>" + problem_.toHtmlEscaped() + "</p>");
+        about_->setText(problem_.isEmpty() ? tr("No fabric matches. Use fewer words.") : "<p>" + problem_.toHtmlEscaped() + "</p>");
         return;
     }
     const Fabric& fabric = preset->fabric();

@@ -39,99 +39,112 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                 : use == YarnUse::weft ? tr("Weft yarn")
                                                        : tr("Yarns of the stripes")))
 {
-    const QString kind = kind_;
     if (use == YarnUse::weft) {
         addSameAsWarp();
     } else if (use == YarnUse::stripes) {
         addChoice();
     }
     addMaterials();
+    addSizes();
+    addTwist();
+    addPlies();
+    addColor();
+    QuantityEdit* fibres = form.addQuantity(
+        Quantity::count(1, 500), field(
+                                     tr("Fibres drawn"), tr("fibre count"), "fibres_per_yarn",
+                                     [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
+                                     [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
+                                     tr("Per yarn, in pictures and exports. Each stands for a bundle of real fibres.")));
+    crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
+    pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
+    fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist_,
+               twist_direction_, plies_, ply_twist_, ply_direction_, color_,   fibres};
+    form.onRefresh([this] { refresh(); });
+}
 
-    const auto field = [&](const QString& label, const QString& undo, const char* where,
-                           std::function<std::optional<double>(const Yarn&)> read, std::function<void(Yarn&, std::optional<double>)> write,
-                           const QString& help = {}) {
-        return DesignField{label,
-                           kind + " " + undo,
-                           [this, where] { return path(where); },
-                           [this, read] { return yarn() ? read(*yarn()) : std::nullopt; },
-                           writing(std::move(write)),
-                           help};
-    };
+DesignField YarnPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
+{
+    return {label,
+            kind_ + " " + undo,
+            [this, where] { return path(where); },
+            [this, read = std::move(read)] { return yarn() ? read(*yarn()) : std::nullopt; },
+            writing(std::move(write)),
+            help};
+}
+
+/// Diameter, linear density and packing factor determine one another: when two are set, the third is cleared.
+void YarnPanel::addSizes()
+{
     const auto sizeField = [&](auto&&... arguments) {
         DesignField made = field(std::forward<decltype(arguments)>(arguments)...);
         made.within = [this] { return path("").substr(0, path("").size() - 1); };
         return made;
     };
-    // Diameter, linear density and packing factor determine one another: the third gives way.
-    diameter_ = form.addQuantity(Quantity::length(0.01, 10),
+    diameter_ = form_.addQuantity(Quantity::length(0.01, 10),
+                                  sizeField(
+                                      tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
+                                      [](Yarn& y, std::optional<double> v) {
+                                          y.diameter_mm = v;
+                                          if (v && y.linear_density_tex && y.packing_factor) { y.linear_density_tex.reset(); }
+                                      },
+                                      tr("Of the free, round yarn. Leave empty to calculate it from linear density and packing.")),
+                                  true);
+    density_ = form_.addQuantity(Quantity::linearDensity(0.5, 5000),
                                  sizeField(
-                                     tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
+                                     tr("Linear density"), tr("linear density"), "linear_density_tex",
+                                     [](const Yarn& y) { return y.linear_density_tex; },
                                      [](Yarn& y, std::optional<double> v) {
-                                         y.diameter_mm = v;
-                                         if (v && y.linear_density_tex && y.packing_factor) { y.linear_density_tex.reset(); }
+                                         y.linear_density_tex = v;
+                                         if (v && y.diameter_mm && y.packing_factor) { y.diameter_mm.reset(); }
                                      },
-                                     tr("Of the free, round yarn. Empty: worked out from linear density and packing.")),
+                                     tr("Grams per kilometre (tex). You can type Ne, Nm or denier: “30 Ne”.")),
                                  true);
-    density_ = form.addQuantity(Quantity::linearDensity(0.5, 5000),
-                                sizeField(
-                                    tr("Linear density"), tr("linear density"), "linear_density_tex",
-                                    [](const Yarn& y) { return y.linear_density_tex; },
-                                    [](Yarn& y, std::optional<double> v) {
-                                        y.linear_density_tex = v;
-                                        if (v && y.diameter_mm && y.packing_factor) { y.diameter_mm.reset(); }
-                                    },
-                                    tr("Grams per kilometre. Ne, Nm and denier may be typed: “30 Ne”.")),
-                                true);
-    density_note_ = form.noteBeside(density_);
-    packing_ = form.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
-                                sizeField(
-                                    tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
-                                    [](Yarn& y, std::optional<double> v) {
-                                        y.packing_factor = v;
-                                        if (v && y.diameter_mm && y.linear_density_tex) { y.diameter_mm.reset(); }
-                                    },
-                                    tr("Fibre volume over yarn volume; 0.5 to 0.65 for spun yarns.")),
-                                true);
-    QuantityEdit* twist = form.addQuantity(
-        Quantity::twist(5000), field(
+    density_note_ = form_.noteBeside(density_);
+    packing_ = form_.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
+                                 sizeField(
+                                     tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
+                                     [](Yarn& y, std::optional<double> v) {
+                                         y.packing_factor = v;
+                                         if (v && y.diameter_mm && y.linear_density_tex) { y.diameter_mm.reset(); }
+                                     },
+                                     tr("Fibre volume divided by yarn volume: 0.5 to 0.65 for spun yarns.")),
+                                 true);
+}
+
+void YarnPanel::addTwist()
+{
+    twist_ = form_.addQuantity(Quantity::twist(5000),
+                               field(
                                    tr("Twist"), tr("twist"), "twist_per_m", [](const Yarn& y) { return std::optional(y.twist_per_m); },
                                    [](Yarn& y, std::optional<double> v) { y.twist_per_m = v.value_or(0); }));
-    twist_direction_ = new QComboBox;
-    twist_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
-    form.addRow(tr("Twist direction"), twist_direction_);
-    connect(twist_direction_, &QComboBox::activated, this, [this, kind](int index) {
-        editYarn(tr("%1 twist direction").arg(kind), path("twist_direction"),
-                 [index](Yarn& y) { y.twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    twist_direction_ = addDirection(tr("Twist direction"), tr("%1 twist direction").arg(kind_), "twist_direction", &Yarn::twist_direction);
+}
+
+void YarnPanel::addPlies()
+{
+    plies_ = form_.addQuantity(Quantity::count(1, most_plies),
+                               field(
+                                   tr("Plies"), tr("plies"), "plies", [](const Yarn& y) { return std::optional<double>(y.plies); },
+                                   [](Yarn& y, std::optional<double> v) { y.plies = static_cast<int>(v.value_or(1)); },
+                                   tr("Single yarns twisted together. Diameter and linear density are those of the whole yarn.")));
+    ply_twist_ = form_.addQuantity(Quantity::twist(5000), field(
+                                                              tr("Ply twist"), tr("ply twist"), "ply_twist_per_m",
+                                                              [](const Yarn& y) { return std::optional(y.ply_twist_per_m); },
+                                                              [](Yarn& y, std::optional<double> v) { y.ply_twist_per_m = v.value_or(0); },
+                                                              tr("Turns of the plies round each other.")));
+    ply_direction_ =
+        addDirection(tr("Ply direction"), tr("%1 ply twist direction").arg(kind_), "ply_twist_direction", &Yarn::ply_twist_direction);
+}
+
+QComboBox* YarnPanel::addDirection(const QString& label, const QString& undo, const char* where, TwistDirection Yarn::*member)
+{
+    auto* box = new QComboBox;
+    box->addItems({tr("S twist"), tr("Z twist")});
+    form_.addRow(label, box);
+    connect(box, &QComboBox::activated, this, [this, undo, where, member](int index) {
+        editYarn(undo, path(where), [=](Yarn& y) { y.*member = index == 0 ? TwistDirection::s : TwistDirection::z; });
     });
-    QuantityEdit* plies = form.addQuantity(
-        Quantity::count(1, most_plies), field(
-                                            tr("Plies"), tr("plies"), "plies", [](const Yarn& y) { return std::optional<double>(y.plies); },
-                                            [](Yarn& y, std::optional<double> v) { y.plies = static_cast<int>(v.value_or(1)); },
-                                            tr("Single yarns twisted together. Diameter and linear density are the whole yarn's.")));
-    ply_twist_ = form.addQuantity(Quantity::twist(5000), field(
-                                                             tr("Ply twist"), tr("ply twist"), "ply_twist_per_m",
-                                                             [](const Yarn& y) { return std::optional(y.ply_twist_per_m); },
-                                                             [](Yarn& y, std::optional<double> v) { y.ply_twist_per_m = v.value_or(0); },
-                                                             tr("Turns of the plies round each other.")));
-    ply_direction_ = new QComboBox;
-    ply_direction_->addItems({tr("S, to the left"), tr("Z, to the right")});
-    form.addRow(tr("Ply direction"), ply_direction_);
-    connect(ply_direction_, &QComboBox::activated, this, [this, kind](int index) {
-        editYarn(tr("%1 ply twist direction").arg(kind), path("ply_twist_direction"),
-                 [index](Yarn& y) { y.ply_twist_direction = index == 0 ? TwistDirection::s : TwistDirection::z; });
-    });
-    addColor(kind);
-    QuantityEdit* fibres = form.addQuantity(
-        Quantity::count(1, 500), field(
-                                     tr("Drawn fibres"), tr("fibre count"), "fibres_per_yarn",
-                                     [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
-                                     [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
-                                     tr("Bundles of real fibres, as drawn and exported.")));
-    crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric it lies in."));
-    pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres, which draw the water in."));
-    fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist,
-               twist_direction_, plies,  ply_twist_, ply_direction_, color_,   fibres};
-    form.onRefresh([this] { refresh(); });
+    return box;
 }
 
 void YarnPanel::addSameAsWarp()
@@ -155,8 +168,7 @@ void YarnPanel::addChoice()
     choice_ = new QComboBox;
     choice_->setMinimumContentsLength(8);
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice_->setToolTip("<p>" + tr("The yarns beside the fabric's own, with the letters they have in the order of the ends and picks.") +
-                        "</p>");
+    choice_->setToolTip("<p>" + tr("Extra yarns, by their letter in the order of ends and picks.") + "</p>");
     form_.addRow(tr("Yarn"), choice_);
     choice_->setAccessibleName(tr("Yarn of the stripes"));
     connect(choice_, &QComboBox::activated, this, [this](int index) {
@@ -174,24 +186,24 @@ void YarnPanel::choose(int yarn)
     }
 }
 
-void YarnPanel::addColor(const QString& kind)
+void YarnPanel::addColor()
 {
     color_ = new QToolButton;
     color_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     color_->setPopupMode(QToolButton::InstantPopup);
     color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(color_);
-    connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this, kind] {
-        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Colour of the Yarn"));
+    connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this] {
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"));
         if (color.isValid()) {
-            editYarn(tr("%1 colour").arg(kind), path("color"), [&](Yarn& y) {
+            editYarn(tr("%1 colour").arg(kind_), path("color"), [&](Yarn& y) {
                 y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
                                 static_cast<std::uint8_t>(color.blue())};
             });
         }
     });
     connect(menu->addAction(tr("Undyed")), &QAction::triggered, this,
-            [this, kind] { editYarn(tr("%1 colour").arg(kind), path("color"), [](Yarn& y) { y.color.reset(); }); });
+            [this] { editYarn(tr("%1 colour").arg(kind_), path("color"), [](Yarn& y) { y.color.reset(); }); });
     color_->setMenu(menu);
     form_.addRow(tr("Colour"), color_);
 }
@@ -202,13 +214,12 @@ void YarnPanel::addMaterials()
     blend_ = new QComboBox;
     form_.addRow(tr("Fibre"), fibre_, [this] { return path("material"); });
     form_.addRow(tr("Blended with"), blend_);
-    const QString kind = kind_;
-    connect(fibre_, &QComboBox::textActivated, this, [this, kind](const QString& name) {
-        editYarn(tr("%1 fibre").arg(kind), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
+    connect(fibre_, &QComboBox::textActivated, this, [this](const QString& name) {
+        editYarn(tr("%1 fibre").arg(kind_), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
     });
-    connect(blend_, &QComboBox::activated, this, [this, kind](int index) {
+    connect(blend_, &QComboBox::activated, this, [this](int index) {
         const std::string name = blend_->itemText(index).toStdString();
-        editYarn(tr("%1 blend").arg(kind), path("material"), [&](Yarn& y) {
+        editYarn(tr("%1 blend").arg(kind_), path("material"), [&](Yarn& y) {
             const double share = y.material.size() > 1 ? y.material.front().share : 0.5;
             y.material.resize(1);
             y.material.front().share = index == 0 ? 1.0 : share;
@@ -217,7 +228,7 @@ void YarnPanel::addMaterials()
     });
     share_ = form_.addQuantity(
         Quantity::percent(0.01, 1),
-        {tr("Share of first"), tr("%1 blend share").arg(kind), [this] { return path("material[0].share"); },
+        {tr("Blend ratio"), tr("%1 blend share").arg(kind_), [this] { return path("material[0].share"); },
          [this] { return yarn() && !yarn()->material.empty() ? std::optional(yarn()->material.front().share) : std::nullopt; },
          writing([](Yarn& y, std::optional<double> v) {
              if (y.material.size() == 2 && v) {
@@ -225,7 +236,7 @@ void YarnPanel::addMaterials()
                  y.material[1].share = 1 - *v;
              }
          }),
-         tr("By dry mass.")});
+         tr("Fraction of the first fibre, by dry mass.")});
 }
 
 const Yarn* YarnPanel::yarn() const
@@ -363,7 +374,7 @@ void YarnPanel::refreshMaterials()
         box->setCurrentText(current);
     };
     const auto& material = yarn()->material;
-    const QString none = tr("nothing");
+    const QString none = tr("none");
     fill(fibre_, names, material.empty() ? QString() : QString::fromStdString(material.front().name));
     fill(blend_, QStringList{none} + names, material.size() > 1 ? QString::fromStdString(material[1].name) : none);
 }

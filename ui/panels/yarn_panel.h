@@ -22,6 +22,9 @@ public:
     void choose(int yarn);
 
 private:
+    using Read = std::function<std::optional<double>(const Yarn&)>;
+    using Write = std::function<void(Yarn&, std::optional<double>)>;
+    DesignField field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     const Yarn* yarn() const;
     Yarn& yarnOf(Fabric& fabric) const;
     std::size_t stripe() const;
@@ -29,11 +32,15 @@ private:
     void addSameAsWarp();
     void addChoice();
     /// Changes the yarn, and the weft with the warp while it is the same.
-    std::function<void(Design&, std::optional<double>)> writing(std::function<void(Yarn&, std::optional<double>)> change);
+    std::function<void(Design&, std::optional<double>)> writing(Write change);
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
     std::string path(const char* field) const;
     void addMaterials();
-    void addColor(const QString& kind);
+    void addColor();
+    void addSizes();
+    void addTwist();
+    void addPlies();
+    QComboBox* addDirection(const QString& label, const QString& undo, const char* where, TwistDirection Yarn::*member);
     void refresh();
     void refreshSame();
     void refreshChoice();
@@ -52,6 +59,8 @@ private:
     QComboBox* twist_direction_ = nullptr;
     QComboBox* ply_direction_ = nullptr;
     QToolButton* color_ = nullptr;
+    QuantityEdit* twist_ = nullptr;
+    QuantityEdit* plies_ = nullptr;
     QuantityEdit* ply_twist_ = nullptr;
     QuantityEdit* share_ = nullptr;
     QuantityEdit* diameter_ = nullptr;

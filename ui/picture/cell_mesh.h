@@ -2,23 +2,9 @@
 // What a graphics card gets: the tubes of a cell, and the flat picture of a repeat that stands for them from afar.
 #pragma once
 
-#include "ui/picture/preview_fabric.h"
+#include "ui/picture/cell_vertices.h"
 
 namespace hygroloom {
-
-struct CellVertex {
-    float position[3];        ///< mm, from the corner of the cell; z from the fabric's middle
-    std::int16_t shape[4];    ///< normal, and share of light from the surroundings; 32767 is 1
-    float along;              ///< in crossings from the cell's beginning
-    float around;             ///< once round is 1
-    std::uint8_t crossing[4]; ///< end and pick within the cell, 0 for an end and 1 for a pick, 1 for a fibre
-};
-
-struct CellMesh {
-    MeshKey key;
-    std::vector<CellVertex> vertices;
-    std::vector<std::uint32_t> indices;
-};
 
 /// Of any cell that has the key.
 CellMesh mesh_cell(const PreviewFabric& fabric, Cell cell, int level);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double fade_seconds = 0.22;
 constexpr std::size_t most_cut_crossings = 12000;
-constexpr double belt_start = 1.15 * belt_pixels[0]; // so far, hardly any tubes are seen in the belt
+constexpr double belt_start = 1.15 * belt_pixels[0]; // up to this pitch hardly any tubes are seen in the belt
 
 /// The half spaces that the picture shows, in the scene's coordinates.
 std::array<QVector4D, 6> planes_of(const QMatrix4x4& clip)
@@ -99,22 +99,16 @@ std::pair<double, double> FabricScene::pitchPixels(Cell cell, const SceneView& v
     return {corner(true), corner(false)};
 }
 
-void FabricScene::update(const SceneView& view, double seconds, const std::function<bool(const MeshKey&)>& available)
+void FabricScene::update(const SceneView& view, double seconds, const Available& available)
 {
     wanted_.clear();
+    missing_.clear();
     if (!fabric_ || view.size.width() < 1) {
         visible_.clear();
         batches_.clear();
         return;
     }
     findVisible(view);
-    std::map<MeshKey, WantedMesh> missing;
-    const auto want = [&](Cell cell, const MeshKey& key) {
-        const TextileRegion part = fabric_->crossings(cell);
-        const double distance = (0.5F * (fabric_->low(part) + fabric_->high(part)) - view.camera.target()).length();
-        auto [found, added] = missing.try_emplace(key, WantedMesh{key, cell, distance});
-        if (!added && distance < found->second.distance) { found->second = {key, cell, distance}; }
-    };
     fading_ = false;
     // The flat picture cannot be cut level; it stays for pieces that would be too many tubes.
     const bool level_cut = view.cut && view.cut->normal.z != 0 &&
@@ -125,50 +119,75 @@ void FabricScene::update(const SceneView& view, double seconds, const std::funct
             s.fade = std::min(1.0F, s.fade + static_cast<float>(seconds / fade_seconds));
             s.from = s.fade < 1 ? s.from : std::int8_t{-1};
         }
-        const auto [pixels, least_pixels] = pitchPixels(cell, view);
-        int level = level_for(pixels, s.level);
-        s.belt = level == fibre_level ? least_pixels < fibre_belt_pixels[1] : level > 0 && least_pixels < belt_pixels[1];
-        if (level_cut && level < fibre_level) {
-            level = std::max(level, 1);
-            s.belt = false;
-        }
-        if (level != s.level && s.from < 0) {
-            if (const MeshKey key = fabric_->key(cell, level); !available(key)) {
-                want(cell, key);
-                // Until it is there, what is shown stays; else the nearest level that is there.
-                const int wished = level;
-                level = s.level;
-                for (int away = 1; level < 0 && away <= fibre_level; ++away) {
-                    for (const int other : {wished - away, wished + away}) {
-                        if (level < 0 && other >= 0 && other <= fibre_level && available(fabric_->key(cell, other))) { level = other; }
-                    }
-                }
-            }
-            if (level > 0 && s.level == 0 && pixels < belt_start) {
-                s.level = static_cast<std::int8_t>(level);
-            } else if (level == 0 && s.level > 0 && pixels < belt_start) {
-                s.level = 0;
-            } else if (std::max<int>(level, s.level) == fibre_level && std::min<int>(level, s.level) == fibre_level - 1 &&
-                       pixels < 1.15 * fibre_belt_pixels[0]) {
-                s.level = static_cast<std::int8_t>(level);
-            } else if (level != s.level) {
-                s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1, s.belt}
-                                : State{static_cast<std::int8_t>(level), s.level, 0, s.belt};
-            }
-        }
-        if (s.level >= 0 && !available(fabric_->key(cell, s.level))) { s = {}; }
-        if (s.level > 0 && s.belt) {
-            const MeshKey below = fabric_->key(cell, s.level == fibre_level ? fibre_level - 1 : 0);
-            if (!available(below)) {
-                want(cell, below);
-                s.belt = false;
-            }
-        }
+        chooseLevel(cell, view, level_cut, available);
         fading_ = fading_ || s.from >= 0;
     }
-    for (const auto& [key, wish] : missing) { wanted_.push_back(wish); }
+    for (const auto& [key, wish] : missing_) { wanted_.push_back(wish); }
     std::sort(wanted_.begin(), wanted_.end(), [](const WantedMesh& a, const WantedMesh& b) { return a.distance < b.distance; });
     collect();
+}
+
+void FabricScene::want(Cell cell, const MeshKey& key, const SceneView& view)
+{
+    const TextileRegion part = fabric_->crossings(cell);
+    const double distance = (0.5F * (fabric_->low(part) + fabric_->high(part)) - view.camera.target()).length();
+    auto [found, added] = missing_.try_emplace(key, WantedMesh{key, cell, distance});
+    if (!added && distance < found->second.distance) { found->second = {key, cell, distance}; }
+}
+
+void FabricScene::chooseLevel(Cell cell, const SceneView& view, bool level_cut, const Available& available)
+{
+    State& s = state(cell);
+    const auto [pixels, least_pixels] = pitchPixels(cell, view);
+    int level = level_for(pixels, s.level);
+    s.belt = level == fibre_level ? least_pixels < fibre_belt_pixels[1] : level > 0 && least_pixels < belt_pixels[1];
+    if (level_cut && level < fibre_level) {
+        level = std::max(level, 1);
+        s.belt = false;
+    }
+    if (level != s.level && s.from < 0) {
+        if (const MeshKey key = fabric_->key(cell, level); !available(key)) {
+            want(cell, key, view);
+            level = substitute(cell, level, available);
+        }
+        changeLevel(s, level, pixels);
+    }
+    if (s.level >= 0 && !available(fabric_->key(cell, s.level))) { s = {}; }
+    if (s.level > 0 && s.belt) {
+        const MeshKey below = fabric_->key(cell, s.level == fibre_level ? fibre_level - 1 : 0);
+        if (!available(below)) {
+            want(cell, below, view);
+            s.belt = false;
+        }
+    }
+}
+
+/// Until a level's mesh is there the level that is shown stays; a cell that shows none takes the nearest available one.
+int FabricScene::substitute(Cell cell, int wished, const Available& available)
+{
+    int level = state(cell).level;
+    for (int away = 1; level < 0 && away <= fibre_level; ++away) {
+        for (const int other : {wished - away, wished + away}) {
+            if (level < 0 && other >= 0 && other <= fibre_level && available(fabric_->key(cell, other))) { level = other; }
+        }
+    }
+    return level;
+}
+
+/// At once where a belt hides the change, else by fading. pixels: of a pitch.
+void FabricScene::changeLevel(State& s, int level, double pixels)
+{
+    if (level > 0 && s.level == 0 && pixels < belt_start) {
+        s.level = static_cast<std::int8_t>(level);
+    } else if (level == 0 && s.level > 0 && pixels < belt_start) {
+        s.level = 0;
+    } else if (std::max<int>(level, s.level) == fibre_level && std::min<int>(level, s.level) == fibre_level - 1 &&
+               pixels < 1.15 * fibre_belt_pixels[0]) {
+        s.level = static_cast<std::int8_t>(level);
+    } else if (level != s.level) {
+        s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1, s.belt}
+                        : State{static_cast<std::int8_t>(level), s.level, 0, s.belt};
+    }
 }
 
 void FabricScene::settle()

@@ -56,8 +56,11 @@ public:
     void setFabric(std::shared_ptr<const PreviewFabric> fabric);
     const std::shared_ptr<const PreviewFabric>& fabric() const { return fabric_; }
 
-    /// Chooses levels; those that change begin to fade over. Time passes by so many seconds for those that fade.
-    void update(const SceneView& view, double seconds, const std::function<bool(const MeshKey&)>& available);
+    /// Whether a mesh has been made.
+    using Available = std::function<bool(const MeshKey&)>;
+
+    /// Chooses levels; those that change begin to fade over. seconds: since the last update, for those that fade.
+    void update(const SceneView& view, double seconds, const Available& available);
     /// Ends all fading.
     void settle();
 
@@ -83,6 +86,10 @@ private:
     void findVisible(const SceneView& view);
     /// Of a pitch at the nearest and at the farthest point of a cell. The nearest decides, so that no part is too coarse.
     std::pair<double, double> pitchPixels(Cell cell, const SceneView& view) const;
+    void want(Cell cell, const MeshKey& key, const SceneView& view);
+    void chooseLevel(Cell cell, const SceneView& view, bool level_cut, const Available& available);
+    int substitute(Cell cell, int wished, const Available& available);
+    static void changeLevel(State& s, int level, double pixels);
     void collect();
 
     std::shared_ptr<const PreviewFabric> fabric_;
@@ -90,6 +97,7 @@ private:
     std::vector<Cell> visible_;
     std::vector<CellBatch> batches_;
     std::vector<WantedMesh> wanted_;
+    std::map<MeshKey, WantedMesh> missing_; ///< of the update in progress
     bool fading_ = false;
 };
 

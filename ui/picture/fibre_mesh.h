@@ -2,7 +2,7 @@
 // The fibres of yarns, for a look from very near: those of core/geometry/fibres.h, as a cell takes them.
 #pragma once
 
-#include "ui/picture/cell_mesh.h"
+#include "ui/picture/cell_vertices.h"
 #include "ui/picture/yarn_field.h"
 
 namespace hygroloom {
@@ -11,7 +11,7 @@ namespace hygroloom {
 constexpr TubeLevel fibre_core{6, 16, 0};
 constexpr double fibre_core_share = 0.55; ///< of the yarn's half height that lies over that body
 
-/// Of the yarns in a part of the fabric; the same fibres go on in the next part.
+/// Of the yarns in a part of the fabric; the next part continues the same fibres.
 void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, CellMesh& mesh);
 
 } // namespace hygroloom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A smooth skin round the particles of free liquid, so that a drop looks like one.
+// A smooth surface round the particles of free liquid, so that a drop looks like one.
 #pragma once
 
 #include "core/scene/frame.h"
@@ -23,7 +23,7 @@ struct LiquidSurface {
     float particle_radius = 0;      ///< of a ball as large as a particle
 };
 
-/// Empty for a frame without free liquid. The skin lies most of a particle's spacing outside the outermost centres:
+/// Empty for a frame without free liquid. The surface lies most of a particle's spacing outside the outermost centres:
 /// a picture, not a measure of volume.
 LiquidSurface liquid_surface(const Frame& frame);
 

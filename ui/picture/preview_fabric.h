@@ -58,7 +58,7 @@ struct Cell {
 struct PreviewFabric {
     PreviewRequest request;
     Textile textile;     ///< of the whole
-    int period_ends = 1; ///< after so many crossings everything comes again
+    int period_ends = 1; ///< the fabric repeats after this number of crossings
     int period_picks = 1;
     int cell_ends = 4;
     int cell_picks = 4;
@@ -83,7 +83,7 @@ struct PreviewFabric {
 /// Precondition: the fabric has no errors.
 std::shared_ptr<const PreviewFabric> prepare_fabric(const PreviewRequest& request);
 
-/// The crossings of a square swatch, whole repeats as far as that is possible.
+/// The crossings of a square swatch, whole repeats where possible.
 TextileRegion swatch_region(const Fabric& fabric, double side_mm);
 
 } // namespace hygroloom

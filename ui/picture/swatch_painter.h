@@ -12,7 +12,7 @@ namespace hygroloom {
 /// To be made in the window's thread. nullptr where pictures cannot be drawn with OpenGL.
 std::unique_ptr<QOffscreenSurface> swatchSurface();
 
-/// Belongs to the thread that makes it. OpenGL is first asked for when a picture is not in the folder.
+/// Belongs to the thread that makes it. OpenGL is used only when a picture is not in the folder.
 class SwatchPainter {
 public:
     /// surface outlives this. The folder is made when it is needed, and keeps to most_swatch_bytes.

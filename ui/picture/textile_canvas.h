@@ -65,7 +65,7 @@ public:
     /// Values of the whole's segments.
     void setWater(std::vector<float> values, double maximum);
     void setLiquid(LiquidSurface surface);
-    /// Particles of free liquid instead of a skin round them.
+    /// Particles of free liquid instead of a surface round them.
     void setParticlesShown(bool shown);
     void setCaption(const PictureCaption& caption);
     void setWaterColors(WaterColors colors);
@@ -77,7 +77,7 @@ public:
     void setParallel(bool parallel);
     void setNavigation(Navigation navigation) { navigation_ = navigation; }
     void setSection(const SectionPlane& section);
-    /// Clicks then set the two ends of a distance, on the middles of yarns or on their skins.
+    /// Clicks then set the two ends of a distance, on yarn centrelines or yarn surfaces.
     void setMeasuring(bool measuring);
     bool measuring() const { return measuring_; }
     /// Where drops are to fall, mm from the sample's middle; the chosen one is marked as such.

@@ -80,7 +80,7 @@ void TextileCanvas::drawTitle(QPainter& painter, const QColor& ink)
     line(selectionText(), palette().color(QPalette::Highlight));
     if (measuring_ && measured_.size() < 2) {
         line(measured_.empty() ? tr("Click the first point on a yarn. Esc ends measuring.")
-                               : tr("Click the second point. Esc begins again."),
+                               : tr("Click the second point. Esc starts again."),
              palette().color(QPalette::Highlight));
     }
 }

@@ -2,13 +2,10 @@
 #include "ui/picture/textile_renderer.h"
 
 #include "core/base/units.h"
-#include "ui/basics/appearance.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
-#include <QSurfaceFormat>
 
 #include <algorithm>
 #include <cmath>
@@ -22,59 +19,33 @@ constexpr std::size_t most_mesh_bytes = 384u << 20;
 constexpr long kept_pictures = 8; // a mesh not shown for so long may go
 enum Unit { water_unit, ramp_unit, end_unit, pick_unit, repeat_unit };
 
-QVector3D rgb(const QColor& color)
-{
-    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
-}
-
-QByteArray textOf(const QString& name)
-{
-    QFile file(":/shaders/" + name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// Kept where the first three times a point are at most the fourth.
-QVector4D cutOf(const SceneView& view)
-{
-    if (!view.cut) { return {0, 0, 0, 1}; }
-    const auto& n = view.cut->normal;
-    return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z), static_cast<float>(mm_from_metre(view.cut->offset))};
-}
-
-const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
-
 } // namespace
-
-void requestOpenGL()
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-}
-
-PictureColors pictureColors(const QPalette& palette)
-{
-    PictureColors colors;
-    colors.background = isDark(palette) ? QColor("#191c1f") : QColor("#e9ecee");
-    colors.warp = QColor("#f0e8d8");
-    colors.weft = QColor("#e2d5bb");
-    colors.marked = palette.color(QPalette::Highlight);
-    return colors;
-}
 
 bool TextileRenderer::initialize()
 {
     gl_ = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext());
     if (!gl_ || !gl_->initializeOpenGLFunctions()) {
-        problem_ = QCoreApplication::translate("hygroloom", "The picture needs OpenGL 3.3, which this display does not offer.");
+        problem_ = QCoreApplication::translate("hygroloom", "The picture needs OpenGL 3.3, which this display does not provide.");
         return false;
     }
-    for (const bool fading : {false, true}) {
-        if (!load(yarns_[fading ? 1 : 0], "yarn", fading) || !load(flats_[fading ? 1 : 0], "flat", fading)) { return false; }
+    for (const int fading : {0, 1}) {
+        if (!load(yarns_[fading], "yarn", fading) || !load(flats_[fading], "flat", fading)) { return false; }
     }
-    if (!load(drops_, "drop", false) || !load(balls_, "ball", false) || !load(blend_, "blend", false)) { return false; }
+    if (!load(blend_, "blend", false)) { return false; }
+    makeTextures();
+    makeSquare();
+    problem_ = liquid_.initialize(gl_, flat_vertices_);
+    return problem_.isEmpty();
+}
+
+bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name, bool fading)
+{
+    problem_ = loadShaders(program, name, fading);
+    return problem_.isEmpty();
+}
+
+void TextileRenderer::makeTextures()
+{
     unsigned textures[4];
     gl_->glGenTextures(4, textures);
     repeat_ = textures[0];
@@ -94,7 +65,11 @@ bool TextileRenderer::initialize()
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
     gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
 
+/// The unit square that flat cells and particles are drawn on.
+void TextileRenderer::makeSquare()
+{
     instances_.create();
     flat_array_.create();
     flat_vertices_.create();
@@ -105,32 +80,6 @@ bool TextileRenderer::initialize()
     gl_->glEnableVertexAttribArray(0);
     gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     flat_array_.release();
-
-    drop_array_.create();
-    drop_vertices_.create();
-    drop_indices_.create();
-    drop_array_.bind();
-    drop_vertices_.bind();
-    drop_indices_.bind();
-    constexpr int stride = sizeof(LiquidSurface::Vertex);
-    gl_->glEnableVertexAttribArray(0);
-    gl_->glEnableVertexAttribArray(1);
-    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(LiquidSurface::Vertex, normal)));
-    drop_array_.release();
-
-    ball_array_.create();
-    ball_centres_.create();
-    ball_array_.bind();
-    gl_->glEnableVertexAttribArray(0);
-    gl_->glEnableVertexAttribArray(1);
-    flat_vertices_.bind();
-    gl_->glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    ball_centres_.bind();
-    gl_->glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(QVector3D), nullptr);
-    gl_->glVertexAttribDivisor(1, 1);
-    ball_array_.release();
-    return true;
 }
 
 void TextileRenderer::release()
@@ -138,8 +87,9 @@ void TextileRenderer::release()
     meshes_.clear();
     mesh_bytes_ = 0;
     fabric_.reset();
-    for (QOpenGLVertexArrayObject* array : {&flat_array_, &drop_array_, &ball_array_}) { array->destroy(); }
-    for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_, &drop_vertices_, &drop_indices_, &ball_centres_}) { buffer->destroy(); }
+    liquid_.release();
+    flat_array_.destroy();
+    for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_}) { buffer->destroy(); }
     ramp_.reset();
     for (auto& picture : belt_pictures_) { picture.reset(); }
     if (gl_ && water_) {
@@ -147,22 +97,7 @@ void TextileRenderer::release()
         gl_->glDeleteTextures(4, textures);
         water_ = 0;
     }
-    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &drops_, &balls_, &blend_}) {
-        program->removeAllShaders();
-    }
-}
-
-bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name, bool fading)
-{
-    const QByteArray version = "#version 330 core\n";
-    const bool lit = name == "yarn" || name == "flat";
-    const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
-    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + textOf(name + ".vert")) &&
-        program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
-        return true;
-    }
-    problem_ = QCoreApplication::translate("hygroloom", "The graphics driver refuses a shader: %1").arg(program.log());
-    return false;
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_}) { program->removeAllShaders(); }
 }
 
 void TextileRenderer::setFabric(std::shared_ptr<const PreviewFabric> fabric)
@@ -189,10 +124,10 @@ void TextileRenderer::addMesh(const CellMesh& mesh)
     slot->indices.allocate(mesh.indices.data(), static_cast<int>(mesh.indices.size() * sizeof(std::uint32_t)));
     constexpr int stride = sizeof(CellVertex);
     for (unsigned attribute = 0; attribute < 4; ++attribute) { gl_->glEnableVertexAttribArray(attribute); }
-    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellVertex, position)));
-    gl_->glVertexAttribPointer(1, 4, GL_SHORT, GL_TRUE, stride, at(offsetof(CellVertex, shape)));
-    gl_->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellVertex, along)));
-    gl_->glVertexAttribIPointer(3, 4, GL_UNSIGNED_BYTE, stride, at(offsetof(CellVertex, crossing)));
+    gl_->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, vertexOffset(offsetof(CellVertex, position)));
+    gl_->glVertexAttribPointer(1, 4, GL_SHORT, GL_TRUE, stride, vertexOffset(offsetof(CellVertex, shape)));
+    gl_->glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, vertexOffset(offsetof(CellVertex, along)));
+    gl_->glVertexAttribIPointer(3, 4, GL_UNSIGNED_BYTE, stride, vertexOffset(offsetof(CellVertex, crossing)));
     slot->array.release();
     slot->index_count = static_cast<int>(mesh.indices.size());
     slot->bytes = mesh.vertices.size() * sizeof(CellVertex) + mesh.indices.size() * sizeof(std::uint32_t);
@@ -289,26 +224,6 @@ void TextileRenderer::setColors(const PictureColors& colors)
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void TextileRenderer::setLiquid(const LiquidSurface& surface)
-{
-    drop_index_count_ = static_cast<int>(surface.indices.size());
-    if (drop_index_count_ > 0) {
-        drop_array_.bind();
-        drop_vertices_.bind();
-        drop_vertices_.allocate(surface.vertices.data(), static_cast<int>(surface.vertices.size() * sizeof(LiquidSurface::Vertex)));
-        drop_indices_.bind();
-        drop_indices_.allocate(surface.indices.data(), static_cast<int>(surface.indices.size() * sizeof(std::uint32_t)));
-        drop_array_.release();
-    }
-    ball_count_ = static_cast<int>(surface.centres.size());
-    ball_radius_ = surface.particle_radius;
-    if (ball_count_ > 0) {
-        ball_centres_.bind();
-        ball_centres_.allocate(surface.centres.data(), static_cast<int>(surface.centres.size() * sizeof(QVector3D)));
-        ball_centres_.release();
-    }
-}
-
 void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors)
 {
     ++picture_number_;
@@ -324,11 +239,7 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     } else {
         drawFabric(view, batches, colors, {});
     }
-    if (particles_shown_ && ball_count_ > 0) {
-        drawParticles(view, colors);
-    } else if (!particles_shown_ && drop_index_count_ > 0) {
-        drawSkin(view, colors);
-    }
+    liquid_.draw(view, colors);
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
@@ -424,18 +335,17 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
         gl_->glEnableVertexAttribArray(attribute);
         gl_->glVertexAttribDivisor(attribute, 1);
     }
-    gl_->glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, corner)));
-    gl_->glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(CellInstance, size)));
+    gl_->glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, stride, vertexOffset(offsetof(CellInstance, corner)));
+    gl_->glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, stride, vertexOffset(offsetof(CellInstance, size)));
 }
 
-void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role,
-                                bool in_belt)
+void TextileRenderer::bindTextures(WaterColors water)
 {
-    if (!ramp_ || ramp_colors_ != colors.water) {
-        ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(colors.water), QOpenGLTexture::DontGenerateMipMaps);
+    if (!ramp_ || ramp_colors_ != water) {
+        ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(water), QOpenGLTexture::DontGenerateMipMaps);
         ramp_->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
         ramp_->setWrapMode(QOpenGLTexture::ClampToEdge);
-        ramp_colors_ = colors.water;
+        ramp_colors_ = water;
     }
     const std::pair<int, unsigned> textures[] = {
         {water_unit, water_}, {ramp_unit, ramp_->textureId()}, {end_unit, end_colors_}, {pick_unit, pick_colors_}};
@@ -446,9 +356,15 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
     gl_->glActiveTexture(GL_TEXTURE0 + repeat_unit);
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
     gl_->glActiveTexture(GL_TEXTURE0);
+}
+
+void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role,
+                                bool in_belt)
+{
+    bindTextures(colors.water);
     gl_->glEnable(GL_CLIP_DISTANCE0);
     if (role == CellRole::over) {
-        // Over whatever tubes there are, high or low.
+        // Over all tubes, high or low.
         gl_->glDepthFunc(GL_ALWAYS);
         gl_->glDepthMask(GL_FALSE);
         gl_->glEnable(GL_BLEND);
@@ -467,24 +383,10 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
                 program.setUniformValue("over_tubes", role == CellRole::over ? 1.0F : 0.0F);
             }
             if (flat) {
-                flat_array_.bind();
-                placeInstances(instances);
-                gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<int>(instances.size()));
-                flat_array_.release();
-                continue;
-            }
-            TubeMesh& mesh = *meshes_.at(batch.key);
-            mesh.used = picture_number_;
-            mesh.array.bind();
-            placeInstances(instances);
-            // Insides are seen where yarns are cut.
-            if (view.cut) {
-                gl_->glDisable(GL_CULL_FACE);
+                drawFlat(instances);
             } else {
-                gl_->glEnable(GL_CULL_FACE);
+                drawTubes(*meshes_.at(batch.key), instances, view.cut.has_value());
             }
-            gl_->glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, static_cast<int>(instances.size()));
-            mesh.array.release();
         }
         gl_->glDisable(GL_CULL_FACE);
     }
@@ -495,52 +397,27 @@ void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBat
     gl_->glUseProgram(0);
 }
 
-void TextileRenderer::prepareLiquid(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
+void TextileRenderer::drawFlat(const std::vector<CellInstance>& instances)
 {
-    program.bind();
-    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
-    program.setUniformValue("eye", view.camera.eye());
-    program.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
-    program.setUniformValue("cut", cutOf(view));
-    gl_->glEnable(GL_CLIP_DISTANCE0);
+    flat_array_.bind();
+    placeInstances(instances);
+    gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<int>(instances.size()));
+    flat_array_.release();
 }
 
-void TextileRenderer::drawSkin(const SceneView& view, const PictureColors& colors)
+/// insides: they are seen where yarns are cut.
+void TextileRenderer::drawTubes(TubeMesh& mesh, const std::vector<CellInstance>& instances, bool insides)
 {
-    prepareLiquid(drops_, view, colors);
-    drop_array_.bind();
-    if (!view.cut) { // the inside is seen where the drop is cut
+    mesh.used = picture_number_;
+    mesh.array.bind();
+    placeInstances(instances);
+    if (insides) {
+        gl_->glDisable(GL_CULL_FACE);
+    } else {
         gl_->glEnable(GL_CULL_FACE);
     }
-    // Depth first, so that only the nearest skin shows and the drop reads as one body.
-    gl_->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl_->glDrawElements(GL_TRIANGLES, drop_index_count_, GL_UNSIGNED_INT, nullptr);
-    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_->glDepthMask(GL_FALSE);
-    gl_->glEnable(GL_BLEND);
-    gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    gl_->glDrawElements(GL_TRIANGLES, drop_index_count_, GL_UNSIGNED_INT, nullptr);
-    gl_->glDisable(GL_BLEND);
-    gl_->glDepthMask(GL_TRUE);
-    gl_->glDisable(GL_CULL_FACE);
-    gl_->glDisable(GL_CLIP_DISTANCE0);
-    drop_array_.release();
-    drops_.release();
-}
-
-void TextileRenderer::drawParticles(const SceneView& view, const PictureColors& colors)
-{
-    prepareLiquid(balls_, view, colors);
-    balls_.setUniformValue("radius", ball_radius_);
-    ball_array_.bind();
-    gl_->glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE); // smooth edges without an order of drawing
-    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    gl_->glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ball_count_);
-    gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_->glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    gl_->glDisable(GL_CLIP_DISTANCE0);
-    ball_array_.release();
-    balls_.release();
+    gl_->glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, static_cast<int>(instances.size()));
+    mesh.array.release();
 }
 
 void complete(FabricScene& scene, TextileRenderer& renderer, const SceneView& view)

@@ -2,17 +2,13 @@
 // Draws yarns, their water, and free liquid with OpenGL 3.3. Knows no widget: any current context will do.
 #pragma once
 
-#include "ui/basics/color_map.h"
-#include "ui/picture/fabric_scene.h"
-#include "ui/picture/liquid_surface.h"
+#include "ui/picture/liquid_painter.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
-#include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
-#include <QPalette>
 
 namespace hygroloom {
 
@@ -22,21 +18,6 @@ struct YarnNumber {
     int yarn = -1; ///< none
     bool operator==(const YarnNumber&) const = default;
 };
-
-/// How a picture is coloured.
-struct PictureColors {
-    QColor background;
-    QColor warp; ///< of ends without a colour of their own
-    QColor weft;
-    QColor marked;
-    WaterColors water = WaterColors::blue;
-};
-
-/// Asks for contexts that the renderer can use. To be called before the application begins.
-void requestOpenGL();
-
-/// For a widget with this palette.
-PictureColors pictureColors(const QPalette& palette);
 
 /// All members need the same current context.
 class TextileRenderer {
@@ -55,9 +36,9 @@ public:
     std::size_t triangles(const std::vector<CellBatch>& batches) const;
     /// Values of the whole's segments; empty for a dry fabric.
     void setWater(const std::vector<float>& values, double maximum);
-    void setLiquid(const LiquidSurface& surface);
-    /// Whether free liquid is drawn as its particles instead of a skin round them.
-    void setParticlesShown(bool shown) { particles_shown_ = shown; }
+    void setLiquid(const LiquidSurface& surface) { liquid_.setLiquid(surface); }
+    /// Whether free liquid is drawn as its particles instead of the surface round them.
+    void setParticlesShown(bool shown) { liquid_.setParticlesShown(shown); }
     void setMarked(const YarnNumber& yarn) { marked_ = yarn; }
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
 
@@ -71,19 +52,20 @@ private:
         long used = 0; ///< number of the picture that last showed it
     };
     bool load(QOpenGLShaderProgram& program, const QString& name, bool fading);
+    void makeTextures();
+    void makeSquare();
+    void bindTextures(WaterColors water);
     void setColors(const PictureColors& colors);
     void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
     void placeInstances(const std::vector<CellInstance>& instances);
     void drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role, bool in_belt);
+    void drawFlat(const std::vector<CellInstance>& instances);
+    void drawTubes(TubeMesh& mesh, const std::vector<CellInstance>& instances, bool insides);
     /// belt: which of the two the cells in the belt show; their share then stands in the picture's alpha.
     void drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors,
                     std::optional<CellRole> belt);
     /// Draws the fabric twice, and one picture over the other.
     void blendBelt(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
-    /// The uniforms that skin and particles have in common.
-    void prepareLiquid(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
-    void drawSkin(const SceneView& view, const PictureColors& colors);
-    void drawParticles(const SceneView& view, const PictureColors& colors);
     void dropUnused();
 
     QOpenGLFunctions_3_3_Core* gl_ = nullptr;
@@ -94,8 +76,6 @@ private:
     long picture_number_ = 0;
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
-    QOpenGLShaderProgram drops_;
-    QOpenGLShaderProgram balls_;
     QOpenGLShaderProgram blend_;
     std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
@@ -111,15 +91,7 @@ private:
     YarnNumber marked_;
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
-    QOpenGLVertexArrayObject drop_array_;
-    QOpenGLBuffer drop_vertices_{QOpenGLBuffer::VertexBuffer};
-    QOpenGLBuffer drop_indices_{QOpenGLBuffer::IndexBuffer};
-    int drop_index_count_ = 0;
-    QOpenGLVertexArrayObject ball_array_;
-    QOpenGLBuffer ball_centres_{QOpenGLBuffer::VertexBuffer};
-    int ball_count_ = 0;
-    float ball_radius_ = 0;
-    bool particles_shown_ = false;
+    LiquidPainter liquid_;
 };
 
 /// Makes all meshes that the picture would like to have, however long that takes, and ends all fading. Needs the renderer's context.

@@ -2,7 +2,6 @@
 #include "ui/picture/view_bar.h"
 
 #include "ui/basics/appearance.h"
-#include "ui/picture/viewport.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -36,7 +35,7 @@ QToolButton* menuButton(const QString& text, const QString& name, QMenu* menu)
 
 } // namespace
 
-ViewBar::ViewBar(Viewport& viewport) : QToolBar(tr("View of the fabric"), &viewport), viewport_(viewport), canvas_(viewport.canvas())
+ViewBar::ViewBar(TextileCanvas* canvas, QWidget* parent) : QToolBar(tr("View of the fabric"), parent), canvas_(canvas)
 {
     setAccessibleName(windowTitle());
     setIconSize({16, 16});
@@ -106,17 +105,17 @@ void ViewBar::buildViews()
     look(tr("&Left"), Qt::Key_4, tr("Look against the weft."), -90, 0);
     look(tr("&Top"), Qt::Key_7, tr("Look down on the fabric."), 0, 90);
     look(tr("B&ottom"), Qt::Key_8, tr("Look up at the fabric."), 0, -90);
-    look(tr("&Isometric"), Qt::Key_0, tr("Look at all three directions alike."), -45, 35.264);
+    look(tr("&Isometric"), Qt::Key_0, tr("Isometric view."), -45, 35.264);
     views_->addSeparator();
     views_->addAction(addKeyed(tr("&Few Repeats"), Qt::Key_Home, tr("Show a few repeats in the middle."),
                                [](TextileCanvas& c) { c.fit(Framing::few_repeats); }));
-    views_->addAction(addKeyed(tr("&Zoom to the Chosen Yarn"), Qt::Key_Z, tr("Show some crossings of the chosen yarn."),
+    views_->addAction(addKeyed(tr("&Zoom to the Selected Yarn"), Qt::Key_Z, tr("Show a few crossings of the selected yarn."),
                                [](TextileCanvas& c) { c.zoomToSelection(); }));
     views_->addAction(
-        addKeyed(tr("&Next Yarn"), Qt::Key_BracketRight, tr("Choose the next yarn."), [](TextileCanvas& c) { c.selectNext(1); }));
+        addKeyed(tr("&Next Yarn"), Qt::Key_BracketRight, tr("Select the next yarn."), [](TextileCanvas& c) { c.selectNext(1); }));
     views_->addAction(
-        addKeyed(tr("&Previous Yarn"), Qt::Key_BracketLeft, tr("Choose the yarn before."), [](TextileCanvas& c) { c.selectNext(-1); }));
-    parallel_ = addKeyed(tr("P&arallel"), Qt::Key_5, tr("Show all parts at the same scale, near or far."),
+        addKeyed(tr("&Previous Yarn"), Qt::Key_BracketLeft, tr("Select the previous yarn."), [](TextileCanvas& c) { c.selectNext(-1); }));
+    parallel_ = addKeyed(tr("P&arallel"), Qt::Key_5, tr("Parallel projection, without perspective."),
                          [this](TextileCanvas& c) { c.setParallel(parallel_->isChecked()); });
     parallel_->setCheckable(true);
     particles_ =
@@ -127,18 +126,20 @@ void ViewBar::buildViews()
     particles_->setCheckable(true);
     particles_->setChecked(QSettings().value("view/particles", false).toBool());
     if (canvas_) { canvas_->setParticlesShown(particles_->isChecked()); }
-    swatches_ = choices(tr("S&watch"), "view/swatch", {tr("5 mm"), tr("2 cm"), tr("5 cm"), tr("10 cm")}, first_swatch,
-                        [this](int i) { viewport_.setSwatch(i); });
+    swatches_ = choices(tr("S&watch"), "view/swatch", {tr("5 mm"), tr("2 cm"), tr("5 cm"), tr("10 cm")}, first_swatch, [this](int i) {
+        swatch_ = i;
+        Q_EMIT swatchChosen(i);
+    });
     navigation_ = choices(tr("&Mouse"), "view/mouse",
                           {tr("Hygroloom: left turns, middle moves"), tr("Blender: middle turns, Shift and middle moves"),
                            tr("FreeCAD: middle moves, middle and left turns")},
                           0, [this](int i) {
                               if (canvas_) { canvas_->setNavigation(static_cast<Navigation>(i)); }
                           });
-    addWidget(menuButton(tr("View"), tr("Where the fabric is looked at from"), views_));
+    addWidget(menuButton(tr("View"), tr("Viewing direction"), views_));
     addAction(parallel_);
     addAction(particles_);
-    addWidget(menuButton(tr("Swatch"), tr("Size of the swatch that is shown"), swatches_));
+    addWidget(menuButton(tr("Swatch"), tr("Size of the swatch on screen"), swatches_));
 }
 
 void ViewBar::buildSection()
@@ -160,7 +161,7 @@ void ViewBar::buildSection()
     slider_->setRange(-slider_steps, slider_steps);
     slider_->setMinimumWidth(80);
     slider_->setMaximumWidth(180);
-    slider_->setAccessibleName(tr("Where the fabric is cut"));
+    slider_->setAccessibleName(tr("Position of the cut"));
     slider_->setToolTip(slider_->accessibleName());
     position_ = new QDoubleSpinBox;
     position_->setDecimals(3);
@@ -187,12 +188,11 @@ void ViewBar::buildSection()
         section.flipped = flipped;
         setSection(section);
     });
-    connect(&viewport_, &Viewport::previewUpdated, this, &ViewBar::refreshSection);
 }
 
 void ViewBar::buildMeasure()
 {
-    measure_ = addKeyed(tr("&Measure"), Qt::Key_M, tr("Measure the distance of two points on yarns."), [this](TextileCanvas& c) {
+    measure_ = addKeyed(tr("&Measure"), Qt::Key_M, tr("Measure the distance between two points on yarns."), [this](TextileCanvas& c) {
         c.setMeasuring(measure_->isChecked());
         measure_part_->setVisible(measure_->isChecked());
         c.setFocus();
@@ -200,8 +200,8 @@ void ViewBar::buildMeasure()
     measure_->setCheckable(true);
     addAction(measure_);
     measure_on_ = new QComboBox;
-    measure_on_->addItems({tr("middles of yarns"), tr("skins of yarns")});
-    measure_on_->setAccessibleName(tr("What is measured between"));
+    measure_on_->addItems({tr("yarn centrelines"), tr("yarn surfaces")});
+    measure_on_->setAccessibleName(tr("Measure between"));
     measure_on_->setToolTip(measure_on_->accessibleName());
     measure_part_ = addWidget(measure_on_);
     measure_part_->setVisible(false);
@@ -218,15 +218,21 @@ void ViewBar::buildMeasure()
 
 double ViewBar::half() const
 {
-    if (!viewport_.shown()) { return 10; }
-    const QVector3D high = viewport_.shown()->high();
-    return section_.across == SectionPlane::Across::warp ? high.y() : section_.across == SectionPlane::Across::weft ? high.x() : high.z();
+    return section_.across == SectionPlane::Across::warp   ? half_extent_.y()
+           : section_.across == SectionPlane::Across::weft ? half_extent_.x()
+                                                           : half_extent_.z();
 }
 
 void ViewBar::setSection(const SectionPlane& section)
 {
     section_ = section;
     if (canvas_) { canvas_->setSection(section_); }
+    refreshSection();
+}
+
+void ViewBar::setHalfExtent(const QVector3D& half)
+{
+    half_extent_ = half;
     refreshSection();
 }
 

@@ -14,12 +14,15 @@ class QSlider;
 
 namespace hygroloom {
 
-class Viewport;
+/// Sides of the swatch that the design workspace shows, to choose from.
+constexpr double swatch_sides_mm[] = {5, 20, 50, 100};
+constexpr int first_swatch = 1;
 
 class ViewBar : public QToolBar {
     Q_OBJECT
 public:
-    explicit ViewBar(Viewport& viewport);
+    /// canvas: what its commands act on; nullptr disables them.
+    explicit ViewBar(TextileCanvas* canvas, QWidget* parent = nullptr);
 
     /// Adds the commands to a menu of the window.
     void fillMenu(QMenu* menu);
@@ -28,6 +31,13 @@ public:
     QAction* fitAction() const { return fit_; }
     void setSection(const SectionPlane& section);
     const SectionPlane& section() const { return section_; }
+    /// The fabric that is shown reaches this far from its middle, in mm.
+    void setHalfExtent(const QVector3D& half);
+    /// One of swatch_sides_mm.
+    int swatch() const { return swatch_; }
+
+Q_SIGNALS:
+    void swatchChosen(int choice);
 
 private:
     QAction* addKeyed(const QString& text, int key, const QString& tip, std::function<void(TextileCanvas&)> work);
@@ -39,7 +49,6 @@ private:
     void refreshSection();
     double half() const; ///< mm, that the section may be moved each way
 
-    Viewport& viewport_;
     TextileCanvas* canvas_;
     std::vector<std::pair<int, QAction*>> keys_;
     QAction* fit_ = nullptr;
@@ -57,6 +66,8 @@ private:
     std::vector<QAction*> section_parts_; ///< shown only while something is cut
     QAction* measure_part_ = nullptr;
     SectionPlane section_;
+    QVector3D half_extent_{10, 10, 10}; ///< mm
+    int swatch_ = first_swatch;
 };
 
 } // namespace hygroloom

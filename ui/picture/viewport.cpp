@@ -47,7 +47,9 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent)
             Q_EMIT repeatHovered((textile.first_end + end) % textile.weave.ends(), (textile.first_pick + pick) % textile.weave.picks());
         });
     }
-    bar_ = new ViewBar(*this);
+    bar_ = new ViewBar(canvas_, this);
+    swatch_ = bar_->swatch();
+    connect(bar_, &ViewBar::swatchChosen, this, &Viewport::setSwatch);
     layout->insertWidget(0, bar_);
     if (canvas_) { layout->addWidget(canvas_, 1); }
     setMinimumSize(240, 180);
@@ -80,7 +82,7 @@ void Viewport::showRun(const std::shared_ptr<const RunRecord>& run)
     const auto& fabrics = run->design.fabrics;
     const auto fabric = std::find_if(fabrics.begin(), fabrics.end(), [&](const Fabric& f) { return f.name == run->fabric; });
     if (fabric == fabrics.end()) {
-        showNothing(tr("The recording does not hold its fabric “%1”.").arg(QString::fromStdString(run->fabric)));
+        showNothing(tr("The recording does not contain its fabric “%1”.").arg(QString::fromStdString(run->fabric)));
         return;
     }
     PreviewRequest wanted;
@@ -135,6 +137,7 @@ void Viewport::take(const std::shared_ptr<const PreparedView>& view, Subject sub
         canvas_->setView(view);
         showWater();
     }
+    bar_->setHalfExtent(fabric_->high());
     Q_EMIT previewUpdated();
 }
 

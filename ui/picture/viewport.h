@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The middle of the window: the woven fabric in three dimensions, dry, or with the water of a moment.
+// The middle of the window: the woven fabric in three dimensions, dry, or with its water at one time.
 #pragma once
 
 #include "core/run/runner.h"
@@ -17,11 +17,7 @@ class ViewBar;
 /// What the colours' range is taken from.
 enum class WaterRange { full, run, frame };
 
-/// Sides of the swatch that the design workspace shows, to choose from.
-constexpr double swatch_sides_mm[] = {5, 20, 50, 100};
-constexpr int first_swatch = 1;
-
-/// Builds meshes beside the window; the newest request wins. On platforms that cannot draw with OpenGL it still builds and tells.
+/// Builds meshes beside the window; the newest request wins. Without OpenGL it still builds, and emits its signals.
 class Viewport : public QWidget {
     Q_OBJECT
 public:
@@ -34,7 +30,7 @@ public:
     /// The region of a run; showFrame() then gives it water.
     void showRun(const std::shared_ptr<const RunRecord>& run);
     void showFrame(const std::shared_ptr<const Frame>& frame, double runMaximum);
-    /// Once more of the run's moments are known.
+    /// After more frames of the run are known.
     void setRunMaximum(double saturation);
     /// Nothing to draw, and what to do about it.
     void showNothing(const QString& sentence);
@@ -42,9 +38,8 @@ public:
     void setWaterColors(WaterColors colors);
     void setWaterRange(WaterRange range);
     void setHighlight(int end, int pick);
-    /// One of swatch_sides_mm.
+    /// Which side of the swatch: one of those that the bar offers.
     void setSwatch(int choice);
-    int swatch() const { return swatch_; }
 
     void lookFrom(double turn, double lift);
     /// What a single key does here; false when it does nothing.
@@ -58,7 +53,7 @@ public:
     ViewBar& bar() const { return *bar_; }
 
 Q_SIGNALS:
-    /// The picture shows what was last asked for, coarsely at least.
+    /// The picture shows the latest request, coarsely at least.
     void previewUpdated();
     /// A crossing of the weave's repeat; negative for none.
     void repeatHovered(int end, int pick);
@@ -79,7 +74,7 @@ private:
     std::shared_ptr<const PreviewFabric> fabric_;
     std::shared_ptr<const Design> swatch_design_;
     int swatch_fabric_ = 0;
-    int swatch_ = first_swatch;
+    int swatch_ = 0;
     std::shared_ptr<const RunRecord> run_;
     std::shared_ptr<const Frame> frame_;
     double run_maximum_ = 0;

@@ -4,8 +4,8 @@
 #include "core/base/units.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
-#include "ui/basics/curve_legend.h"
-#include "ui/basics/time_chart_view.h"
+#include "ui/results/curve_legend.h"
+#include "ui/results/time_chart_view.h"
 
 #include <QChart>
 #include <QEvent>

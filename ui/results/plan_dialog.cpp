@@ -31,15 +31,15 @@ QString inWords(const ModelPlan& plan)
     QString html = "<table cellpadding='4' width='100%'>";
     for (const PlannedPart& part : plan.parts) {
         QString state = part.on ? PlanDialog::tr("modelled") : PlanDialog::tr("left out");
-        if (part.forced) { state += PlanDialog::tr(", as you asked"); }
-        if (part.watched) { state += PlanDialog::tr(", watched"); }
+        if (part.forced) { state += PlanDialog::tr(", set by you"); }
+        if (part.watched) { state += PlanDialog::tr(", checked during the run"); }
         html += "<tr><td width='16%'><b>" + escaped(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + escaped(part.reason) +
                 "</td></tr>";
     }
     return html + "</table><p><b>" + PlanDialog::tr("Region.") + "</b> " +
            PlanDialog::tr("%1 × %2 crossings, %3 yarn segments.").arg(plan.region.ends).arg(plan.region.picks).arg(plan.segments) + " " +
            escaped(plan.region_reason) + "</p><p><b>" + PlanDialog::tr("Resolution.") + "</b> " +
-           PlanDialog::tr("A picture every %1 s.").arg(shownNumber(plan.frame_interval, 4)) + " " + escaped(plan.resolution_reason) +
+           PlanDialog::tr("One frame every %1 s.").arg(shownNumber(plan.frame_interval, 4)) + " " + escaped(plan.resolution_reason) +
            "</p><p><b>" + PlanDialog::tr("Expected.") + "</b> " + expectation(plan) + "</p>";
 }
 
@@ -65,8 +65,8 @@ QString roughDuration(double seconds)
 
 QString expectation(const ModelPlan& plan)
 {
-    const QString error = !plan.expected_error        ? PlanDialog::tr("error not measured")
-                          : *plan.expected_error <= 0 ? PlanDialog::tr("no error, as errors are measured against it")
+    const QString error = !plan.expected_error        ? PlanDialog::tr("error not known")
+                          : *plan.expected_error <= 0 ? PlanDialog::tr("reference for the errors")
                                                       : errorText(*plan.expected_error);
     return PlanDialog::tr("%1, %2 of memory, %3. %4")
         .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error,
@@ -84,7 +84,7 @@ QString expectedError(const ModelPlan& plan)
 {
     if (!plan.expected_error) { return PlanDialog::tr("expected error not known"); }
     return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error))
-                                    : PlanDialog::tr("what errors are measured against");
+                                    : PlanDialog::tr("the reference for errors");
 }
 
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent) : QDialog(parent)
@@ -97,7 +97,7 @@ PlanDialog::PlanDialog(const RunRecord& run, QWidget* parent) : QDialog(parent)
 {
     setWindowTitle(tr("What was modelled, and why"));
     QString html =
-        heading(tr("The run that is shown: %1"), run.plan, QString::fromStdString(run.fabric), QString::fromStdString(run.experiment));
+        heading(tr("The run on screen: %1"), run.plan, QString::fromStdString(run.fabric), QString::fromStdString(run.experiment));
     for (const SwitchedPart& part : run.switched_on) { html += "<p>" + escaped(in_words(part)) + "</p>"; }
     fill(html + inWords(run.plan));
 }

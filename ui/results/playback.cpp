@@ -134,7 +134,7 @@ void Playback::show(int index)
 void Playback::remember(int index, const std::shared_ptr<const Frame>& frame)
 {
     if (kept_.emplace(index, frame).second) { kept_bytes_ += bytes_of(*frame); }
-    // What lies farthest from the shown moment goes first.
+    // Frames farthest in time from the one shown are dropped first.
     while (kept_bytes_ > most_bytes && kept_.size() > 2) {
         auto farthest = kept_.begin();
         if (std::abs(kept_.rbegin()->first - current_) > std::abs(farthest->first - current_) && kept_.rbegin()->first != index) {

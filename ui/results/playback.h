@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The run that is looked at, live or from a recording: its frames, its numbers, and the moment that is shown.
+// The run on screen, live or from a recording: its frames, its numbers, and the time that is shown.
 #pragma once
 
 #include "core/analysis/metrics.h"
@@ -13,7 +13,7 @@ namespace hygroloom {
 
 class Recording;
 
-/// Keeps frames in memory up to a limit; the rest is read from the recording in the background when it is asked for.
+/// Keeps frames in memory up to a limit; the rest is read from the recording in the background when it is needed.
 class Playback : public QObject {
     Q_OBJECT
 public:

@@ -97,9 +97,9 @@ std::vector<KeptRun> RunHistory::unsaved() const
 
 QString whyNotCompared(const KeptRun& one, const KeptRun& other)
 {
-    if (!one.complete() || !other.complete()) { return RunHistory::tr("Only runs that got to their end can be compared."); }
+    if (!one.complete() || !other.complete()) { return RunHistory::tr("Only completed runs can be compared."); }
     if (conditionsOf(*one.run) != conditionsOf(*other.run)) {
-        return RunHistory::tr("It is of another experiment; only runs of the same one can be compared.");
+        return RunHistory::tr("This run is of another experiment. Only runs of the same experiment can be compared.");
     }
     return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The runs of this window and the recordings it opened, so that earlier ones can be looked at again and compared.
+// The runs of this window and the recordings it opened, to be shown again and compared.
 #pragma once
 
 #include "core/analysis/metrics.h"
@@ -34,9 +34,9 @@ public:
     /// Adds it, or renews what is known of the recording at its path.
     void keep(const KeptRun& run);
     void markSaved(const QString& path);
-    /// The recording at this path is another now, or gone.
+    /// The recording at this path has been replaced or deleted.
     void forget(const QString& path);
-    /// Takes away runs with their own recordings until the others fit into so many bytes: those saved elsewhere first, then the oldest.
+    /// Deletes runs and their recordings until the others fit into most_bytes: those saved elsewhere first, then the oldest.
     /// The newest run stays. How many were not saved.
     int dropOldest(double most_bytes);
     /// Runs that end with the window.

@@ -31,8 +31,8 @@ constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::stan
 SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget* parent)
     : QWidget(parent), document_(document), run_(run), fidelities_(new QButtonGroup(this)), device_(new QComboBox),
       start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
-      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), why_(new QPushButton(themedIcon("plan"), tr("What is modelled, and why…"))),
-      bar_(new QProgressBar), state_(new QLabel)
+      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
+      why_(new QPushButton(themedIcon("plan"), tr("What will be modelled, and why…"))), bar_(new QProgressBar), state_(new QLabel)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -40,7 +40,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     addFidelities();
     addDevices();
     why_->setFlat(true);
-    why_->setToolTip(tr("Which physics the next run takes into account, and for what reason."));
+    why_->setToolTip(tr("Which physics the next run models, and the reasons."));
     layout->addWidget(why_, 0, Qt::AlignLeft);
     start_->setMinimumHeight(36);
     QFont font = start_->font();
@@ -127,7 +127,7 @@ void SimulationPanel::addDevices()
     }
     connect(device_, &QComboBox::currentIndexChanged, this, &SimulationPanel::refreshPlans);
     device_->setAccessibleName(tr("Device"));
-    device_->setToolTip(tr("The machine that runs the physics."));
+    device_->setToolTip(tr("Processor that runs the simulation."));
     device_->setMinimumContentsLength(12);
     device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     static_cast<QVBoxLayout*>(layout())->addWidget(device_);
@@ -218,9 +218,9 @@ void SimulationPanel::showState()
     const bool running = run_.running();
     buttons_->setCurrentIndex(running ? 1 : 0);
     start_->setEnabled(can);
-    start_->setToolTip(can ? tr("Run the experiment on the chosen fabric (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
+    start_->setToolTip(can ? tr("Run the experiment on the selected fabric (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
     bar_->setVisible(running);
-    pause_->setText(run_.paused() ? tr("Go on") : tr("Pause"));
+    pause_->setText(run_.paused() ? tr("Resume") : tr("Pause"));
     pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
     pause_->setAccessibleName(pause_->text());
     why_->setEnabled(plans_[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))].plan.has_value());
@@ -258,7 +258,7 @@ void SimulationPanel::showEnd(SimulationRun::Outcome outcome, const QString& sen
 {
     switch (outcome) {
     case SimulationRun::Outcome::finished: state_->setText(tr("Finished.")); break;
-    case SimulationRun::Outcome::cancelled: state_->setText(tr("Stopped. What was simulated so far is shown.")); break;
+    case SimulationRun::Outcome::cancelled: state_->setText(tr("Stopped. Results up to here are shown.")); break;
     case SimulationRun::Outcome::device_failed:
     case SimulationRun::Outcome::failed: state_->setText(sentence); break;
     }

@@ -52,7 +52,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
             sentence = QString::fromStdString(error.what());
         } catch (const std::bad_alloc&) {
             outcome = Outcome::failed;
-            sentence = tr("There is not enough memory for this run. Choose a smaller sample or a lower fidelity.");
+            sentence = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");
         } catch (const std::exception& error) {
             outcome = Outcome::failed;
             sentence = QString::fromStdString(error.what());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// One run on a thread of its own, told about in the thread of this object.
+// One run on a thread of its own; its signals come in the thread of this object.
 #pragma once
 
 #include "core/analysis/metrics.h"

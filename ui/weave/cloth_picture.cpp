@@ -75,7 +75,7 @@ std::optional<std::vector<YarnRun>> orderFromText(const QString& text, int yarns
         const auto match = form.match(text, place, QRegularExpression::NormalMatch, QRegularExpression::AnchorAtOffsetMatchOption);
         if (!match.hasMatch()) {
             if (text.mid(place).trimmed().isEmpty()) { break; }
-            *why = QCoreApplication::translate("hygroloom::OrderEditor", "Write numbers and letters of yarns, such as 12A 4B.");
+            *why = QCoreApplication::translate("hygroloom::OrderEditor", "Type counts and yarn letters, such as 12A 4B.");
             return std::nullopt;
         }
         const QString letters = match.captured(2).toUpper();
@@ -88,7 +88,7 @@ std::optional<std::vector<YarnRun>> orderFromText(const QString& text, int yarns
             return std::nullopt;
         }
         if (count < 1 || count > largest_yarn_order - threads) {
-            *why = QCoreApplication::translate("hygroloom::OrderEditor", "A run has 1 thread or more, all together %1 at most.")
+            *why = QCoreApplication::translate("hygroloom::OrderEditor", "Each stripe needs at least 1 yarn; all together at most %1.")
                        .arg(largest_yarn_order);
             return std::nullopt;
         }

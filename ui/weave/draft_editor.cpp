@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/weave/draft_editor.h"
 
-#include "ui/basics/appearance.h"
+#include "ui/basics/icon_button.h"
 #include "ui/weave/order_editor.h"
 #include "ui/weave/weave_edits.h"
 
@@ -65,7 +65,7 @@ DraftEditor::DraftEditor(Document& document, QWidget* parent)
     later_.setSingleShot(true);
     connect(&later_, &QTimer::timeout, this, &DraftEditor::sketchStroke);
     connect(&document_, &Document::designChanged, this, [this] {
-        if (!stroke_.empty()) { // undone, say, with the mouse down: the stroke goes on from there
+        if (!stroke_.empty()) { // undone with the mouse down, for example: the stroke continues from there
             sketch_.reset();
             later_.start();
         }
@@ -80,40 +80,11 @@ QWidget* DraftEditor::buildBar()
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    const auto count = [&](const QString& name, void (DraftEditor::*work)(int)) {
-        auto* box = new QSpinBox;
-        box->setRange(1, most_shafts);
-        box->setKeyboardTracking(false);
-        box->setAccessibleName(name);
-        row->addWidget(new QLabel(name));
-        row->addWidget(box);
-        connect(box, &QSpinBox::valueChanged, this, work);
-        return box;
-    };
-    shafts_ = count(tr("Shafts"), &DraftEditor::setShafts);
-    treadles_ = count(tr("Treadles"), &DraftEditor::setTreadles);
-    const auto choice = [&](const QString& name, const QStringList& items, const QString& tip) {
-        auto* box = new QComboBox;
-        box->addItems(items);
-        box->setAccessibleName(name);
-        box->setToolTip("<p>" + tip + "</p>");
-        row->addWidget(box);
-        return box;
-    };
-    plan_ = choice(tr("Treadling or liftplan"), {tr("Tie-up and treadling"), tr("Liftplan")},
-                   tr("Treadles lift the shafts tied to them; a liftplan names the shafts of each pick. The cloth stays the same."));
-    shed_ = choice(tr("Shed"), {tr("Rising shed"), tr("Sinking shed")},
-                   tr("Whether the marked shafts rise or sink. The marks stay; the cloth turns over."));
-    connect(plan_, &QComboBox::activated, this, [this](int index) {
-        setDraft(index == 0 ? tr("tie-up and treadling") : tr("liftplan"), {}, index == 0 ? with_tie_up(draft()) : with_liftplan(draft()));
-    });
-    connect(shed_, &QComboBox::activated, this, [this](int index) {
-        Draft draft = this->draft();
-        draft.rising_shed = index == 0;
-        setDraft(index == 0 ? tr("rising shed") : tr("sinking shed"), {}, std::move(draft));
-    });
+    shafts_ = addCount(row, tr("Shafts"), &DraftEditor::setShafts);
+    treadles_ = addCount(row, tr("Treadles"), &DraftEditor::setTreadles);
+    addChoices(row);
     find_ = new QPushButton(tr("Find Draft"));
-    find_->setToolTip("<p>" + tr("Works out the draft of this weave with the fewest shafts and treadles.") + "</p>");
+    find_->setToolTip("<p>" + tr("Find the draft of this weave with the fewest shafts and treadles.") + "</p>");
     connect(find_, &QPushButton::clicked, this, &DraftEditor::findDraft);
     row->addWidget(find_);
     note_ = new QLabel;
@@ -122,11 +93,7 @@ QWidget* DraftEditor::buildBar()
     note_->setWordWrap(true);
     row->addStretch();
     const auto button = [&](const char* icon, const QString& name, auto work) {
-        auto* made = new QToolButton;
-        made->setIcon(themedIcon(icon));
-        made->setAutoRaise(true);
-        made->setAccessibleName(name);
-        made->setToolTip(name);
+        QToolButton* made = iconButton(icon, name);
         connect(made, &QToolButton::clicked, this, work);
         row->addWidget(made);
         return made;
@@ -139,6 +106,43 @@ QWidget* DraftEditor::buildBar()
     return bar;
 }
 
+QSpinBox* DraftEditor::addCount(QHBoxLayout* row, const QString& name, void (DraftEditor::*work)(int))
+{
+    auto* box = new QSpinBox;
+    box->setRange(1, most_shafts);
+    box->setKeyboardTracking(false);
+    box->setAccessibleName(name);
+    row->addWidget(new QLabel(name));
+    row->addWidget(box);
+    connect(box, &QSpinBox::valueChanged, this, work);
+    return box;
+}
+
+/// Tie-up and treadling or liftplan, rising or sinking shed.
+void DraftEditor::addChoices(QHBoxLayout* row)
+{
+    const auto choice = [&](const QString& name, const QStringList& items, const QString& tip) {
+        auto* box = new QComboBox;
+        box->addItems(items);
+        box->setAccessibleName(name);
+        box->setToolTip("<p>" + tip + "</p>");
+        row->addWidget(box);
+        return box;
+    };
+    plan_ = choice(tr("Treadling or liftplan"), {tr("Tie-up and treadling"), tr("Liftplan")},
+                   tr("A treadle lifts the shafts tied to it. A liftplan lists the shafts of each pick. Both weave the same cloth."));
+    shed_ = choice(tr("Shed"), {tr("Rising shed"), tr("Sinking shed")},
+                   tr("Whether the marked shafts rise or sink. The marks stay; the cloth turns over."));
+    connect(plan_, &QComboBox::activated, this, [this](int index) {
+        setDraft(index == 0 ? tr("tie-up and treadling") : tr("liftplan"), {}, index == 0 ? with_tie_up(draft()) : with_liftplan(draft()));
+    });
+    connect(shed_, &QComboBox::activated, this, [this](int index) {
+        Draft draft = this->draft();
+        draft.rising_shed = index == 0;
+        setDraft(index == 0 ? tr("rising shed") : tr("sinking shed"), {}, std::move(draft));
+    });
+}
+
 void DraftEditor::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
@@ -147,7 +151,7 @@ void DraftEditor::showEvent(QShowEvent* event)
 
 void DraftEditor::hideEvent(QHideEvent* event)
 {
-    finishStroke(); // nobody will see the button let go
+    finishStroke(); // the release of the button will not arrive here
     QWidget::hideEvent(event);
 }
 
@@ -167,7 +171,7 @@ void DraftEditor::refresh()
     treadles_->setEnabled(!liftplan);
     plan_->setCurrentIndex(liftplan ? 1 : 0);
     shed_->setCurrentIndex(draft().rising_shed ? 0 : 1);
-    note_->setText(tr("This is the smallest draft of the weave, which has none of its own until you change it here or press Find Draft."));
+    note_->setText(tr("The weave has no draft of its own; this is the smallest one. Change it here or press Find Draft to keep it."));
     note_->setVisible(!weave.draft());
 }
 

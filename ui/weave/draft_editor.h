@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QSpinBox;
@@ -35,6 +36,8 @@ protected:
 
 private:
     QWidget* buildBar();
+    QSpinBox* addCount(QHBoxLayout* row, const QString& name, void (DraftEditor::*work)(int));
+    void addChoices(QHBoxLayout* row);
     void refresh();
     struct PaintedCell {
         DraftPart part;

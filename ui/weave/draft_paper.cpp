@@ -201,21 +201,53 @@ void DraftPaper::resizeEvent(QResizeEvent*)
 void DraftPaper::drawPart(QPainter& painter, DraftPart part)
 {
     const QRectF area = areaOf(part);
-    const QSize size = cells(part);
-    if (size.isEmpty() || area.isEmpty()) { return; }
+    if (cells(part).isEmpty() || area.isEmpty()) { return; }
     const auto [paper, ink, accent] = paperColors(palette());
-    QColor pale = ink, line = ink;
-    pale.setAlphaF(0.3F);
+    QColor line = ink;
     line.setAlphaF(0.18F);
     painter.save();
     painter.setClipRect(area.adjusted(0, 0, 1, 1));
-    const QRectF one = squareOf(part, {0, 0});
+    const QRect shown = shownCells(part);
+    drawSquares(painter, part, shown);
+    painter.setPen(QPen(line, 1));
+    if (cell_ >= 5) { drawGrid(painter, part, shown); }
+    if (part == DraftPart::drawdown) {
+        painter.setPen(QPen(accent, 2));
+        const QRectF first = squareOf(part, {0, 0}), last = squareOf(part, {fabric_.weave.ends() - 1, fabric_.weave.picks() - 1});
+        painter.drawRect(QRectF(QPointF(first.left(), last.top()), QPointF(last.right(), first.bottom())));
+    }
+    if (hasFocus() && part == cursor_part_) {
+        const QRectF square = squareOf(part, cursor_).adjusted(1, 1, -1, -1);
+        painter.setPen(QPen(paper, 3));
+        painter.drawRect(square);
+        painter.setPen(QPen(accent, 2));
+        painter.drawRect(square);
+    }
+    painter.restore();
+    painter.setPen(QPen(line, 1));
+    painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
+}
+
+/// The cells of a part that are scrolled into view, the lowest row first.
+QRect DraftPaper::shownCells(DraftPart part) const
+{
+    const QRectF area = areaOf(part), one = squareOf(part, {0, 0});
+    const QSize size = cells(part);
     const int left = std::max(0, static_cast<int>(std::floor((area.left() - one.left()) / one.width())));
     const int right = std::min(size.width() - 1, static_cast<int>(std::floor((area.right() - 1 - one.left()) / one.width())));
     const int low = std::max(0, static_cast<int>(std::floor((one.bottom() - area.bottom()) / one.height())));
     const int high = std::min(size.height() - 1, static_cast<int>(std::floor((one.bottom() - area.top() - 1) / one.height())));
-    for (int y = low; y <= high; ++y) {
-        for (int x = left; x <= right; ++x) {
+    return {QPoint(left, low), QPoint(right, high)};
+}
+
+void DraftPaper::drawSquares(QPainter& painter, DraftPart part, const QRect& shown)
+{
+    const QSize size = cells(part);
+    const QColor ink = paperColors(palette()).ink;
+    QColor pale = ink;
+    pale.setAlphaF(0.3F);
+    for (int y = shown.top(); y <= shown.bottom(); ++y) {
+        for (int x = shown.left(); x <= shown.right(); ++x) {
             const bool inside = x < (part == DraftPart::tieUp || part == DraftPart::treadling ? size.width() : fabric_.weave.ends()) &&
                                 y < (part == DraftPart::tieUp || part == DraftPart::threading ? size.height() : fabric_.weave.picks());
             const bool up = filled(part, {x, y});
@@ -233,32 +265,19 @@ void DraftPaper::drawPart(QPainter& painter, DraftPart part)
             }
         }
     }
-    painter.setPen(QPen(line, 1));
-    if (cell_ >= 5) {
-        for (int x = left; x <= right + 1; ++x) {
-            const double at = squareOf(part, {x, 0}).left() + 0.5;
-            painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
-        }
-        for (int y = low; y <= high + 1; ++y) {
-            const double at = squareOf(part, {0, y}).bottom() + 0.5;
-            painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
-        }
+}
+
+void DraftPaper::drawGrid(QPainter& painter, DraftPart part, const QRect& shown)
+{
+    const QRectF area = areaOf(part);
+    for (int x = shown.left(); x <= shown.right() + 1; ++x) {
+        const double at = squareOf(part, {x, 0}).left() + 0.5;
+        painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
     }
-    if (part == DraftPart::drawdown) {
-        painter.setPen(QPen(accent, 2));
-        const QRectF first = squareOf(part, {0, 0}), last = squareOf(part, {fabric_.weave.ends() - 1, fabric_.weave.picks() - 1});
-        painter.drawRect(QRectF(QPointF(first.left(), last.top()), QPointF(last.right(), first.bottom())));
+    for (int y = shown.top(); y <= shown.bottom() + 1; ++y) {
+        const double at = squareOf(part, {0, y}).bottom() + 0.5;
+        painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
     }
-    if (hasFocus() && part == cursor_part_) {
-        const QRectF square = squareOf(part, cursor_).adjusted(1, 1, -1, -1);
-        painter.setPen(QPen(paper, 3));
-        painter.drawRect(square);
-        painter.setPen(QPen(accent, 2));
-        painter.drawRect(square);
-    }
-    painter.restore();
-    painter.setPen(QPen(line, 1));
-    painter.drawRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
 
 void DraftPaper::drawThumbs(QPainter& painter)

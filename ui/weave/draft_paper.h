@@ -58,6 +58,9 @@ private:
     void moveCursor(int x, int y);
     void showCursor();
     void drawPart(QPainter& painter, DraftPart part);
+    QRect shownCells(DraftPart part) const;
+    void drawSquares(QPainter& painter, DraftPart part, const QRect& shown);
+    void drawGrid(QPainter& painter, DraftPart part, const QRect& shown);
     /// Which of the shafts and treadles are shown, where not all are.
     void drawThumbs(QPainter& painter);
 

@@ -50,8 +50,8 @@ ImportDialog::ImportDialog(DraftImport draft, QWidget* parent)
         warp_ = addSuggestion(tr("Warp diameter"), tr("mm"), draft_.warp_diameter_mm);
         weft_ = addSuggestion(tr("Weft diameter"), tr("mm"), draft_.weft_diameter_mm);
         const bool any = ends_ || picks_ || warp_ || weft_;
-        auto* note = new QLabel(any ? tr("Take these numbers from the file:")
-                                    : tr("The file gives neither sett nor thickness; set them in the Fabric panel."));
+        auto* note = new QLabel(any ? tr("Use these values from the file:")
+                                    : tr("The file contains neither sett nor thickness. Set them in the Fabric panel."));
         note->setWordWrap(true);
         left->addWidget(note);
         for (QCheckBox* box : {ends_, picks_, warp_, weft_}) {

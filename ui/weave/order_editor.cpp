@@ -69,7 +69,8 @@ public:
     {
         complaint_ = sentence;
         mark_->setVisible(!sentence.isEmpty());
-        const QString help = OrderEditor::tr("One period, such as 12A 4B. A is the fabric's own yarn. Empty: all alike.");
+        const QString help =
+            OrderEditor::tr("One repeat of the stripes, such as 12A 4B. A is the fabric's own yarn. Leave empty for no stripes.");
         setToolTip((sentence.isEmpty() ? QString() : "<p>" + sentence.toHtmlEscaped() + "</p>") + "<p>" + help + "</p>");
         setAccessibleDescription(sentence.isEmpty() ? help : sentence);
         update();
@@ -106,7 +107,7 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent) : QWidget(parent),
 {
     list_->setAccessibleName(tr("Yarns of the fabric"));
     list_->setToolTip(
-        "<p>" + tr("Choose a yarn, then drag over the bars along the draft. Double click it for its fibre, count and twist.") + "</p>");
+        "<p>" + tr("Select a yarn, then drag over the bars along the draft. Double-click it to edit its fibre, count and twist.") + "</p>");
     list_->setFrameShape(QFrame::NoFrame);
     list_->setIconSize({16, 16});
     auto* buttons = new QHBoxLayout;
@@ -122,8 +123,8 @@ OrderEditor::OrderEditor(Document& document, QWidget* parent) : QWidget(parent),
         return button;
     };
     add("add", tr("Add a yarn like the warp"), &OrderEditor::addYarn);
-    remove_ = add("remove", tr("Remove the chosen yarn"), &OrderEditor::removeYarn);
-    add("palette", tr("Colour of the chosen yarn…"), &OrderEditor::pickColor);
+    remove_ = add("remove", tr("Remove the selected yarn"), &OrderEditor::removeYarn);
+    add("palette", tr("Colour of the selected yarn…"), &OrderEditor::pickColor);
     buttons->addStretch();
     auto* fields = new QFormLayout;
     fields->setContentsMargins(0, 0, 0, 0);
@@ -238,7 +239,7 @@ void OrderEditor::setColor(const QColor& color)
 void OrderEditor::pickColor()
 {
     if (const Fabric* fabric = document_.fabric()) {
-        const QColor color = QColorDialog::getColor(yarnColor(yarn_in(*fabric, true, chosenYarn()), true), this, tr("Colour of the Yarn"));
+        const QColor color = QColorDialog::getColor(yarnColor(yarn_in(*fabric, true, chosenYarn()), true), this, tr("Yarn Colour"));
         if (color.isValid()) { setColor(color); }
     }
 }

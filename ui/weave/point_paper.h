@@ -10,7 +10,7 @@ namespace hygroloom {
 
 enum class PaperTool { brush, line, rectangle, fill, select };
 
-/// One repeat stands out; around it the weave goes on, paler. The tool says what a drag draws; it draws what the first crossing is not.
+/// One repeat stands out; around it the weave continues, paler. The tool says what a drag draws; it draws what the first crossing is not.
 /// Arrow keys move the cursor (with Shift they select), Space uses the tool there. The wheel scrolls, with Ctrl it zooms.
 class PointPaper : public QAbstractScrollArea {
     Q_OBJECT

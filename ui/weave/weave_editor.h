@@ -38,6 +38,10 @@ private:
     void setWeave(const QString& undo, const std::string& field, const Weave& weave);
     // weave_editor_actions.cpp
     QAction* addTool(const QString& name, const QString& text, const QKeySequence& shortcut, std::function<void()> work);
+    void addPaperTools();
+    void addTurns();
+    void addClipboard();
+    void addInsertions();
     QWidget* buildTools();
     /// Of the selection when there is one, else of the whole repeat.
     void change(const QString& undo, const std::function<Weave(const Weave&)>& work);

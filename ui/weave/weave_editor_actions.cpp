@@ -43,7 +43,7 @@ QAction* WeaveEditor::addTool(const QString& name, const QString& text, const QK
     return action;
 }
 
-QWidget* WeaveEditor::buildTools()
+void WeaveEditor::addPaperTools()
 {
     auto* group = new QActionGroup(this);
     const auto tool = [&](const char* name, const QString& text, const char* key, PaperTool chosen) {
@@ -60,7 +60,10 @@ QWidget* WeaveEditor::buildTools()
     addTool("zoom-in", tr("Zoom In"), QKeySequence("+"), [this] { paper_->zoomBy(1.25); });
     addTool("zoom-out", tr("Zoom Out"), QKeySequence("-"), [this] { paper_->zoomBy(0.8); });
     addTool("fit", tr("Fit the Repeat"), QKeySequence("0"), [this] { paper_->zoomToFit(); });
+}
 
+void WeaveEditor::addTurns()
+{
     addTool("mirror-ends", tr("Mirror Left and Right"), QKeySequence("H"), [this] { change(tr("mirrored ends"), endsMirrored); });
     addTool("mirror-picks", tr("Mirror Top and Bottom"), QKeySequence("V"), [this] { change(tr("mirrored picks"), picksMirrored); });
     addTool("invert", tr("Invert"), QKeySequence("I"), [this] { change(tr("inverted weave"), inverted); });
@@ -73,14 +76,22 @@ QWidget* WeaveEditor::buildTools()
     shift("shift-right", tr("Shift Right"), "Alt+Right", 1, 0);
     shift("shift-up", tr("Shift Up"), "Alt+Up", 0, 1);
     shift("shift-down", tr("Shift Down"), "Alt+Down", 0, -1);
+}
 
-    addTool("cut", tr("Cut"), QKeySequence::Cut, [this] {
+/// With the keys by name: QKeySequence::Paste also is Shift+Insert on some desktops, which inserts a pick here.
+void WeaveEditor::addClipboard()
+{
+    addTool("cut", tr("Cut"), QKeySequence("Ctrl+X"), [this] {
         copy();
         clear(tr("cut weave"));
     });
-    addTool("copy", tr("Copy"), QKeySequence::Copy, [this] { copy(); });
-    addTool("paste", tr("Paste"), QKeySequence::Paste, [this] { paste(); });
+    addTool("copy", tr("Copy"), QKeySequence("Ctrl+C"), [this] { copy(); });
+    addTool("paste", tr("Paste"), QKeySequence("Ctrl+V"), [this] { paste(); });
     addTool("clear", tr("Clear"), QKeySequence::Delete, [this] { clear(tr("cleared weave")); });
+}
+
+void WeaveEditor::addInsertions()
+{
     const auto weave = [this]() -> const Weave& { return document_.fabric()->weave; };
     addTool("insert-end", tr("Insert End"), QKeySequence("Insert"), [=, this] {
         if (weave().ends() < largest_repeat) { setWeave(tr("inserted end"), {}, withEndInserted(weave(), paper_->cursor().x())); }
@@ -94,11 +105,14 @@ QWidget* WeaveEditor::buildTools()
     addTool("delete-pick", tr("Delete Pick"), QKeySequence("Ctrl+Shift+Delete"), [=, this] {
         if (weave().picks() > 1) { setWeave(tr("deleted pick"), {}, withoutPick(weave(), paper_->cursor().y())); }
     });
-    // What Qt gives to Paste on some desktops belongs to the picks here.
-    action("paste")->setShortcut(QKeySequence("Ctrl+V"));
-    action("cut")->setShortcut(QKeySequence("Ctrl+X"));
-    action("copy")->setShortcut(QKeySequence("Ctrl+C"));
+}
 
+QWidget* WeaveEditor::buildTools()
+{
+    addPaperTools();
+    addTurns();
+    addClipboard();
+    addInsertions();
     auto* tools = new QWidget;
     auto* grid = new QGridLayout(tools);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -140,7 +154,7 @@ void WeaveEditor::paste()
     const std::optional<Weave> part = weaveFromText(QApplication::clipboard()->text(), &why);
     const Weave& whole = document_.fabric()->weave;
     if (part && (part->ends() > whole.ends() || part->picks() > whole.picks())) {
-        why = tr("The part has %1 × %2 crossings, more than the repeat of %3 × %4; make the repeat larger first.")
+        why = tr("The copied part of %1 × %2 crossings does not fit into the repeat of %3 × %4. Enlarge the repeat first.")
                   .arg(part->ends())
                   .arg(part->picks())
                   .arg(whole.ends())

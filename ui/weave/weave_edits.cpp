@@ -11,7 +11,7 @@ namespace hygroloom {
 
 namespace {
 
-/// A matrix of this size whose crossings up(end, pick) tells.
+/// A matrix of this size; up(end, pick) gives its crossings.
 template <typename Up> Weave made(int ends, int picks, Up up)
 {
     std::vector<std::uint8_t> matrix(static_cast<std::size_t>(ends) * static_cast<std::size_t>(picks));
@@ -22,7 +22,7 @@ template <typename Up> Weave made(int ends, int picks, Up up)
     return Weave(ends, picks, std::move(matrix));
 }
 
-QString tell(const char* text) { return QCoreApplication::translate("hygroloom::WeaveEditor", text); }
+QString translated(const char* text) { return QCoreApplication::translate("hygroloom::WeaveEditor", text); }
 
 } // namespace
 
@@ -165,7 +165,7 @@ std::optional<Weave> weaveFromText(const QString& text, QString* why)
         if (!row.isEmpty()) { rows.prepend(row); }
     }
     const auto wrong = [&](const char* sentence) {
-        *why = tell(sentence);
+        *why = translated(sentence);
         return std::nullopt;
     };
     if (rows.isEmpty()) { return wrong(QT_TRANSLATE_NOOP("hygroloom::WeaveEditor", "The clipboard holds no text; copy rows of 0 and 1.")); }

@@ -13,7 +13,7 @@
 
 namespace hygroloom {
 
-/// x is the end, y the pick; they may lie outside the repeat, where the weave goes on.
+/// x is the end, y the pick; they may lie outside the repeat, where the weave continues.
 using Crossings = QVector<QPoint>;
 
 /// index in 0 .. count-1.
@@ -32,7 +32,7 @@ Weave shifted(const Weave& weave, int ends, int picks);
 Weave inverted(const Weave& weave);
 /// By 90° clockwise as seen on point paper.
 Weave rotated(const Weave& weave);
-/// The weave goes on into new ends and picks.
+/// New ends and picks continue the weave.
 Weave resized(const Weave& weave, int ends, int picks);
 /// A new end (pick) before this one, a copy of it.
 Weave withEndInserted(const Weave& weave, int end);

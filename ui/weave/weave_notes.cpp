@@ -144,8 +144,8 @@ void WeaveNotes::refreshGauges()
         setts_[system]->setText(system == 0 ? tr("Warp sett: %1 % of its limit").arg(share)
                                             : tr("Weft sett: %1 % of its limit").arg(share));
         const QString help =
-            tr("Ashenhurst's limit is %1 per cm: yarns side by side, with room where they change sides; about 75 % is a firm cloth. "
-               "Peirce's is %2 per cm (%3 %): round arcs touching.")
+            tr("Ashenhurst's limit is %1 per cm: yarns side by side, with room to change sides. A firm cloth has about 75 % of it. "
+               "Peirce's limit is %2 per cm (%3 %): circular arcs that touch.")
                 .arg(shownNumber(one.ashenhurst_per_cm, 1), shownNumber(one.peirce_per_cm, 1), shownNumber(one.peirce_percent, 0));
         setts_[system]->setToolTip("<p>" + help + "</p>");
         gauges_[system]->setToolTip("<p>" + help + "</p>");

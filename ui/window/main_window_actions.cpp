@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Menus, shortcuts and the tool bar.
-#include "ui/basics/appearance.h"
-#include "ui/basics/command_palette.h"
-#include "ui/basics/examples.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/view_bar.h"
 #include "ui/results/compare_view.h"
-#include "ui/results/results_panel.h"
-#include "ui/results/simulation_panel.h"
-#include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
+#include "ui/window/command.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/design_workspace.h"
+#include "ui/window/examples.h"
+#include "ui/window/help_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/recent_files.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -26,14 +26,6 @@
 namespace hygroloom {
 
 namespace {
-
-QAction* addCommand(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut, const QString& tip)
-{
-    auto* action = icon.isEmpty() ? menu->addAction(text) : menu->addAction(themedIcon(icon), text);
-    action->setShortcut(shortcut);
-    action->setStatusTip(tip);
-    return action;
-}
 
 /// A menu of choices of which one holds; the choice is remembered under key.
 void addChoices(QMenu* menu, const QString& key, const QStringList& names, const std::function<void(int)>& choose)
@@ -60,61 +52,64 @@ void MainWindow::buildActions()
     buildFileMenu();
     buildEditMenu();
     buildViewMenu();
-    buildFabricMenu();
-    buildExperimentMenu();
+    menuBar()->addMenu(tr("F&abric"))->addActions(design_->candidates().fabricActions());
+    simulate_->fillExperimentMenu(menuBar()->addMenu(tr("E&xperiment")));
     buildHelpMenu();
     buildToolBar();
-    refreshRecentFiles();
 }
 
 void MainWindow::buildFileMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
-    connect(addCommand(menu, {}, tr("&New Project"), QKeySequence::New, tr("Begin with a plain fabric and one drop.")), &QAction::triggered,
-            this, &MainWindow::newProject);
+    connect(addCommand(menu, {}, tr("&New Project"), QKeySequence::New, tr("Start with a plain-weave fabric and one droplet.")),
+            &QAction::triggered, this, &MainWindow::newProject);
     open_ = addCommand(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a project or a recording."));
     connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
-    recent_ = menu->addMenu(tr("Open &Recent"));
-    recent_->setToolTipsVisible(true);
-    QMenu* examples = menu->addMenu(tr("&Examples"));
-    const auto fill = [this](QMenu* into, const QDir& folder) {
-        const QStringList files = folder.entryList({"*.hygro"}, QDir::Files, QDir::Name);
-        for (const QString& file : files) {
-            QAction* action = into->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
-            connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
-                if (mayDiscard() && document_.openExample(path) && !run_.running()) { playback_.clear(); }
-            });
-        }
-        into->setEnabled(!files.isEmpty());
-    };
-    if (!examplesFolder().isEmpty()) {
-        fill(examples, QDir(examplesFolder()));
-        fill(examples->addMenu(tr("The &Paper's Experiments")), QDir(examplesFolder() + "/paper"));
-    } else {
-        examples->setEnabled(false);
-    }
+    recent_ = new RecentFiles(*menu->addMenu(tr("Open &Recent")), this);
+    connect(recent_, &RecentFiles::chosen, this, &MainWindow::openFile);
+    fillExamples(menu->addMenu(tr("&Examples")));
     menu->addSeparator();
     save_ = addCommand(menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the project."));
     connect(save_, &QAction::triggered, this, &MainWindow::save);
-    connect(addCommand(menu, {}, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), tr("Save the project in another place.")),
+    connect(addCommand(menu, {}, tr("Save &As…"), QKeySequence("Ctrl+Shift+S"), tr("Save the project under another name.")),
             &QAction::triggered, this, &MainWindow::saveAs);
     menu->addSeparator();
     connect(addCommand(menu, "import", tr("&Import Draft…"), QKeySequence("Ctrl+I"),
                        tr("Add a fabric from a WIF draft, a text grid or a picture.")),
             &QAction::triggered, this, &MainWindow::chooseDraft);
-    connect(addCommand(menu, {}, tr("E&xport Draft (WIF)…"), {}, tr("Write the chosen fabric's draft for other weaving programs.")),
+    connect(addCommand(menu, {}, tr("E&xport Draft (WIF)…"), {}, tr("Write the selected fabric's draft for other weaving programs.")),
             &QAction::triggered, this, &MainWindow::exportDraft);
     connect(addCommand(menu, {}, tr("Export &Mesh…"), QKeySequence("Ctrl+E"),
                        tr("Write yarns or fibres for modelling and rendering programs.")),
             &QAction::triggered, this, &MainWindow::exportMesh);
     menu->addSeparator();
-    save_recording_ = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Keep the run that is shown."));
-    connect(save_recording_, &QAction::triggered, this, &MainWindow::saveRecordingAs);
-    screenshot_ =
-        addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"), tr("Save the picture of the fabric as PNG."));
+    simulate_->fillFileMenu(menu);
+    screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"), tr("Save the 3D view as a PNG file."));
     connect(screenshot_, &QAction::triggered, this, &MainWindow::saveScreenshot);
     menu->addSeparator();
     connect(addCommand(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the window.")), &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::fillExamples(QMenu* menu)
+{
+    const auto fill = [this](QMenu* into, const QDir& folder) {
+        const QStringList files = folder.entryList({"*.hygro"}, QDir::Files, QDir::Name);
+        for (const QString& file : files) {
+            QAction* action = into->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
+            connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
+                if (mayDiscard() && document_.openExample(path)) { simulate_->clearResults(); }
+            });
+        }
+        into->setEnabled(!files.isEmpty());
+    };
+    if (examplesFolder().isEmpty()) {
+        menu->setEnabled(false);
+        return;
+    }
+    fill(menu, QDir(examplesFolder()));
+    QMenu* paper = menu->addMenu(tr("&Mao et al.: Hygroscopicity of Woven Textiles"));
+    paper->menuAction()->setStatusTip(tr("The experiments of Mao et al., “Yarn-Level Simulation of Hygroscopicity of Woven Textiles”."));
+    fill(paper, QDir(examplesFolder() + "/paper"));
 }
 
 void MainWindow::buildEditMenu()
@@ -132,10 +127,33 @@ void MainWindow::buildEditMenu()
 void MainWindow::buildViewMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&View"));
+    addWorkspaces(menu);
+    menu->addSeparator();
+    viewport_->bar().fillMenu(menu);
+    menu->addSeparator();
+    addChoices(menu->addMenu(tr("Colour &Range")), "view/range",
+               {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the time shown")},
+               [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
+    addChoices(menu->addMenu(tr("&Water Colours")), "view/colors", {tr("Blue"), tr("Cividis")}, [this](int i) {
+        viewport_->setWaterColors(static_cast<WaterColors>(i));
+        simulate_->maps().setWaterColors(static_cast<WaterColors>(i));
+        compare_->view().setWaterColors(static_cast<WaterColors>(i));
+    });
+    addAppearances(menu->addMenu(tr("&Appearance")));
+    menu->addSeparator();
+    QMenu* panels = menu->addMenu(tr("&Panels"));
+    for (QDockWidget* dock : docks()) { panels->addAction(dock->toggleViewAction()); }
+    connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Restore the original arrangement of the panels.")), &QAction::triggered, this,
+            &MainWindow::resetLayout);
+}
+
+void MainWindow::addWorkspaces(QMenu* menu)
+{
     workspaces_ = new QActionGroup(this);
     QAction* design = addCommand(menu, {}, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."));
     QAction* simulate = addCommand(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
-    QAction* compare = addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Put runs of the same experiment side by side."));
+    QAction* compare =
+        addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment side by side."));
     for (QAction* action : {design, simulate, compare}) {
         action->setCheckable(true);
         workspaces_->addAction(action);
@@ -144,24 +162,17 @@ void MainWindow::buildViewMenu()
     connect(design, &QAction::triggered, this, [this] { setWorkspace(Workspace::design); });
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
     connect(compare, &QAction::triggered, this, [this] { setWorkspace(Workspace::compare); });
-    menu->addSeparator();
-    viewport_->bar().fillMenu(menu);
-    menu->addSeparator();
-    addChoices(menu->addMenu(tr("Colour &Range")), "view/range", {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the moment")},
-               [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
-    addChoices(menu->addMenu(tr("&Water Colours")), "view/colors", {tr("Blue"), tr("Cividis")}, [this](int i) {
-        viewport_->setWaterColors(static_cast<WaterColors>(i));
-        maps_->setWaterColors(static_cast<WaterColors>(i));
-        compare_->setWaterColors(static_cast<WaterColors>(i));
-    });
-    QMenu* appearance = menu->addMenu(tr("&Appearance"));
-    auto* group = new QActionGroup(appearance);
+}
+
+void MainWindow::addAppearances(QMenu* menu)
+{
+    auto* group = new QActionGroup(menu);
     const std::pair<Appearance, QString> looks[] = {{Appearance::desktop, tr("As the &Desktop")},
                                                     {Appearance::light, tr("&Light")},
                                                     {Appearance::dark, tr("D&ark")},
                                                     {Appearance::contrast, tr("High &Contrast")}};
     for (const auto& [look, name] : looks) {
-        QAction* action = appearance->addAction(name);
+        QAction* action = menu->addAction(name);
         action->setCheckable(true);
         action->setChecked(savedAppearance() == look);
         group->addAction(action);
@@ -170,63 +181,18 @@ void MainWindow::buildViewMenu()
             applyAppearance(chosen);
         });
     }
-    menu->addSeparator();
-    QMenu* docks = menu->addMenu(tr("&Panels"));
-    for (QDockWidget* dock : {candidates_dock_, weave_dock_, draft_dock_, fabric_dock_, experiment_dock_, simulation_dock_, timeline_dock_,
-                              results_dock_, issues_dock_}) {
-        docks->addAction(dock->toggleViewAction());
-    }
-    connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Put the panels back where they were at first.")), &QAction::triggered, this,
-            &MainWindow::resetLayout);
-}
-
-void MainWindow::buildFabricMenu()
-{
-    QMenu* menu = menuBar()->addMenu(tr("F&abric"));
-    menu->addActions(candidates_->fabricActions());
-}
-
-void MainWindow::buildExperimentMenu()
-{
-    QMenu* menu = menuBar()->addMenu(tr("E&xperiment"));
-    start_ = addCommand(menu, "run", tr("&Run"), QKeySequence("Ctrl+R"), tr("Run the experiment on the chosen fabric."));
-    connect(start_, &QAction::triggered, this, &MainWindow::startRun);
-    pause_ = addCommand(menu, "pause", tr("&Pause"), {}, tr("Hold the run, or let it go on."));
-    connect(pause_, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
-    stop_ = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run; what was simulated so far stays."));
-    connect(stop_, &QAction::triggered, &run_, &SimulationRun::cancel);
-    plan_ = addCommand(menu, "plan", tr("&What Is Modelled, and Why…"), {},
-                       tr("Which physics the next run takes into account, and for what reason."));
-    connect(plan_, &QAction::triggered, simulation_panel_, &SimulationPanel::showPlan);
-    shown_plan_ = addCommand(menu, {}, tr("What W&as Modelled, and Why…"), {},
-                             tr("Which physics the run that is shown took into account, and for what reason."));
-    connect(shown_plan_, &QAction::triggered, results_, &ResultsPanel::showPlan);
-    menu->addSeparator();
-    play_ = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Show the run as it went."));
-    connect(play_, &QAction::triggered, timeline_, &Timeline::togglePlaying);
-    take_design_ =
-        addCommand(menu, {}, tr("Open the &Design of the Recording"), {}, tr("Edit the design that the shown run was made from."));
-    connect(take_design_, &QAction::triggered, this, [this] {
-        if (playback_.run() && mayDiscard()) {
-            document_.take(playback_.run()->design, tr("Design of the recording"));
-            chooseWhatRan();
-        }
-    });
-    menu->addSeparator();
-    connect(addCommand(menu, "add", tr("&Add Droplet"), {}, tr("Add a droplet to the experiment.")), &QAction::triggered, experiment_panel_,
-            &ExperimentPanel::addDroplet);
-    connect(addCommand(menu, {}, tr("Add &Experiment"), {}, tr("Add a copy of the experiment.")), &QAction::triggered, experiment_panel_,
-            &ExperimentPanel::addExperiment);
 }
 
 void MainWindow::buildHelpMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&Help"));
-    connect(addCommand(menu, {}, tr("&Find Command…"), QKeySequence("Ctrl+K"), tr("Any command by a few letters of its name.")),
+    connect(addCommand(menu, {}, tr("&User's Guide"), QKeySequence("F1"), tr("Explain this workspace or experiment.")), &QAction::triggered,
+            this, &MainWindow::showGuide);
+    connect(addCommand(menu, {}, tr("&Find Command…"), QKeySequence("Ctrl+K"), tr("Find a command by letters of its name.")),
             &QAction::triggered, this, &MainWindow::findCommand);
     menu->addSeparator();
     connect(addCommand(menu, {}, tr("&About Hygroloom"), {}, tr("Version and licence.")), &QAction::triggered, this, &MainWindow::about);
-    connect(addCommand(menu, {}, tr("About &Qt"), {}, tr("The toolkit of this window.")), &QAction::triggered, qApp,
+    connect(addCommand(menu, {}, tr("About &Qt"), {}, tr("The toolkit of this program.")), &QAction::triggered, qApp,
             &QApplication::aboutQt);
 }
 
@@ -243,7 +209,8 @@ void MainWindow::buildToolBar()
     bar->addSeparator();
     bar->addActions({viewport_->bar().fitAction(), screenshot_});
     bar->addSeparator();
-    bar->addActions({start_, pause_, stop_});
+    const auto& run = simulate_->actions();
+    bar->addActions({run.start, run.pause, run.stop});
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(gap);
@@ -263,25 +230,30 @@ void MainWindow::buildToolBar()
     }
 }
 
-void MainWindow::refreshActions()
-{
-    if (!take_design_) { return; }
-    const bool running = run_.running();
-    start_->setEnabled(simulation_panel_->canRun());
-    pause_->setEnabled(running);
-    pause_->setText(run_.paused() ? tr("&Go On") : tr("&Pause"));
-    pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
-    stop_->setEnabled(running);
-    save_recording_->setEnabled(playback_.run() && !playback_.live() && !playback_.path().isEmpty());
-    take_design_->setEnabled(playback_.run() != nullptr);
-    play_->setEnabled(playback_.run() != nullptr);
-    shown_plan_->setEnabled(playback_.run() != nullptr);
-}
-
 void MainWindow::findCommand()
 {
     CommandPalette palette(*menuBar(), this);
     if (palette.exec() == QDialog::Accepted && palette.chosen()) { palette.chosen()->trigger(); }
+}
+
+void MainWindow::showGuide()
+{
+    const QString page = guidePage(); // of the field that has the focus now
+    if (!guide_) { guide_ = new HelpWindow(this); }
+    guide_->showPage(page);
+    guide_->show();
+    guide_->raise();
+    guide_->activateWindow();
+}
+
+/// The experiment's type while one of its fields has the focus, else the workspace.
+QString MainWindow::guidePage() const
+{
+    const QWidget* focus = QApplication::focusWidget() ? QApplication::focusWidget() : focusWidget();
+    const Experiment* experiment = document_.experiment();
+    if (experiment && focus && simulate_->experiment().isAncestorOf(focus)) { return name_of(experiment->type); }
+    const char* pages[] = {"design", "simulate", "compare"};
+    return pages[static_cast<int>(workspace_)];
 }
 
 void MainWindow::about()
@@ -290,7 +262,7 @@ void MainWindow::about()
     box.setWindowTitle(tr("About Hygroloom"));
     box.setIconPixmap(themedIcon("hygroloom").pixmap(64, 64));
     box.setText("<h3>Hygroloom " + QApplication::applicationVersion() + "</h3><p>" +
-                tr("Simulates how a woven fabric takes up a drop of water.") + "</p>");
+                tr("Simulates how woven fabrics take up, spread and dry water.") + "</p>");
     box.setInformativeText(
         "<p>" +
         tr("This program is free software under the GNU General Public License, version 3 or later, with an additional permission "

@@ -1,38 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
-#include "core/project/atomic_file.h"
-#include "ui/basics/examples.h"
+#include "ui/basics/typed_value.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/candidates_panel.h"
-#include "ui/results/plan_dialog.h"
 #include "ui/weave/import_dialog.h"
+#include "ui/window/confirm.h"
+#include "ui/window/design_workspace.h"
+#include "ui/window/examples.h"
+#include "ui/window/file_names.h"
 #include "ui/window/main_window.h"
+#include "ui/window/recent_files.h"
 
-#include <QAction>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QLocale>
-#include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSaveFile>
 #include <QScopedValueRollback>
 #include <QSettings>
-#include <QStandardPaths>
-#include <QStatusBar>
-
-#include <algorithm>
 
 namespace hygroloom {
 
 namespace {
-
-constexpr int most_recent_files = 8;
 
 bool isRecording(const QString& path) { return path.endsWith(".hygrorec", Qt::CaseInsensitive); }
 
@@ -51,58 +44,16 @@ QString readablePath(const QMimeData* data)
     return {};
 }
 
-/// What was there stays until the copy is complete. Why it could not be made, or nothing.
-QString copyOver(const QString& from, const QString& to)
-{
-    try {
-        write_file_with(to.toStdString(), [&from](const std::filesystem::path& temporary) {
-            std::error_code error;
-            if (!std::filesystem::copy_file(from.toStdString(), temporary, std::filesystem::copy_options::overwrite_existing, error)) {
-                throw Error(error.message());
-            }
-        });
-        return {};
-    } catch (const std::exception& error) {
-        return QString::fromStdString(error.what());
-    }
-}
-
-QString withEnding(const QString& path, const QString& ending) { return path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending; }
-
 } // namespace
 
 bool MainWindow::openFile(const QString& path)
 {
     if (isDraft(path)) { return importDraft(path); }
-    if (isRecording(path)) {
-        if (run_.running() && !mayStopRun()) { return false; }
-        opening_ = QFileInfo(path).absoluteFilePath();
-        openRecording(opening_);
-        return true;
-    }
+    if (isRecording(path)) { return simulate_->openRecording(path); }
     if (!mayDiscard() || !document_.open(path)) { return false; }
-    if (!run_.running()) { playback_.clear(); }
-    addRecentFile(document_.path());
+    simulate_->clearResults();
+    recent_->add(document_.path());
     return true;
-}
-
-/// Another run of this window; the project stays.
-void MainWindow::showRun(const QString& recording)
-{
-    if (!run_.running() || mayStopRun()) {
-        opening_.clear();
-        openRecording(recording);
-    }
-}
-
-/// A run that was stopped is handled first, so that it is kept.
-void MainWindow::openRecording(const QString& path)
-{
-    if (run_.running()) {
-        next_ = path;
-    } else {
-        playback_.open(path);
-    }
 }
 
 void MainWindow::openShippedExample()
@@ -118,11 +69,12 @@ void MainWindow::offerLeftOver()
 void MainWindow::offer(const LeftOver& left)
 {
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved work was kept"),
-                    tr("Hygroloom ended before “%1” was saved. Open what was kept of it?").arg(name), QMessageBox::NoButton, this);
+    QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
+                    tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name), QMessageBox::NoButton, this);
     box.setTextFormat(Qt::PlainText);
     const QString when = tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat));
-    const QString later = tr("The file %1 was saved later; what was kept opens beside it, and saving asks for a name.").arg(left.path);
+    const QString later =
+        tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
     box.setInformativeText(left.outdated ? when + " " + later : when);
     QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
@@ -143,9 +95,9 @@ void MainWindow::newProject()
         design.experiments.push_back(Experiment{});
         design.experiments.front().name = tr("one drop").toStdString();
         document_.take(design, {});
-        candidates_->addFabric();
+        design_->candidates().addFabric();
         document_.history()->clear();
-        if (!run_.running()) { playback_.clear(); }
+        simulate_->clearResults();
     }
 }
 
@@ -158,13 +110,13 @@ void MainWindow::chooseFile()
 
 bool MainWindow::save()
 {
-    takeTypedValue();
+    commitTypedValue(*this);
     return document_.path().isEmpty() ? saveAs() : document_.save();
 }
 
 bool MainWindow::saveAs()
 {
-    takeTypedValue();
+    commitTypedValue(*this);
     QString start = document_.path();
     if (start.isEmpty()) {
         const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -172,47 +124,16 @@ bool MainWindow::saveAs()
     }
     const QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), start, tr("Projects (*.hygro)"));
     if (path.isEmpty() || !document_.saveAs(withEnding(path, ".hygro"))) { return false; }
-    addRecentFile(document_.path());
-    statusBar()->showMessage(tr("Saved %1.").arg(document_.path()), 4000);
+    recent_->add(document_.path());
+    showMessage(tr("Saved %1.").arg(document_.path()));
     return true;
-}
-
-void MainWindow::saveRecordingAs()
-{
-    if (!playback_.run() || playback_.live()) { return; }
-    if (copier_.busy()) {
-        tellProblem(tr("Another recording is still being saved. Save this one when that is done."));
-        return;
-    }
-    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                                                      : QFileInfo(document_.path()).absolutePath();
-    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) + ".hygrorec";
-    const QString chosen =
-        QFileDialog::getSaveFileName(this, tr("Save Recording"), QDir(folder).filePath(name), tr("Recordings (*.hygrorec)"));
-    if (chosen.isEmpty()) { return; }
-    const QString from = playback_.path(), to = withEnding(chosen, ".hygrorec");
-    if (QFileInfo(from) == QFileInfo(to)) { return; }
-    // Recordings may be large.
-    copier_.run([this, from, to](const NewestJob::Turn& turn) {
-        const QString why = copyOver(from, to);
-        turn.deliver([this, from, to, why] {
-            if (why.isEmpty()) {
-                history_.markSaved(from);
-                history_.forget(to); // what was there before
-                addRecentFile(to);
-                statusBar()->showMessage(tr("Saved %1.").arg(to), 4000);
-            } else {
-                tellProblem(tr("The recording cannot be written to %1: %2").arg(to, why));
-            }
-        });
-    });
 }
 
 void MainWindow::saveScreenshot()
 {
     const QImage picture = viewport_->picture();
     if (picture.isNull()) {
-        tellProblem(tr("This display cannot draw the fabric, so there is no picture to save."));
+        showProblem(tr("This display cannot draw the fabric, so there is no picture to save."));
         return;
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -222,9 +143,9 @@ void MainWindow::saveScreenshot()
     const QString path = withEnding(chosen, ".png");
     QSaveFile file(path); // an older picture stays until this one is complete
     if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit()) {
-        statusBar()->showMessage(tr("Saved %1.").arg(path), 4000);
+        showMessage(tr("Saved %1.").arg(path));
     } else {
-        tellProblem(tr("The picture cannot be written to %1.").arg(path));
+        showProblem(tr("The picture cannot be written to %1.").arg(path));
     }
 }
 
@@ -240,9 +161,9 @@ bool MainWindow::importDraft(const QString& path)
     try {
         ImportDialog dialog(import_draft(path.toStdString(), *document_.design()), this);
         if (dialog.exec() != QDialog::Accepted) { return false; }
-        candidates_->addFabric(tr("import of %1").arg(QFileInfo(path).fileName()), dialog.fabric());
+        design_->candidates().addFabric(tr("import of %1").arg(QFileInfo(path).fileName()), dialog.fabric());
     } catch (const Error& error) {
-        tellProblem(QString::fromStdString(error.what()));
+        showProblem(QString::fromStdString(error.what()));
         return false;
     }
     setWorkspace(Workspace::design);
@@ -251,33 +172,32 @@ bool MainWindow::importDraft(const QString& path)
 
 void MainWindow::exportDraft()
 {
-    takeTypedValue();
+    commitTypedValue(*this);
     if (!document_.fabric()) { return; }
     if (document_.fabricHasError()) {
-        tellProblem(tr("The fabric has an error, so its draft cannot be exported; the Issues panel says which."));
+        showProblem(tr("This fabric has an error and its draft cannot be exported. See the Issues panel."));
         return;
     }
-    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                                                      : QFileInfo(document_.path()).absolutePath();
     const QString name = QString::fromStdString(document_.fabric()->name) + ".wif";
-    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export Draft"), QDir(folder).filePath(name), tr("Drafts (*.wif)"));
+    const QString chosen =
+        QFileDialog::getSaveFileName(this, tr("Export Draft"), QDir(folderOf(document_)).filePath(name), tr("Drafts (*.wif)"));
     if (chosen.isEmpty()) { return; }
     const QString path = withEnding(chosen, ".wif");
     try {
         write_wif(*document_.design(), *document_.fabric(), path.toStdString());
-        statusBar()->showMessage(tr("Saved %1.").arg(path), 4000);
+        showMessage(tr("Saved %1.").arg(path));
     } catch (const Error& error) {
-        tellProblem(QString::fromStdString(error.what()));
+        showProblem(QString::fromStdString(error.what()));
     }
 }
 
 void MainWindow::exportMesh()
 {
-    takeTypedValue();
+    commitTypedValue(*this);
     if (!export_) {
-        export_ = new ExportDialog(document_, playback_, this);
+        export_ = new ExportDialog(document_, simulate_->playback(), this);
         export_->setAttribute(Qt::WA_DeleteOnClose);
-        connect(export_, &ExportDialog::written, this, [this](const QString& sentence) { statusBar()->showMessage(sentence, 4000); });
+        connect(export_, &ExportDialog::written, this, [this](const QString& sentence) { showMessage(sentence); });
     }
     export_->show();
     export_->raise();
@@ -286,61 +206,26 @@ void MainWindow::exportMesh()
 
 bool MainWindow::mayDiscard()
 {
-    takeTypedValue();
+    commitTypedValue(*this);
     if (!document_.modified()) { return true; }
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("They are lost otherwise."));
+    box.setInformativeText(tr("Otherwise they are lost."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
-bool MainWindow::mayStop(const QString& what, const QString& question, const QString& consequence, const QString& button)
-{
-    QMessageBox box(QMessageBox::Question, what, question, QMessageBox::Cancel, this);
-    box.setInformativeText(consequence);
-    box.addButton(button, QMessageBox::AcceptRole);
-    box.exec();
-    return box.clickedButton() != box.button(QMessageBox::Cancel);
-}
-
-bool MainWindow::mayStopRun()
-{
-    if (run_.running()) {
-        if (!mayStop(tr("A run is in progress"), tr("Stop the run?"),
-                     tr("What it has simulated so far stays only if you save the recording."), tr("Stop the Run"))) {
-            return false;
-        }
-        run_.cancel();
-    }
-    return true;
-}
-
-/// Runs that took a while are not dropped without a question.
-bool MainWindow::mayDropRuns()
-{
-    constexpr double a_while = 30; // s
-    double longest = 0;
-    for (const KeptRun& run : history_.unsaved()) { longest = std::max({longest, run.elapsed, run.run->wall}); }
-    return longest < a_while ||
-           mayStop(
-               tr("Runs are not saved"), tr("Close without saving the recordings?"),
-               tr("The longest run took %1 and is lost then. File ▸ Save Recording As keeps the run that is shown; Compare lists them all.")
-                   .arg(roughDuration(longest)),
-               tr("Close Without Saving"));
-}
-
 bool MainWindow::mayStopExport()
 {
     if (export_ && export_->writing()) {
-        if (!mayStop(tr("An export is in progress"), tr("Stop the export?"), tr("No file is written then."), tr("Stop the Export"))) {
+        if (!confirm(this, tr("An export is in progress"), tr("Stop the export?"), tr("No file will be written."), tr("Stop the Export"))) {
             return false;
         }
         if (export_ && export_->writing()) { // it may have ended meanwhile
             export_->cancel();
-            // Some formats are written in one go that takes seconds; until then the window is drawn, and nothing can be changed any more.
+            // Some formats are written in one call that takes seconds. Until it returns the window is drawn, but takes no input.
             QEventLoop end;
             connect(export_, &ExportDialog::ended, &end, &QEventLoop::quit);
             end.exec(QEventLoop::ExcludeUserInputEvents);
@@ -356,7 +241,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!mayDiscard() || !mayStopRun() || !mayDropRuns() || !mayStopExport()) {
+    if (!mayDiscard() || !simulate_->mayStopRun() || !compare_->mayDropRuns() || !mayStopExport()) {
         event->ignore();
         return;
     }
@@ -383,36 +268,6 @@ void MainWindow::dropEvent(QDropEvent* event)
         event->acceptProposedAction();
         openFile(path);
     }
-}
-
-void MainWindow::addRecentFile(const QString& path)
-{
-    QSettings settings;
-    QStringList files = settings.value("recent").toStringList();
-    files.removeAll(path);
-    files.prepend(path);
-    settings.setValue("recent", files.mid(0, most_recent_files));
-    refreshRecentFiles();
-}
-
-void MainWindow::refreshRecentFiles()
-{
-    recent_->clear();
-    const QStringList files = QSettings().value("recent").toStringList();
-    for (const QString& path : files) {
-        QAction* action = recent_->addAction(QFileInfo(path).fileName());
-        action->setToolTip("<p>" + path.toHtmlEscaped() + "</p>");
-        action->setStatusTip(path);
-        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
-    }
-    if (!files.isEmpty()) {
-        recent_->addSeparator();
-        connect(recent_->addAction(tr("&Clear List")), &QAction::triggered, this, [this] {
-            QSettings().remove("recent");
-            refreshRecentFiles();
-        });
-    }
-    recent_->setEnabled(!files.isEmpty());
 }
 
 } // namespace hygroloom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/basics/curve_legend.h"
+#include "ui/results/curve_legend.h"
 
 #include <QEvent>
 #include <QPainter>

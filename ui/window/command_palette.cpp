@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/basics/command_palette.h"
+#include "ui/window/command_palette.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -66,8 +66,7 @@ void addCommands(const QList<QAction*>& actions, const QString& way, QStandardIt
 } // namespace
 
 CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
-    : QDialog(parent), words_(new QLineEdit), list_(new QTreeView), found_(new AllWords(this)),
-      none_(new QLabel(tr("No command of this name.")))
+    : QDialog(parent), words_(new QLineEdit), list_(new QTreeView), found_(new AllWords(this)), none_(new QLabel(tr("No command matches.")))
 {
     setWindowTitle(tr("Find Command"));
     auto* commands = new QStandardItemModel(this);
@@ -85,7 +84,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     none_->setAlignment(Qt::AlignCenter);
     none_->setForegroundRole(QPalette::PlaceholderText);
     words_->setAccessibleName(tr("Words of the command"));
-    words_->setPlaceholderText(tr("Type some letters of a command"));
+    words_->setPlaceholderText(tr("Type letters of a command"));
     words_->setClearButtonEnabled(true);
     words_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/basics/time_chart_view.h"
+#include "ui/results/time_chart_view.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -10,7 +10,7 @@ TimeChartView::TimeChartView(QChart* chart, QWidget* parent) : QChartView(chart,
 {
     setRenderHint(QPainter::Antialiasing);
     setFrameShape(QFrame::NoFrame);
-    setToolTip(tr("Click to show that moment."));
+    setToolTip(tr("Click to show that time."));
     setMinimumSize(160, 100);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Names of a plot's curves, each behind a piece of its line that is long enough to tell dashes apart.
+// Names of a plot's curves, each behind a piece of its line long enough to show its dashes.
 #pragma once
 
 #include <QPen>

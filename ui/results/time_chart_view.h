@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A chart over time with a cursor at the shown moment.
+// A chart over time with a cursor at the time shown.
 #pragma once
 
 #include <QChartView>

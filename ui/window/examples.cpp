@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/basics/examples.h"
+#include "ui/window/examples.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The whole window with settings of its own, for the tests that drive it. Needs a display: xvfb-run.
+#pragma once
+
+#include "ui/basics/appearance.h"
+#include "ui/results/compare_view.h"
+#include "ui/results/simulation_panel.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+namespace hygroloom {
+
+/// A test of the window derives from it.
+class WindowTest : public QObject {
+public:
+    static void initMain() { requestOpenGL(); }
+
+protected:
+    Playback& playback() { return window_->simulate().playback(); }
+    SimulationRun& simulation() { return window_->simulate().run(); }
+    SimulationPanel& simulationPanel() { return window_->simulate().panel(); }
+    WaterMapView& waterMaps() { return window_->simulate().maps(); }
+    Chart& chart() { return window_->simulate().chart(); }
+    ResultsPanel& results() { return window_->simulate().results(); }
+    Timeline& timeline() { return window_->simulate().timeline(); }
+    CompareView& compareView() { return window_->compare().view(); }
+    RunHistory& runs() { return window_->compare().runs(); }
+    static QString example(const QString& name) { return QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + name + ".hygro"; }
+
+    /// Before the first window.
+    void useOwnSettings()
+    {
+        QCoreApplication::setOrganizationName("hygroloom-test");
+        QCoreApplication::setApplicationName("hygroloom-test");
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
+        applyAppearance(Appearance::light);
+    }
+
+    void openWindow(QSize size = {})
+    {
+        window_ = std::make_unique<MainWindow>();
+        if (!size.isEmpty()) { window_->resize(size); }
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
+    }
+
+    /// Chooses the command whose text begins with these words.
+    void trigger(const QString& words)
+    {
+        for (QAction* action : window_->findChildren<QAction*>()) {
+            if (action->text().remove('&').startsWith(words)) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable("There is no action " + words));
+    }
+
+    /// Does the work with the next modal dialog of a kind, whenever it opens.
+    template <typename Dialog, typename Work> void meet(Work work)
+    {
+        auto* timer = new QTimer(this);
+        QObject::connect(timer, &QTimer::timeout, this, [timer, work] {
+            if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
+                timer->deleteLater();
+                timer->stop();
+                work(dialog);
+            }
+        });
+        timer->start(50);
+    }
+
+    /// Answers the next question; the value is true once there was one.
+    std::shared_ptr<bool> answer(QMessageBox::StandardButton button)
+    {
+        auto asked = std::make_shared<bool>(false);
+        meet<QMessageBox>([asked, button](QMessageBox* box) {
+            *asked = true;
+            box->button(button)->click();
+        });
+        return asked;
+    }
+
+    /// Shortens the experiment to a small drop that a draft run simulates in seconds.
+    void shortenExperiment(double duration_s, double sample_mm, double volume_ul)
+    {
+        window_->document().edit("a short experiment", {}, [=](Design& d) {
+            Experiment& e = d.experiments[0];
+            e.duration_s = duration_s;
+            e.sample_mm = {sample_mm, sample_mm};
+            e.droplets = {Droplet{volume_ul, 0, {0, 0}, 0.05, 0}};
+        });
+        simulationPanel().setFidelity(Fidelity::draft);
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/panels/droplet_section.h"
+
+#include "ui/basics/icon_button.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+DropletSection::DropletSection(DesignForm& form, QObject* parent) : QObject(parent), form_(form)
+{
+    addList();
+    addFields();
+    form_.onRefresh([this] { refresh(); });
+}
+
+DesignField DropletSection::field(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
+                                  const QString& help)
+{
+    DesignField made;
+    made.label = label;
+    made.undo = undo;
+    made.where = [this, where] {
+        return "experiments[" + std::to_string(form_.document().experimentIndex()) + "].droplets[" + std::to_string(droplet_) + "]." +
+               where;
+    };
+    made.read = [this, member]() -> std::optional<double> {
+        if (!experiment() || droplet_ >= static_cast<int>(experiment()->droplets.size())) { return std::nullopt; }
+        Droplet drop = experiment()->droplets[static_cast<std::size_t>(droplet_)];
+        return member(drop);
+    };
+    made.write = [this, member](Design& design, std::optional<double> value) {
+        auto& droplets = design.experiments[static_cast<std::size_t>(form_.document().experimentIndex())].droplets;
+        if (value && droplet_ < static_cast<int>(droplets.size())) { member(droplets[static_cast<std::size_t>(droplet_)]) = *value; }
+    };
+    made.help = help;
+    return made;
+}
+
+void DropletSection::addList()
+{
+    list_ = new QListWidget;
+    list_->setAccessibleName(tr("Droplets"));
+    list_->setFixedHeight(90); // as three buttons
+    auto* buttons = new QVBoxLayout;
+    QToolButton* add = iconButton("add", tr("Add a droplet"));
+    remove_ = iconButton("remove", tr("Remove the droplet"));
+    place_ = iconButton("drop", tr("Place the droplet: click on the fabric"));
+    place_->setCheckable(true);
+    connect(place_, &QToolButton::toggled, this, &DropletSection::placingChanged);
+    buttons->setSpacing(4);
+    buttons->addWidget(add);
+    buttons->addWidget(remove_);
+    buttons->addWidget(place_);
+    buttons->addStretch();
+    auto* line = new QWidget;
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(list_, 1);
+    layout->addLayout(buttons);
+    form_.addWide(line);
+    none_ = new QLabel(tr("No droplet yet. Add one to wet the fabric."));
+    none_->setWordWrap(true);
+    form_.addWide(none_);
+    connect(add, &QToolButton::clicked, this, &DropletSection::addDroplet);
+    connect(remove_, &QToolButton::clicked, this, &DropletSection::removeDroplet);
+    connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row >= 0 && row != droplet_) {
+            droplet_ = row;
+            form_.refresh();
+            Q_EMIT dropletChosen();
+        }
+    });
+}
+
+void DropletSection::addFields()
+{
+    using D = Droplet&;
+    fields_ = {
+        form_.addQuantity(Quantity::volume(0.001, 5000),
+                          field(tr("Volume"), tr("droplet volume"), "volume_ul", [](D d) -> double& { return d.volume_ul; })),
+        form_.addQuantity(Quantity::time(0, 86400), field(
+                                                        tr("Time"), tr("droplet time"), "time_s", [](D d) -> double& { return d.time_s; },
+                                                        tr("Time at which the drop appears."))),
+        form_.addQuantity(Quantity::length(-1000, 1000),
+                          field(
+                              tr("Position along weft"), tr("droplet position"), "at_mm[0]", [](D d) -> double& { return d.at_mm[0]; },
+                              tr("Distance from the sample's centre."))),
+        form_.addQuantity(Quantity::length(-1000, 1000),
+                          field(
+                              tr("Position along warp"), tr("droplet position"), "at_mm[1]", [](D d) -> double& { return d.at_mm[1]; },
+                              tr("Distance from the sample's centre."))),
+        form_.addQuantity(Quantity::length(0, 100),
+                          field(
+                              tr("Height"), tr("droplet height"), "height_mm", [](D d) -> double& { return d.height_mm; },
+                              tr("Height of its lowest point above the fabric."))),
+        form_.addQuantity(Quantity::speed(fastest_droplet_m_s),
+                          field(
+                              tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
+                              tr("Downward speed when it appears.")))};
+}
+
+void DropletSection::refresh()
+{
+    const QSignalBlocker quiet(list_);
+    const Experiment* experiment = this->experiment();
+    const int count = experiment ? static_cast<int>(experiment->droplets.size()) : 0;
+    const int chosen = std::clamp(droplet_, 0, std::max(0, count - 1));
+    if (chosen != droplet_) {
+        droplet_ = chosen;
+        form_.refresh();
+        return;
+    }
+    list_->clear();
+    for (int i = 0; i < count; ++i) {
+        const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
+        list_->addItem(tr("%1: %2 µl at %3 s, at (%4, %5) mm")
+                           .arg(i + 1)
+                           .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1),
+                                shownNumber(drop.at_mm[1], 1)));
+    }
+    list_->setCurrentRow(count > 0 ? droplet_ : -1);
+    remove_->setEnabled(count > 0);
+    place_->setEnabled(count > 0);
+    if (count == 0 || experiment->type != ExperimentType::droplet) { place_->setChecked(false); }
+    none_->setVisible(count == 0);
+    for (QWidget* widget : fields_) { widget->setEnabled(count > 0); }
+}
+
+const Experiment* DropletSection::experiment() const { return form_.document().experiment(); }
+
+void DropletSection::edit(const QString& undo, const std::function<void(Experiment&)>& change)
+{
+    const auto index = static_cast<std::size_t>(form_.document().experimentIndex());
+    form_.document().edit(undo, {}, [&](Design& design) { change(design.experiments[index]); });
+}
+
+void DropletSection::choose(int droplet)
+{
+    if (droplet == droplet_) { return; }
+    droplet_ = droplet;
+    form_.refresh();
+}
+
+void DropletSection::addDroplet()
+{
+    const Experiment* experiment = this->experiment();
+    if (!experiment) { return; }
+    // After the last one by default: two drops in one place at one time would overlap.
+    Droplet drop = experiment->droplets.empty() ? Droplet{} : experiment->droplets.back();
+    if (!experiment->droplets.empty()) { drop.time_s += std::min(1.0, std::max(0.0, experiment->duration_s - drop.time_s) / 2); }
+    droplet_ = static_cast<int>(experiment->droplets.size());
+    edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
+}
+
+void DropletSection::placeDroplet(const QPointF& at)
+{
+    const auto rounded = [](double mm) { return std::round(10 * mm) / 10; };
+    const Experiment* experiment = this->experiment();
+    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
+        edit(tr("droplet position"), [&](Experiment& e) {
+            e.droplets[static_cast<std::size_t>(droplet_)].at_mm = {rounded(at.x()), rounded(at.y())};
+        });
+        form_.document().endStroke();
+    }
+}
+
+bool DropletSection::placing() const { return place_->isChecked(); }
+
+void DropletSection::endPlacing() { place_->setChecked(false); }
+
+void DropletSection::removeDroplet()
+{
+    const Experiment* experiment = this->experiment();
+    if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
+        edit(tr("remove droplet"), [&](Experiment& e) { e.droplets.erase(e.droplets.begin() + droplet_); });
+    }
+}
+
+} // namespace hygroloom

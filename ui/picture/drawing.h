@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What all that is drawn with OpenGL has in common: the context, colours, shaders and the cut.
+#pragma once
+
+#include "ui/basics/color_map.h"
+#include "ui/picture/fabric_scene.h"
+
+#include <QColor>
+#include <QOpenGLShaderProgram>
+#include <QPalette>
+
+namespace hygroloom {
+
+/// Asks for contexts that the renderer can use. To be called before the application begins.
+void requestOpenGL();
+
+/// How a picture is coloured.
+struct PictureColors {
+    QColor background;
+    QColor warp; ///< of ends without a colour of their own
+    QColor weft;
+    QColor marked;
+    WaterColors water = WaterColors::blue;
+};
+
+/// For a widget with this palette.
+PictureColors pictureColors(const QPalette& palette);
+
+/// Red, green and blue, each from 0 to 1.
+QVector3D rgb(const QColor& color);
+
+/// The plane of the view's cut, for shaders: a point is kept where its product with the first three is at most the fourth, in mm.
+QVector4D cutOf(const SceneView& view);
+
+/// Compiles resources/shaders/NAME.vert and NAME.frag. fading: with cells that fade over. The driver's complaint, or nothing.
+QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fading = false);
+
+/// A place in a vertex, as OpenGL takes it.
+inline const void* vertexOffset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+
+} // namespace hygroloom

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One line of a menu.
+#pragma once
+
+#include "ui/basics/appearance.h"
+
+#include <QAction>
+#include <QMenu>
+
+namespace hygroloom {
+
+/// icon: its name in resources/icons, or empty. tip: a sentence for the status bar.
+inline QAction* addCommand(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& shortcut, const QString& tip)
+{
+    auto* action = icon.isEmpty() ? menu->addAction(text) : menu->addAction(themedIcon(icon), text);
+    action->setShortcut(shortcut);
+    action->setStatusTip(tip);
+    return action;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/window/design_workspace.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/candidates_panel.h"
+#include "ui/panels/fabric_panel.h"
+#include "ui/picture/viewport.h"
+#include "ui/weave/draft_editor.h"
+#include "ui/weave/order_editor.h"
+#include "ui/weave/point_paper.h"
+#include "ui/weave/weave_editor.h"
+#include "ui/window/docks.h"
+
+#include <algorithm>
+
+namespace hygroloom {
+
+DesignWorkspace::DesignWorkspace(Document& document, Viewport& viewport, QMainWindow& window)
+    : document_(document), window_(window), candidates_(new CandidatesPanel(document)), weave_(new WeaveEditor(document)),
+      draft_(new DraftEditor(document)), fabric_(new FabricPanel(document))
+{
+    docks_.candidates = makeDock(window, "candidates", tr("Candidates"), candidates_);
+    docks_.weave = makeDock(window, "weave", tr("Weave"), weave_);
+    docks_.draft = makeDock(window, "draft", tr("Draft"), draft_);
+    docks_.fabric = makeDock(window, "fabric", tr("Fabric"), fabric_);
+    connectParts(viewport);
+}
+
+void DesignWorkspace::connectParts(Viewport& viewport)
+{
+    connect(weave_->paper(), &PointPaper::crossingHovered, &viewport, &Viewport::setHighlight);
+    connect(&viewport, &Viewport::repeatHovered, weave_->paper(), &PointPaper::setHighlight);
+    connect(&viewport, &Viewport::repeatSelected, weave_->paper(), &PointPaper::setSelectedYarn);
+    connect(candidates_, &CandidatesPanel::reported, this, [this](const QString& sentence, bool problem) {
+        if (problem) {
+            Q_EMIT problemFound(sentence);
+        } else {
+            Q_EMIT messageShown(sentence, 4000);
+        }
+    });
+    connect(weave_, &WeaveEditor::draftRequested, this, [this] {
+        docks_.draft->setVisible(true);
+        window_.resizeDocks({docks_.draft}, {std::max(300, window_.height() * 2 / 5)}, Qt::Vertical);
+        draft_->paper()->setFocus();
+    });
+    connect(draft_->order(), &OrderEditor::yarnActivated, this, [this](int yarn) {
+        reveal(docks_.fabric);
+        fabric_->showYarn(yarn);
+    });
+}
+
+void DesignWorkspace::showFabricIssue(const QString& where, const QString& part)
+{
+    if (part.isEmpty() || part == "name") {
+        reveal(docks_.candidates);
+        candidates_->setFocus();
+    } else if (part.startsWith("weave")) {
+        reveal(docks_.weave);
+        weave_->paper()->setFocus();
+    } else if (part.startsWith("warp_order") || part.startsWith("weft_order")) {
+        reveal(docks_.draft);
+        draft_->order()->showOrder(part.startsWith("warp_order"));
+    } else {
+        reveal(docks_.fabric);
+        fabric_->showField(where.toStdString());
+    }
+}
+
+/// Materials have no fields in this window; the yarns that use them do.
+void DesignWorkspace::showMaterialIssue(int material)
+{
+    const Design& design = *document_.design();
+    if (material >= static_cast<int>(design.materials.size())) { return; }
+    const std::string& name = design.materials[static_cast<std::size_t>(material)].name;
+    const auto made_of = [&name](const Yarn& yarn) {
+        return std::any_of(yarn.material.begin(), yarn.material.end(), [&name](const MaterialShare& share) { return share.name == name; });
+    };
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i) {
+        const Fabric& fabric = design.fabrics[i];
+        QString yarn = made_of(fabric.warp) ? "warp" : made_of(fabric.weft) ? "weft" : QString();
+        for (std::size_t k = 0; k < fabric.extra_yarns.size() && yarn.isEmpty(); ++k) {
+            yarn = made_of(fabric.extra_yarns[k]) ? QString("extra_yarns[%1]").arg(k) : QString();
+        }
+        if (!yarn.isEmpty()) {
+            document_.setFabricIndex(static_cast<int>(i));
+            const QString part = yarn + ".material";
+            showFabricIssue(QString("fabrics[%1].%2").arg(i).arg(part), part);
+            break;
+        }
+    }
+    Q_EMIT messageShown(tr("Edit the values of “%1” in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Panels of the window that can be moved, hidden and shown.
+#pragma once
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace hygroloom {
+
+/// name: under which the window saves its place. Precondition: unique in the window.
+inline QDockWidget* makeDock(QMainWindow& window, const char* name, const QString& title, QWidget* content)
+{
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name);
+    dock->setAccessibleName(title);
+    dock->setWidget(content);
+    return dock;
+}
+
+/// Shows it in front of those that share its place.
+inline void reveal(QDockWidget* dock)
+{
+    dock->setVisible(true);
+    dock->raise();
+}
+
+} // namespace hygroloom

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Panels, commands and the picture. Runs and recordings: simulate_workspace_runs.cpp.
+#include "ui/window/simulate_workspace.h"
+
+#include "core/project/project_file.h"
+#include "ui/document/document.h"
+#include "ui/panels/droplet_section.h"
+#include "ui/panels/experiment_panel.h"
+#include "ui/picture/viewport.h"
+#include "ui/results/chart.h"
+#include "ui/results/results_panel.h"
+#include "ui/results/simulation_panel.h"
+#include "ui/results/timeline.h"
+#include "ui/results/water_map_view.h"
+#include "ui/window/command.h"
+#include "ui/window/docks.h"
+
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+/// The part of a design that a run depends on, as text: results hold while it stays equal.
+std::string dependence(const Design& design, const std::string& fabric, const std::string& experiment)
+{
+    Design part;
+    part.materials = design.materials;
+    if (const Fabric* found = find_fabric(design, fabric)) { part.fabrics.push_back(*found); }
+    if (const Experiment* found = find_experiment(design, experiment)) {
+        part.experiments.push_back(*found);
+        if (const Liquid* liquid = find_liquid(design, found->liquid)) { part.liquids.push_back(*liquid); }
+    }
+    return format_project(part);
+}
+
+} // namespace
+
+SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& runs, Viewport& viewport, QMainWindow& window)
+    : document_(document), history_(runs), viewport_(viewport), window_(window)
+{
+    buildPanels(window);
+    connectPanels();
+    connectRun();
+    connectPlayback();
+}
+
+SimulateWorkspace::~SimulateWorkspace()
+{
+    // The parts report their end, when the panels are half gone.
+    run_.disconnect(this);
+    playback_.disconnect(this);
+    run_.cancel();
+}
+
+void SimulateWorkspace::buildPanels(QMainWindow& window)
+{
+    maps_ = new WaterMapView(playback_);
+    experiment_ = new ExperimentPanel(document_);
+    simulation_ = new SimulationPanel(document_, run_);
+    timeline_ = new Timeline(playback_);
+    chart_ = new Chart(playback_);
+    results_ = new ResultsPanel(playback_);
+    auto* time = new QWidget;
+    auto* layout = new QVBoxLayout(time);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(timeline_);
+    layout->addWidget(chart_, 1);
+    docks_.experiment = makeDock(window, "experiment", tr("Experiment"), experiment_);
+    docks_.simulation = makeDock(window, "simulation", tr("Simulation"), simulation_);
+    docks_.timeline = makeDock(window, "timeline", tr("Time"), time);
+    docks_.results = makeDock(window, "results", tr("Results"), results_);
+}
+
+void SimulateWorkspace::connectPanels()
+{
+    DropletSection& droplets = experiment_->droplets();
+    connect(&document_, &Document::designChanged, this, &SimulateWorkspace::refreshStale);
+    connect(&droplets, &DropletSection::dropletChosen, this, &SimulateWorkspace::refreshDrops);
+    connect(&droplets, &DropletSection::placingChanged, this, &SimulateWorkspace::refreshDrops);
+    if (TextileCanvas* canvas = viewport_.canvas()) {
+        connect(canvas, &TextileCanvas::placed, &droplets, &DropletSection::placeDroplet);
+        connect(canvas, &TextileCanvas::placingEnded, &droplets, &DropletSection::endPlacing);
+    }
+    connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
+    connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
+}
+
+void SimulateWorkspace::fillFileMenu(QMenu* menu)
+{
+    actions_.save_recording = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Save the run that is shown."));
+    connect(actions_.save_recording, &QAction::triggered, this, &SimulateWorkspace::saveRecordingAs);
+}
+
+void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
+{
+    Actions& a = actions_;
+    a.start = addCommand(menu, "run", tr("&Run"), QKeySequence("Ctrl+R"), tr("Run the experiment on the selected fabric."));
+    connect(a.start, &QAction::triggered, this, &SimulateWorkspace::startRun);
+    a.pause = addCommand(menu, "pause", tr("&Pause"), {}, tr("Pause or resume the run."));
+    connect(a.pause, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
+    a.stop = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run. Results up to now are kept."));
+    connect(a.stop, &QAction::triggered, &run_, &SimulationRun::cancel);
+    QAction* plan =
+        addCommand(menu, "plan", tr("&What Will Be Modelled, and Why…"), {}, tr("Which physics the next run models, and the reasons."));
+    connect(plan, &QAction::triggered, simulation_, &SimulationPanel::showPlan);
+    a.shown_plan =
+        addCommand(menu, {}, tr("What W&as Modelled, and Why…"), {}, tr("Which physics the run on screen modelled, and the reasons."));
+    connect(a.shown_plan, &QAction::triggered, results_, &ResultsPanel::showPlan);
+    menu->addSeparator();
+    a.play = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Play back the run."));
+    connect(a.play, &QAction::triggered, timeline_, &Timeline::togglePlaying);
+    a.take_design =
+        addCommand(menu, {}, tr("Open the &Design of the Recording"), {}, tr("Edit the design from which the run on screen was made."));
+    connect(a.take_design, &QAction::triggered, this, &SimulateWorkspace::designRequested);
+    menu->addSeparator();
+    connect(addCommand(menu, "add", tr("&Add Droplet"), {}, tr("Add a droplet to the experiment.")), &QAction::triggered,
+            &experiment_->droplets(), &DropletSection::addDroplet);
+    connect(addCommand(menu, {}, tr("Add &Experiment"), {}, tr("Add a copy of the experiment.")), &QAction::triggered, experiment_,
+            &ExperimentPanel::addExperiment);
+}
+
+void SimulateWorkspace::refreshActions()
+{
+    const Actions& a = actions_;
+    if (!a.start) { return; }
+    const bool running = run_.running(), any = playback_.run() != nullptr;
+    a.start->setEnabled(simulation_->canRun());
+    a.pause->setEnabled(running);
+    a.pause->setText(run_.paused() ? tr("&Resume") : tr("&Pause"));
+    a.pause->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
+    a.stop->setEnabled(running);
+    a.save_recording->setEnabled(any && !playback_.live() && !playback_.path().isEmpty());
+    a.take_design->setEnabled(any);
+    a.play->setEnabled(any);
+    a.shown_plan->setEnabled(any);
+}
+
+bool SimulateWorkspace::drawRun()
+{
+    if (!playback_.run()) { return false; }
+    viewport_.showRun(playback_.run());
+    if (playback_.frame()) { viewport_.showFrame(playback_.frame(), playback_.maximumSaturation()); }
+    viewport_.setNotice(stale_ ? whyStale() : QString());
+    return true;
+}
+
+bool SimulateWorkspace::drawSample()
+{
+    if (!document_.experiment() || document_.hasError()) { return false; }
+    viewport_.showSample(document_.design(), document_.fabricIndex(), *document_.experiment());
+    return true;
+}
+
+void SimulateWorkspace::refreshDrops()
+{
+    TextileCanvas* canvas = viewport_.canvas();
+    if (!canvas) { return; }
+    const DropletSection& droplets = experiment_->droplets();
+    std::vector<QPointF> places;
+    const Experiment* experiment = document_.experiment();
+    const bool marked = !playback_.run() || droplets.placing();
+    if (shown_ && marked && experiment && experiment->type == ExperimentType::droplet) {
+        for (const Droplet& drop : experiment->droplets) { places.emplace_back(drop.at_mm[0], drop.at_mm[1]); }
+    }
+    canvas->setDrops(places, droplets.chosen());
+    canvas->setPlacing(shown_ && droplets.placing());
+}
+
+void SimulateWorkspace::refreshStale()
+{
+    stale_ = false;
+    if (const auto& run = playback_.run()) {
+        const bool chosen = document_.fabric() && document_.experiment() && document_.fabric()->name == run->fabric &&
+                            document_.experiment()->name == run->experiment;
+        stale_ = !chosen ||
+                 dependence(run->design, run->fabric, run->experiment) != dependence(*document_.design(), run->fabric, run->experiment);
+    }
+}
+
+QString SimulateWorkspace::whyStale() const
+{
+    const auto& run = playback_.run();
+    if (!document_.fabric() || document_.fabric()->name != run->fabric) {
+        return tr("These results are for “%1”. Run the selected fabric.").arg(QString::fromStdString(run->fabric));
+    }
+    if (!document_.experiment() || document_.experiment()->name != run->experiment) {
+        return tr("These results are for “%1”. Run the selected experiment.").arg(QString::fromStdString(run->experiment));
+    }
+    return tr("Out of date: the design has changed since this run. Run again.");
+}
+
+/// Chooses the fabric and the experiment of the run on screen.
+void SimulateWorkspace::chooseWhatRan()
+{
+    const auto& run = playback_.run();
+    const Design& design = *document_.design();
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i) {
+        if (design.fabrics[i].name == run->fabric) { document_.setFabricIndex(static_cast<int>(i)); }
+    }
+    for (std::size_t i = 0; i < design.experiments.size(); ++i) {
+        if (design.experiments[i].name == run->experiment) { document_.setExperimentIndex(static_cast<int>(i)); }
+    }
+}
+
+void SimulateWorkspace::takeDesign()
+{
+    document_.take(playback_.run()->design, tr("Design of the recording"));
+    chooseWhatRan();
+}
+
+void SimulateWorkspace::showIssue(const QString& where)
+{
+    reveal(docks_.experiment);
+    experiment_->showField(where.toStdString());
+}
+
+} // namespace hygroloom

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The workspace in which experiments run: its panels, the run in progress, and the recording that is shown.
+#pragma once
+
+#include "ui/results/playback.h"
+#include "ui/results/simulation_run.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace hygroloom {
+
+class Chart;
+class Document;
+class ExperimentPanel;
+class ResultsPanel;
+class RunHistory;
+class SimulationPanel;
+class Timeline;
+class Viewport;
+class WaterMapView;
+
+class SimulateWorkspace : public QObject {
+    Q_OBJECT
+public:
+    struct Docks {
+        QDockWidget* experiment = nullptr;
+        QDockWidget* simulation = nullptr;
+        QDockWidget* timeline = nullptr;
+        QDockWidget* results = nullptr;
+    };
+    /// Commands that the tool bar shares with the menu.
+    struct Actions {
+        QAction* start = nullptr;
+        QAction* pause = nullptr;
+        QAction* stop = nullptr;
+        QAction* play = nullptr;
+        QAction* shown_plan = nullptr;
+        QAction* take_design = nullptr;
+        QAction* save_recording = nullptr;
+    };
+
+    SimulateWorkspace(Document& document, RunHistory& runs, Viewport& viewport, QMainWindow& window);
+    ~SimulateWorkspace() override;
+
+    Playback& playback() { return playback_; }
+    SimulationRun& run() { return run_; }
+    SimulationPanel& panel() { return *simulation_; }
+    ExperimentPanel& experiment() { return *experiment_; }
+    WaterMapView& maps() { return *maps_; }
+    Chart& chart() { return *chart_; }
+    ResultsPanel& results() { return *results_; }
+    Timeline& timeline() { return *timeline_; }
+    const Docks& docks() const { return docks_; }
+    const Actions& actions() const { return actions_; }
+    /// Adds saving of the recording to the File menu.
+    void fillFileMenu(QMenu* menu);
+    void fillExperimentMenu(QMenu* menu);
+
+    /// Whether this workspace is the one on screen.
+    void setShown(bool shown) { shown_ = shown; }
+    /// Draws the run that is shown; false when there is none.
+    bool drawRun();
+    /// Draws the dry sample of the experiment; false when the project has an error or no experiment.
+    bool drawSample();
+    /// Marks where drops fall, unless a run shows where they fell.
+    void refreshDrops();
+    void refreshActions();
+    bool resultsAreStale() const { return stale_; }
+    /// Focuses the field of a value of an experiment or a liquid.
+    void showIssue(const QString& where);
+
+    void startRun();
+    /// Opens a recording, with its design if the project has no changes. False when the user keeps the run in progress.
+    bool openRecording(const QString& path);
+    /// Opens the recording of an earlier run; the project stays.
+    void showEarlierRun(const QString& recording);
+    /// Clears the results, unless a run is in progress.
+    void clearResults();
+    /// Replaces the project's design by that of the recording.
+    void takeDesign();
+    /// Asks before it stops a run in progress. True when there is none any more.
+    bool mayStopRun();
+
+Q_SIGNALS:
+    void problemFound(const QString& sentence);
+    /// For the status bar, for a time in ms.
+    void messageShown(const QString& sentence, int ms);
+    /// There is something to see here: a run or a recording.
+    void wanted();
+    /// A recording outside the window's own folder was opened or saved.
+    void recordingUsed(const QString& path);
+    void pictureChanged();
+    void designRequested();
+
+private:
+    // simulate_workspace.cpp
+    void buildPanels(QMainWindow& window);
+    void connectPanels();
+    void refreshStale();
+    QString whyStale() const;
+    void chooseWhatRan();
+    // simulate_workspace_runs.cpp
+    void connectRun();
+    void connectPlayback();
+    void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
+    void read(const QString& recording);
+    void takeOpened(const QString& path);
+    void keepRun();
+    void makeRoom();
+    bool isOwn(const QString& recording) const;
+    void saveRecordingAs();
+    void copyRecording(const QString& from, const QString& to);
+
+    Document& document_;
+    RunHistory& history_;
+    Viewport& viewport_;
+    QMainWindow& window_;
+    QTemporaryDir recordings_; // outlives the parts that read and write in it
+    Playback playback_;
+    SimulationRun run_;
+    NewestJob copier_;
+    int runs_ = 0;
+    QString run_path_;
+    QElapsedTimer run_clock_;
+    double run_elapsed_ = 0; ///< s, of the run at run_path_ once it has ended
+    QString opening_;        ///< the recording whose design is to be taken with it
+    QString next_;           ///< the recording to open once the cancelled run has ended
+    bool shown_ = false;
+    bool stale_ = false;
+
+    ExperimentPanel* experiment_ = nullptr;
+    SimulationPanel* simulation_ = nullptr;
+    WaterMapView* maps_ = nullptr;
+    Timeline* timeline_ = nullptr;
+    Chart* chart_ = nullptr;
+    ResultsPanel* results_ = nullptr;
+    Docks docks_;
+    Actions actions_;
+};
+
+} // namespace hygroloom

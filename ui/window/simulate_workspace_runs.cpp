@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs from their start to their recording.
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+#include "ui/basics/typed_value.h"
+#include "ui/document/document.h"
+#include "ui/panels/droplet_section.h"
+#include "ui/panels/experiment_panel.h"
+#include "ui/picture/viewport.h"
+#include "ui/results/run_history.h"
+#include "ui/results/simulation_panel.h"
+#include "ui/window/confirm.h"
+#include "ui/window/file_names.h"
+#include "ui/window/simulate_workspace.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+
+#include <utility>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr double most_recorded = 2e9; // bytes, of runs that are not saved
+
+/// An older file at to stays until the copy is complete. The reason it could not be made, or nothing.
+QString copyOver(const QString& from, const QString& to)
+{
+    try {
+        write_file_with(to.toStdString(), [&from](const std::filesystem::path& temporary) {
+            std::error_code error;
+            if (!std::filesystem::copy_file(from.toStdString(), temporary, std::filesystem::copy_options::overwrite_existing, error)) {
+                throw Error(error.message());
+            }
+        });
+        return {};
+    } catch (const std::exception& error) {
+        return QString::fromStdString(error.what());
+    }
+}
+
+} // namespace
+
+void SimulateWorkspace::connectRun()
+{
+    connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
+        run_clock_.start();
+        playback_.begin(run, run_path_);
+        makeRoom();
+    });
+    connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
+    connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
+    connect(&run_, &SimulationRun::pausedChanged, this, &SimulateWorkspace::refreshActions);
+    connect(&run_, &SimulationRun::ended, this, &SimulateWorkspace::showRunEnd);
+}
+
+void SimulateWorkspace::connectPlayback()
+{
+    connect(&playback_, &Playback::failed, this, &SimulateWorkspace::problemFound);
+    connect(&playback_, &Playback::runChanged, this, [this] {
+        refreshStale();
+        Q_EMIT pictureChanged();
+        refreshActions();
+    });
+    connect(&playback_, &Playback::frameShown, this, [this] {
+        if (shown_ && playback_.frame()) { viewport_.showFrame(playback_.frame(), playback_.maximumSaturation()); }
+    });
+    connect(&playback_, &Playback::metricsChanged, this, [this] {
+        if (!playback_.live()) { viewport_.setRunMaximum(playback_.maximumSaturation()); }
+        keepRun();
+    });
+    connect(&playback_, &Playback::opened, this, &SimulateWorkspace::takeOpened);
+}
+
+void SimulateWorkspace::startRun()
+{
+    commitTypedValue(window_);
+    if (!simulation_->canRun()) { return; }
+    Q_EMIT wanted();
+    experiment_->droplets().endPlacing();
+    RunOptions options;
+    options.fidelity = simulation_->fidelity();
+    options.may_go_on_on_cpu = true;
+    run_elapsed_ = 0;
+    run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
+    options.recording = run_path_.toStdString();
+    run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_->backend());
+    refreshActions();
+}
+
+void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString& sentence)
+{
+    run_elapsed_ = run_clock_.isValid() ? 1e-3 * static_cast<double>(run_clock_.elapsed()) : 0;
+    run_clock_.invalidate();
+    playback_.end();
+    refreshActions();
+    const bool another = !next_.isEmpty();
+    if (another) { playback_.open(std::exchange(next_, {})); }
+    if (!another && outcome == SimulationRun::Outcome::device_failed && simulation_->backend() != "cpu") {
+        QMessageBox box(QMessageBox::Question, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence),
+                        QMessageBox::Yes | QMessageBox::No, &window_);
+        box.setTextFormat(Qt::PlainText);
+        if (box.exec() == QMessageBox::Yes) {
+            simulation_->setBackend("cpu");
+            startRun();
+        }
+    } else if (!sentence.isEmpty()) {
+        Q_EMIT problemFound(sentence);
+    }
+}
+
+bool SimulateWorkspace::mayStopRun()
+{
+    if (run_.running()) {
+        if (!confirm(&window_, tr("A run is in progress"), tr("Stop the run?"),
+                     tr("Its results up to now are lost on closing unless you save the recording."), tr("Stop the Run"))) {
+            return false;
+        }
+        run_.cancel();
+    }
+    return true;
+}
+
+void SimulateWorkspace::clearResults()
+{
+    if (!run_.running()) { playback_.clear(); }
+}
+
+bool SimulateWorkspace::openRecording(const QString& path)
+{
+    if (!mayStopRun()) { return false; }
+    opening_ = QFileInfo(path).absoluteFilePath();
+    read(opening_);
+    return true;
+}
+
+void SimulateWorkspace::showEarlierRun(const QString& recording)
+{
+    if (!mayStopRun()) { return; }
+    opening_.clear();
+    read(recording);
+}
+
+/// A cancelled run ends first, so that it is kept.
+void SimulateWorkspace::read(const QString& recording)
+{
+    if (run_.running()) {
+        next_ = recording;
+    } else {
+        playback_.open(recording);
+    }
+}
+
+void SimulateWorkspace::takeOpened(const QString& path)
+{
+    if (!isOwn(path)) { Q_EMIT recordingUsed(path); }
+    if (path == opening_ && !document_.modified()) {
+        document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
+    }
+    if (path != opening_ || !document_.modified()) { chooseWhatRan(); }
+    Q_EMIT wanted();
+}
+
+/// Adds the run on screen to the history once it is complete.
+void SimulateWorkspace::keepRun()
+{
+    const QString& path = playback_.path();
+    if (!playback_.run() || !playback_.metrics() || !playback_.whole() || path.isEmpty()) { return; }
+    KeptRun kept{path, playback_.run(), playback_.metrics()};
+    kept.own = isOwn(path);
+    kept.saved = !kept.own;
+    kept.elapsed = path == run_path_ ? run_elapsed_ : 0;
+    history_.keep(kept);
+}
+
+void SimulateWorkspace::makeRoom()
+{
+    const int lost = history_.dropOldest(most_recorded);
+    if (lost == 1) { Q_EMIT messageShown(tr("The oldest unsaved run was deleted to free disk space."), 10000); }
+    if (lost > 1) { Q_EMIT messageShown(tr("The %1 oldest unsaved runs were deleted to free disk space.").arg(lost), 10000); }
+}
+
+bool SimulateWorkspace::isOwn(const QString& recording) const
+{
+    return recordings_.isValid() && recording.startsWith(recordings_.path() + "/");
+}
+
+void SimulateWorkspace::saveRecordingAs()
+{
+    if (!playback_.run() || playback_.live()) { return; }
+    if (copier_.busy()) {
+        Q_EMIT problemFound(tr("Another recording is still being saved. Save this one when that is done."));
+        return;
+    }
+    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) + ".hygrorec";
+    const QString chosen = QFileDialog::getSaveFileName(&window_, tr("Save Recording"), QDir(folderOf(document_)).filePath(name),
+                                                        tr("Recordings (*.hygrorec)"));
+    if (chosen.isEmpty()) { return; }
+    const QString to = withEnding(chosen, ".hygrorec");
+    if (QFileInfo(playback_.path()) != QFileInfo(to)) { copyRecording(playback_.path(), to); }
+}
+
+/// In the background: recordings may be large.
+void SimulateWorkspace::copyRecording(const QString& from, const QString& to)
+{
+    copier_.run([this, from, to](const NewestJob::Turn& turn) {
+        const QString why = copyOver(from, to);
+        turn.deliver([this, from, to, why] {
+            if (why.isEmpty()) {
+                history_.markSaved(from);
+                history_.forget(to); // an older recording at that place
+                Q_EMIT recordingUsed(to);
+                Q_EMIT messageShown(tr("Saved %1.").arg(to), 4000);
+            } else {
+                Q_EMIT problemFound(tr("The recording cannot be written to %1: %2").arg(to, why));
+            }
+        });
+    });
+}
+
+} // namespace hygroloom
