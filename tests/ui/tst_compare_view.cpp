@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(list->topLevelItem(0)->flags() & Qt::ItemIsUserCheckable);
         QVERIFY(!(list->topLevelItem(1)->flags() & Qt::ItemIsUserCheckable));
         QVERIFY(list->topLevelItem(1)->toolTip(0).contains("another experiment"));
-        QVERIFY(list->topLevelItem(2)->toolTip(0).contains("got to their end"));
+        QVERIFY(list->topLevelItem(2)->toolTip(0).contains("Only completed runs"));
         view.choose(thick_.path, false);
         view.choose(hot_.path, true);
         QCOMPARE(view.chosen(), QStringList{hot_.path});

@@ -80,7 +80,7 @@ private Q_SLOTS:
         document_->setExperimentIndex(static_cast<int>(ExperimentType::moisture_management));
         const std::string before = text();
         QuantityEdit* drops = field("Drop volume");
-        QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("0: one pool"));
+        QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("from one pool"));
         QCOMPARE(drops->value().value(), 0.0);
         drops->setFocus();
         drops->selectAll();
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QTest::newRow("a strip") << 2 << "experiments[2].strip_mm[1]"
                                  << "Strip length";
         QTest::newRow("a feed's drops") << 1 << "experiments[1].drop_ul"
-                                        << "Drops";
+                                        << "Drop volume";
         QTest::newRow("a climate") << 1 << "experiments[1].climate.air_speed_m_s"
                                    << "Air speed";
         QTest::newRow("one that a type has") << 5 << "experiments[5].initial.relative_humidity"

@@ -207,7 +207,7 @@ private Q_SLOTS:
             for (const bool estimated : {false, true}) {
                 if (estimated) { waitForText("Size of the export", "about"); }
                 const QString asked = startAnswering(QMessageBox::No);
-                QVERIFY2(asked.startsWith(QString(beside) + " is there already."), qPrintable(asked));
+                QVERIFY2(asked.startsWith(QString(beside) + " already exists."), qPrintable(asked));
                 QVERIFY(!dialog_->writing());
                 QCOMPARE(contents(beside), QByteArray("of another program"));
             }
@@ -219,7 +219,7 @@ private Q_SLOTS:
         dialog_->setFile(folder_->filePath("cloth.obj"));
         write();
         const QString asked = startAnswering(QMessageBox::No);
-        QVERIFY2(asked.startsWith("cloth.obj and cloth.mtl are there already."), qPrintable(asked));
+        QVERIFY2(asked.startsWith("cloth.obj and cloth.mtl already exist."), qPrintable(asked));
         QVERIFY(!dialog_->writing());
     }
 
@@ -232,7 +232,7 @@ private Q_SLOTS:
         write();
         QVERIFY(QFile::exists(folder_->filePath("a/cloth.ply")));
         QCOMPARE(text("File"), QDir::toNativeSeparators(folder_->filePath("a/cloth.ply")));
-        QVERIFY(startAnswering(QMessageBox::Yes).startsWith("cloth.ply is there already."));
+        QVERIFY(startAnswering(QMessageBox::Yes).startsWith("cloth.ply already exists."));
         QTRY_VERIFY_WITH_TIMEOUT(!dialog_->writing(), 10000);
         QVERIFY(!QFile::exists(folder_->filePath("a/a/cloth.ply")));
     }
@@ -310,7 +310,7 @@ private Q_SLOTS:
         dialog_->setFile(folder_->filePath("cloth.stl"));
         QTRY_VERIFY_WITH_TIMEOUT(button("Export")->isEnabled(), 5000);
         document_.edit("ends", {}, [](Design& design) { design.fabrics[0].ends_per_cm = -1; });
-        waitForNote("The fabric has an error");
+        waitForNote("This fabric has an error");
         QVERIFY(!button("Export")->isEnabled());
     }
 

@@ -237,9 +237,9 @@ private Q_SLOTS:
         });
         QVERIFY(window_->openFile(saved));
         QTRY_COMPARE_WITH_TIMEOUT(playback().path(), saved, 10000);
-        const auto& runs = runs().runs();
-        const auto stopped = std::find_if(runs.begin(), runs.end(), [&](const KeptRun& run) { return run.path == second; });
-        QVERIFY(stopped != runs.end());
+        const auto& kept = runs().runs();
+        const auto stopped = std::find_if(kept.begin(), kept.end(), [&](const KeptRun& run) { return run.path == second; });
+        QVERIFY(stopped != kept.end());
         QVERIFY(!stopped->complete() && stopped->own && !stopped->saved);
         QVERIFY(stopped->elapsed > 0);
     }

@@ -17,24 +17,14 @@
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QPlainTextEdit>
-#include <QRadioButton>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTextBrowser>
-#include <QToolButton>
-
-#include <algorithm>
-#include <cstdlib>
 
 using namespace hygroloom;
 
@@ -202,7 +192,7 @@ private Q_SLOTS:
         results().showPlan();
         const QString shown = told(results());
         const QString ran = QString::fromStdString(playback().run()->experiment);
-        QVERIFY2(shown.startsWith("The run that is shown: " + ran + " on ") && ran != "soon", qPrintable(shown));
+        QVERIFY2(shown.startsWith("The run on screen: " + ran + " on ") && ran != "soon", qPrintable(shown));
         QVERIFY(shown.contains(QString::fromStdString(playback().run()->plan.parts[0].reason)));
         window_->document().history()->undo();
     }
@@ -435,137 +425,7 @@ private Q_SLOTS:
         window_->document().history()->undo();
     }
 
-    void anyCommandIsFoundByAFewLetters()
-    {
-        CommandPalette palette(*window_->menuBar());
-        QVERIFY(palette.shown() > 40);
-        palette.search("mesh exp");
-        QCOMPARE(palette.shown(), 1);
-        QCOMPARE(palette.chosen()->text(), QString("Export &Mesh…"));
-        palette.search("stop"); // nothing runs
-        QVERIFY(palette.shown() >= 1);
-        QVERIFY(!palette.chosen());
-        palette.search("no command has this name");
-        QCOMPARE(palette.shown(), 0);
-        const auto labels = palette.findChildren<QLabel*>();
-        QVERIFY(std::any_of(labels.begin(), labels.end(),
-                            [&](const QLabel* label) { return label->isVisibleTo(&palette) && label->text() == "No command matches."; }));
-        QVERIFY(!palette.chosen());
-    }
-
-    void theFieldOfCommandsIsTypedIntoAnywhereAndUndone()
-    {
-        CommandPalette palette(*window_->menuBar());
-        palette.show();
-        auto* words = palette.findChild<QLineEdit*>();
-        QTest::keyClicks(words, "mesh xp");
-        words->setCursorPosition(5);
-        QTest::keyClicks(words, "ex");
-        QCOMPARE(words->text(), QString("mesh exxp"));
-        QCOMPARE(words->cursorPosition(), 7);
-        QCOMPARE(palette.shown(), 0);
-        QVERIFY(words->isUndoAvailable());
-        words->undo();
-        QCOMPARE(words->text(), QString("mesh xp"));
-    }
-
-    void aCommandThatIsGoneIsNotDone()
-    {
-        QMenuBar bar;
-        QMenu* menu = bar.addMenu("File");
-        QAction* recent = menu->addAction("cloth.hygro");
-        CommandPalette palette(bar);
-        palette.search("cloth");
-        QCOMPARE(palette.chosen(), recent);
-        delete recent;
-        QCOMPARE(palette.shown(), 1);
-        QVERIFY(!palette.chosen());
-    }
-
-    void ctrlKDoesWhatIsChosen()
-    {
-        window_->setWorkspace(Workspace::design);
-        QTimer::singleShot(200, this, [] {
-            if (auto* palette = qobject_cast<CommandPalette*>(QApplication::activeModalWidget())) {
-                QTest::keyClicks(palette->findChild<QLineEdit*>(), "view simulate");
-                QTest::keyClick(palette->findChild<QLineEdit*>(), Qt::Key_Return);
-            }
-        });
-        trigger("Find Command");
-        QCOMPARE(window_->workspace(), Workspace::simulate);
-    }
-
-    void highContrastOutlinesEveryControl()
-    {
-        applyAppearance(Appearance::contrast);
-        QWidget page;
-        page.resize(300, 300);
-        auto* radio = new QRadioButton(&page);
-        radio->setGeometry(10, 10, 100, 24);
-        auto* slider = new QSlider(Qt::Horizontal, &page);
-        slider->setGeometry(10, 50, 200, 24);
-        auto* text = new QPlainTextEdit(&page);
-        text->setGeometry(10, 90, 100, 60);
-        auto* list = new QListWidget(&page);
-        list->setGeometry(10, 160, 100, 60);
-        page.show();
-        const QImage picture = page.grab().toImage();
-        const auto brightest = [&](QRect where) {
-            int most = 0;
-            for (int y = where.top(); y <= where.bottom(); ++y) {
-                for (int x = where.left(); x <= where.right(); ++x) { most = std::max(most, qGray(picture.pixel(x, y))); }
-            }
-            return most;
-        };
-        const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
-        const int least = background + 160;                                                              // 21 : 1 is 255
-        QVERIFY(brightest(radio->geometry().adjusted(0, 0, -76, 0)) > least);                            // without its words
-        QVERIFY(brightest(QRect(slider->geometry().center(), QSize(90, 12)).translated(0, -6)) > least); // the groove
-        QVERIFY(brightest(QRect(slider->geometry().topLeft(), QSize(12, 24))) > least);                  // the handle
-        for (const QWidget* framed : {static_cast<QWidget*>(text), static_cast<QWidget*>(list)}) {
-            const QRect place = framed->geometry();
-            QVERIFY(brightest(QRect(place.topLeft(), QSize(1, place.height()))) > least);
-            QVERIFY(brightest(QRect(place.bottomLeft(), QSize(place.width(), 1))) > least);
-        }
-        applyAppearance(Appearance::light);
-    }
-
-    void whatCanBeTickedIsSeenInTheDark()
-    {
-        applyAppearance(Appearance::dark);
-        QWidget page;
-        page.resize(200, 100);
-        auto* radio = new QRadioButton(&page);
-        radio->setGeometry(10, 10, 24, 24);
-        auto* box = new QCheckBox(&page);
-        box->setGeometry(10, 50, 24, 24);
-        page.show();
-        const QImage picture = page.grab().toImage();
-        const int background = qGray(QApplication::palette().color(QPalette::Window).rgb());
-        for (const QWidget* one : {static_cast<QWidget*>(radio), static_cast<QWidget*>(box)}) {
-            int most = 0;
-            for (int x = one->x(); x < one->geometry().right(); ++x) {
-                most = std::max(most, qGray(picture.pixel(x, one->geometry().center().y())));
-            }
-            QVERIFY(most > background + 60);
-        }
-        applyAppearance(Appearance::light);
-    }
-
-    void everyLookCanBeChosenAndIsKept()
-    {
-        for (const Appearance look : {Appearance::contrast, Appearance::dark, Appearance::light}) {
-            saveAppearance(look);
-            QCOMPARE(savedAppearance(), look);
-            applyAppearance(look);
-            QCOMPARE(isDark(QApplication::palette()), look != Appearance::light);
-            for (const char* heading : {"Weft yarn", "Flyaways", "Measured in the laboratory"}) {
-                QTRY_VERIFY2_WITH_TIMEOUT(drawsInTheLooksInk(heading), heading, 2000);
-            }
-        }
-    }
-
-    void aFilesNameIsToldAsItIs()
+    void aFilesNameIsShownAsItIs()
     {
         QVERIFY(!window_->openFile("/nowhere/a<i>b.hygro"));
         auto* box = window_->findChild<QMessageBox*>();
@@ -647,24 +507,6 @@ private Q_SLOTS:
     }
 
 private:
-    /// Whether a heading of the fabric panel has a pixel of the present look's text.
-    bool drawsInTheLooksInk(const QString& heading)
-    {
-        const QColor ink = QApplication::palette().color(QPalette::ButtonText);
-        for (auto* button : window_->findChildren<QToolButton*>()) {
-            if (button->text() != heading) { continue; }
-            const QImage picture = button->grab().toImage();
-            for (int y = 0; y < picture.height(); ++y) {
-                for (int x = 0; x < picture.width(); ++x) {
-                    const QColor c = picture.pixelColor(x, y);
-                    if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) + std::abs(c.blue() - ink.blue()) < 24) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
-    }
     QImage settled()
     {
         QTest::qWait(300);

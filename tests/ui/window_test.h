@@ -7,6 +7,7 @@
 #include "ui/results/simulation_panel.h"
 #include "ui/window/main_window.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QMessageBox>
@@ -53,13 +54,17 @@ protected:
         QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
     }
 
-    /// Chooses the command whose text begins with these words.
+    /// Chooses the command with this text, else one whose text begins with it.
     void trigger(const QString& words)
     {
-        for (QAction* action : window_->findChildren<QAction*>()) {
-            if (action->text().remove('&').startsWith(words)) {
-                action->trigger();
-                return;
+        const auto actions = window_->findChildren<QAction*>();
+        for (const bool whole : {true, false}) {
+            for (QAction* action : actions) {
+                const QString text = action->text().remove('&');
+                if (whole ? text == words : text.startsWith(words)) {
+                    action->trigger();
+                    return;
+                }
             }
         }
         QFAIL(qPrintable("There is no action " + words));

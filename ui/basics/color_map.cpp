@@ -64,7 +64,8 @@ void drawLegend(QPainter& painter, const QRectF& area, const QString& title, dou
 {
     const QFontMetricsF metrics(painter.font());
     const double line = metrics.height();
-    const QRectF bar(area.left(), area.top() + line + 6, 14, area.height() - line - 6 - line * 0.5);
+    const double head = 1.5 * line + 4; // the title, and the upper half of the highest number
+    const QRectF bar(area.left(), area.top() + head, 14, area.height() - head - line * 0.5);
     painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft | Qt::AlignVCenter, title);
     QImage ramp(1, 256, QImage::Format_RGB32);
     for (int i = 0; i < 256; ++i) { ramp.setPixelColor(0, 255 - i, waterColor(i / 255.0, colors)); }

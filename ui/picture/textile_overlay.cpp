@@ -149,24 +149,29 @@ void TextileCanvas::drawMeasurement(QPainter& painter, const QColor& ink)
 
 void TextileCanvas::drawAxes(QPainter& painter, const QColor& ink)
 {
-    // A small cross of the fabric's directions, in the lower right corner.
-    const QPointF centre(width() - margin - 46, height() - margin - 22);
-    drawPlate(painter, QRectF(centre.x() - 52, centre.y() - 46, 106, 76), palette());
-    const QMatrix4x4 view = camera_.view();
+    // A small cross of the fabric's directions, in the lower right corner, on a plate with room for its names in every direction.
+    constexpr double arm_length = 22, gap = 12;
+    const QString warp = tr("warp"), weft = tr("weft");
     const QFontMetricsF metrics(painter.font());
+    const double half_width = arm_length + gap + 0.5 * std::max(metrics.horizontalAdvance(warp), metrics.horizontalAdvance(weft)) + 4;
+    const double half_height = arm_length + gap + 0.5 * metrics.height();
+    const QPointF centre(width() - margin - half_width, height() - margin - half_height + 8);
+    drawPlate(painter, QRectF(centre - QPointF(half_width, half_height), 2 * QSizeF(half_width, half_height)), palette());
+    const QMatrix4x4 view = camera_.view();
     const auto arm = [&](const QVector3D& axis, const QString& text) {
         const QVector3D turned = view.mapVector(axis);
         const QPointF direction(turned.x(), -turned.y());
         painter.setPen(QPen(ink, 1.5));
-        painter.drawLine(centre, centre + 28 * direction);
+        painter.drawLine(centre, centre + arm_length * direction);
         // Looked along, an arm is a point and needs no name.
-        if (std::hypot(direction.x(), direction.y()) < 0.25 || text.isEmpty()) { return; }
-        const QPointF label = centre + 28 * direction + 14 * direction / std::hypot(direction.x(), direction.y());
+        const double length = std::hypot(direction.x(), direction.y());
+        if (length < 0.25 || text.isEmpty()) { return; }
+        const QPointF label = centre + (arm_length + gap / length) * direction;
         painter.drawText(label - QPointF(0.5 * metrics.horizontalAdvance(text), -0.35 * metrics.ascent()), text);
     };
     arm({0, 0, 0.6F}, {});
-    arm({0, 1, 0}, tr("warp"));
-    arm({1, 0, 0}, tr("weft"));
+    arm({0, 1, 0}, warp);
+    arm({1, 0, 0}, weft);
 }
 
 void TextileCanvas::drawHover(QPainter& painter, const QColor& ink)

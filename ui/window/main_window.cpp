@@ -45,6 +45,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
 
 MainWindow::~MainWindow()
 {
+    hide(); // the field that has the focus commits its value while there is a document
     // The parts report their end, when this window is half gone.
     simulate_->disconnect(this);
     document_.disconnect(this);

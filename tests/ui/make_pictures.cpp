@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Makes the pictures of the user's guide from the program itself: make_pictures FOLDER. Needs a display; packaging/make-pictures.sh runs
+// it.
+#include "small_png.h"
+#include "ui/basics/appearance.h"
+#include "ui/picture/textile_canvas.h"
+#include "ui/picture/view_bar.h"
+#include "ui/results/compare_view.h"
+#include "ui/results/simulation_panel.h"
+#include "ui/results/water_map_view.h"
+#include "ui/weave/weave_editor.h"
+#include "ui/window/design_workspace.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QScreen>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <cstdio>
+#include <stdexcept>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr QSize picture_size(1280, 800);
+constexpr int most_bytes = 195000; // of a picture
+
+/// Handles events until the condition holds. Throws after the time limit.
+template <typename Condition> void waitFor(const char* what, int limit_s, Condition condition)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (!condition()) {
+        if (clock.elapsed() > 1000 * limit_s) { throw std::runtime_error(std::string("waited in vain for ") + what); }
+        QApplication::processEvents(QEventLoop::AllEvents, 50);
+    }
+}
+
+/// Lets pictures, maps and charts finish.
+void settle(int ms = 2500)
+{
+    QElapsedTimer clock;
+    clock.start();
+    waitFor("the picture", 60, [&] { return clock.elapsed() > ms; });
+}
+
+class Photographer {
+public:
+    explicit Photographer(const QString& folder) : folder_(folder)
+    {
+        window_.resize(picture_size);
+        window_.show();
+        window_.openShippedExample();
+        settle();
+    }
+
+    void save(const QString& name)
+    {
+        settle();
+        // From the screen: what is written over the fabric is not in QWidget::grab().
+        const QImage picture = window_.screen()->grabWindow(window_.winId()).toImage().convertToFormat(QImage::Format_RGB32);
+        const QByteArray bytes = smallPng(picture, most_bytes);
+        QFile file(folder_.filePath(name + ".png"));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+            throw std::runtime_error("cannot write " + file.fileName().toStdString());
+        }
+        std::printf("%s: %lld bytes\n", file.fileName().toUtf8().constData(), static_cast<long long>(bytes.size()));
+    }
+
+    void run()
+    {
+        SimulateWorkspace& simulate = window_.simulate();
+        simulate.panel().setFidelity(Fidelity::draft);
+        waitFor("the estimate", 30, [&] { return simulate.panel().canRun(); });
+        const std::size_t before = window_.compare().runs().runs().size();
+        simulate.startRun();
+        waitFor("the run", 600, [&] { return !simulate.run().running() && window_.compare().runs().runs().size() > before; });
+    }
+
+    void showTime(double seconds)
+    {
+        Playback& playback = window_.simulate().playback();
+        playback.show(playback.frameAt(seconds));
+    }
+
+    MainWindow& window() { return window_; }
+
+private:
+    QDir folder_;
+    MainWindow window_;
+};
+
+void takePictures(const QString& folder)
+{
+    Photographer photographer(folder);
+    MainWindow& window = photographer.window();
+    Viewport& view = window.viewport();
+    view.setSwatch(0);
+    settle();
+    view.canvas()->fit(Framing::whole);
+    view.lookFrom(-30, 50);
+    photographer.save("design");
+
+    view.bar().setSection({SectionPlane::Across::warp, 0, false});
+    view.canvas()->fit(Framing::few_repeats);
+    view.lookFrom(-20, 18);
+    photographer.save("section");
+    view.bar().setSection({});
+    view.lookFrom(-45, 50);
+
+    Q_EMIT window.findChild<WeaveEditor*>()->draftRequested();
+    window.document().edit("stripes", {}, [](Design& design) {
+        Fabric& fabric = design.fabrics[0];
+        fabric.weave = weave_from_pattern("twill 2/2");
+        fabric.extra_yarns = {fabric.warp};
+        fabric.extra_yarns[0].color = Color{38, 84, 140};
+        fabric.warp_order = {{0, 8}, {1, 4}};
+        fabric.weft_order = {{0, 8}, {1, 4}};
+    });
+    settle();
+    view.canvas()->fit(Framing::whole);
+    photographer.save("draft");
+    window.document().history()->undo();
+
+    photographer.run();
+    photographer.showTime(0.5);
+    settle();
+    view.canvas()->fit(Framing::whole);
+    photographer.save("simulate");
+
+    window.document().edit("finish", {}, [](Design& design) {
+        Fabric fabric = design.fabrics[0];
+        fabric.name += ", softener";
+        fabric.contact_angle_deg = 60;
+        design.fabrics[0] = fabric;
+    });
+    photographer.run();
+    for (const KeptRun& run : window.compare().runs().runs()) { window.compare().view().choose(run.path, true); }
+    window.setWorkspace(Workspace::compare);
+    photographer.save("compare");
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    requestOpenGL();
+    QApplication application(argc, argv);
+    QTemporaryDir settings;
+    QCoreApplication::setOrganizationName("hygroloom-pictures");
+    QCoreApplication::setApplicationName("hygroloom-pictures");
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    QLocale::setDefault(QLocale::c());
+    if (argc != 2 || !QDir(argv[1]).exists()) {
+        std::fputs("make_pictures FOLDER\n", stderr);
+        return 2;
+    }
+    try {
+        applyAppearance(Appearance::light);
+        takePictures(argv[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
