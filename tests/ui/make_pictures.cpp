@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Makes the pictures of the user's guide from the program itself: make_pictures FOLDER. Needs a display; packaging/make-pictures.sh runs
-// it.
+// Makes the pictures of the user's guide from the program itself. Needs a display; packaging/make-pictures.sh runs it.
 #include "small_png.h"
 #include "ui/basics/appearance.h"
 #include "ui/picture/textile_canvas.h"
@@ -22,6 +21,7 @@
 #include <QTemporaryDir>
 
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 using namespace hygroloom;
@@ -157,12 +157,14 @@ int main(int argc, char* argv[])
     QCoreApplication::setApplicationName("hygroloom-pictures");
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     QLocale::setDefault(QLocale::c());
-    if (argc != 2 || !QDir(argv[1]).exists()) {
-        std::fputs("make_pictures FOLDER\n", stderr);
+    const std::map<QString, Appearance> looks{{"light", Appearance::light}, {"dark", Appearance::dark}, {"contrast", Appearance::contrast}};
+    const QString look = argc > 2 ? argv[2] : "light";
+    if (argc < 2 || argc > 3 || !QDir(argv[1]).exists() || !looks.contains(look)) {
+        std::fputs("make_pictures FOLDER [light|dark|contrast]\n", stderr);
         return 2;
     }
     try {
-        applyAppearance(Appearance::light);
+        applyAppearance(looks.at(look));
         takePictures(argv[1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

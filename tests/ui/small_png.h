@@ -9,12 +9,12 @@
 #include <map>
 #include <vector>
 
-/// Some colours of a picture, and the number of pixels that have them.
-struct ColorBin {
+/// A colour of a picture, and the number of pixels that have it.
+struct ColorCount {
     QRgb color;
     long pixels;
 };
-using ColorBox = std::vector<ColorBin>;
+using ColorBox = std::vector<ColorCount>;
 
 inline int channel(QRgb color, int number) { return number == 0 ? qRed(color) : number == 1 ? qGreen(color) : qBlue(color); }
 
@@ -23,7 +23,9 @@ inline std::pair<int, int> widest(const ColorBox& box)
 {
     std::pair<int, int> found{0, -1};
     for (int number = 0; number < 3; ++number) {
-        const auto less = [number](const ColorBin& a, const ColorBin& b) { return channel(a.color, number) < channel(b.color, number); };
+        const auto less = [number](const ColorCount& a, const ColorCount& b) {
+            return channel(a.color, number) < channel(b.color, number);
+        };
         const auto [low, high] = std::minmax_element(box.begin(), box.end(), less);
         const int width = channel(high->color, number) - channel(low->color, number);
         if (width > found.second) { found = {number, width}; }
@@ -41,7 +43,7 @@ inline std::vector<ColorBox> boxesOf(ColorBox all, std::size_t count)
         const auto [number, width] = widest(*box);
         if (width == 0) { break; }
         std::sort(box->begin(), box->end(),
-                  [n = number](const ColorBin& a, const ColorBin& b) { return channel(a.color, n) < channel(b.color, n); });
+                  [n = number](const ColorCount& a, const ColorCount& b) { return channel(a.color, n) < channel(b.color, n); });
         const auto middle = box->begin() + static_cast<std::ptrdiff_t>(box->size() / 2);
         ColorBox upper(middle, box->end());
         box->erase(middle, box->end());
@@ -50,21 +52,25 @@ inline std::vector<ColorBox> boxesOf(ColorBox all, std::size_t count)
     return boxes;
 }
 
-/// The picture with at most this number of colours.
+/// The picture with at most this number of colours, of which the most frequent ones, those of flat areas, stay exact.
 inline QImage withColors(const QImage& picture, std::size_t count)
 {
-    const auto bin = [](QRgb color) { return color & 0xfff8fcf8; }; // as close as the eye can see
     std::map<QRgb, long> pixels;
     for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) { ++pixels[bin(picture.pixel(x, y))]; }
+        for (int x = 0; x < picture.width(); ++x) { ++pixels[picture.pixel(x, y)]; }
     }
     ColorBox all;
     for (const auto& [color, number] : pixels) { all.push_back({color, number}); }
+    std::sort(all.begin(), all.end(), [](const ColorCount& a, const ColorCount& b) { return a.pixels > b.pixels; });
+    const std::size_t exact = std::min(all.size(), count / 4);
+    std::vector<ColorBox> boxes = exact < all.size() ? boxesOf({all.begin() + static_cast<std::ptrdiff_t>(exact), all.end()}, count - exact)
+                                                     : std::vector<ColorBox>();
+    for (std::size_t i = 0; i < exact; ++i) { boxes.push_back({all[i]}); }
     std::map<QRgb, unsigned> index;
     QList<QRgb> table;
-    for (const ColorBox& box : boxesOf(std::move(all), count)) {
+    for (const ColorBox& box : boxes) {
         long sum[3] = {}, number = 0;
-        for (const ColorBin& one : box) {
+        for (const ColorCount& one : box) {
             for (int k = 0; k < 3; ++k) { sum[k] += one.pixels * channel(one.color, k); }
             number += one.pixels;
             index[one.color] = static_cast<unsigned>(table.size());
@@ -74,7 +80,7 @@ inline QImage withColors(const QImage& picture, std::size_t count)
     QImage made(picture.size(), QImage::Format_Indexed8);
     made.setColorTable(table);
     for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) { made.setPixel(x, y, index[bin(picture.pixel(x, y))]); }
+        for (int x = 0; x < picture.width(); ++x) { made.setPixel(x, y, index[picture.pixel(x, y)]); }
     }
     return made;
 }
