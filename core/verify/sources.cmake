@@ -10,6 +10,7 @@ target_sources(hygroloom_core PRIVATE
   verify/measured_fibre_cases.cpp
   verify/measured_wicking_cases.cpp
   verify/moisture_cases.cpp
+  verify/pore_cases.cpp
   verify/set_ups.cpp
   verify/verify.cpp
   verify/whole_run_cases.cpp

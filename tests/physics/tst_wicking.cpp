@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Wetting and wicking against hand-worked numbers and limits.
+#include "core/physics/pores.h"
 #include "core/physics/water.h"
 #include "core/physics/wetting.h"
 #include "core/physics/wicking.h"
 
 #include <QTest>
+
+#include <limits>
 
 using namespace hygroloom;
 
@@ -28,6 +31,68 @@ private Q_SLOTS:
         QVERIFY(adhesion_tension(tension, radian_from_degree(90.1)) < 0);
         QVERIFY(within(work_of_adhesion(tension, 0), 2 * tension, 1e-12));
         QVERIFY(std::abs(work_of_adhesion(tension, pi)) < 1e-15);
+    }
+    /// 8 um fibres packed to a half, 35 degrees in and 0 out, worked by hand.
+    void poresBetweenFibresFillAndDrainByOneClosure()
+    {
+        const PoreClosure pores = pores_of_bundle(0.5, 8e-6, tension, radian_from_degree(35), 0);
+        QCOMPARE(pores.shape, 4.0);
+        QVERIFY(within(pores.entry_suction, 11172, 1e-4));
+        QVERIFY(within(pores.hysteresis, 1.8006, 1e-4));
+        QVERIFY(within(pores.threshold, 0.1770, 1e-4));
+        QVERIFY(within(pores.front_suction, 17224, 1e-4));
+        QCOMPARE(saturation_filling(pores, 0.99 * pores.entry_suction), 1.0);
+        QVERIFY(within(imbibition_suction(pores, 0.5), 11172 * 1.189207, 1e-4)); // 2^(1/4)
+        QVERIFY(within(saturation_filling(pores, imbibition_suction(pores, 0.5)), 0.5, 1e-12));
+        QCOMPARE(imbibition_suction(pores, 0.01), pores.front_suction);
+        QVERIFY(within(saturation_filling(pores, 1.025 * pores.front_suction), 0.5 * pores.threshold, 1e-9));
+        QCOMPARE(saturation_filling(pores, 1.06 * pores.front_suction), 0.0);
+        QCOMPARE(saturation_emptying(pores, 1.8 * 11171), 1.0);
+        QVERIFY(within(saturation_emptying(pores, 1.8006 * 11172 * 1.189207), 0.5, 1e-3));
+    }
+    void closurePoresStayInTheirRangesAtAnyAngleAndPacking()
+    {
+        for (double packing = 0.05; packing <= 0.95; packing += 0.05)
+            for (int degrees = 0; degrees < 90; ++degrees) {
+                const double angle = radian_from_degree(degrees);
+                const PoreClosure pores = pores_of_bundle(packing, 5e-6, tension, angle, 0.5 * angle);
+                QVERIFY(pores.shape >= 3 && pores.shape <= 6 && pores.hysteresis >= 1.1);
+                QVERIFY(pores.entry_suction > 0 && pores.front_suction > pores.entry_suction);
+                QVERIFY(pores.threshold > 0 && pores.threshold <= 0.3);
+                const double gate = gate_of_dry_fibres(packing, angle);
+                QVERIFY(gate >= 0 && gate < 1);
+                QVERIFY(gate_of_dry_fibres(packing, angle + 0.01) <= gate);
+            }
+    }
+    void dryFibresTakeNothingInFromTheAngleOnAtWhichGapsNoLongerConnect()
+    {
+        QVERIFY(within(widest_gap(0), 0.5708, 1e-4)); // Princen: pi / 2 - 1
+        QVERIFY(std::abs(widest_gap(0.5 * pi)) < 1e-15);
+        QVERIFY(within(connected_gap(0.5), 0.10689, 1e-4));
+        QVERIFY(within(gate_of_dry_fibres(0.5, radian_from_degree(35)), 0.7030, 1e-4));
+        QVERIFY(gate_of_dry_fibres(0.5, radian_from_degree(62.7)) > 0);
+        QCOMPARE(gate_of_dry_fibres(0.5, radian_from_degree(62.8)), 0.0);
+        QCOMPARE(gate_of_dry_fibres(0.5, radian_from_degree(120)), 0.0);
+    }
+    void aColumnBetweenTwoRodsStandsAsPrincenSays()
+    {
+        const RodColumn column = rod_column(100e-6, 30e-6, radian_from_degree(35), tension, 1e3);
+        QVERIFY(within(column.contact_line, radian_from_degree(23.338), 1e-4));
+        QVERIFY(within(column.area, 4058.8e-12, 1e-4));
+        QCOMPARE(rod_column(100e-6, 60e-6, radian_from_degree(35), tension, 1e3).area, 0.0); // the meniscus is too narrow: 59.6 um
+    }
+    void waterPassesAHoleAtThePressureOfItsNarrowestMeniscus()
+    {
+        const auto square = [](double degrees) {
+            return breakthrough_pressure(tension, radian_from_degree(degrees), 1e-4, 43e-6, 1e-4, 43e-6);
+        };
+        QVERIFY(within(square(89), 1399.1, 1e-4));
+        QVERIFY(within(square(60), 888.2, 1e-4));
+        QVERIFY(within(square(110), 1976.9, 1e-4));
+        const double slot =
+            breakthrough_pressure(tension, radian_from_degree(89), 1e-4, 43e-6, 1e-4, std::numeric_limits<double>::infinity());
+        QVERIFY(within(slot, 699.6, 1e-4));
+        QVERIFY(within(1.0 / meniscus_curvature(1e-4, 43e-6, 0), 43e-6, 1e-12)); // between the nearest points
     }
     void aDropStandsOnWhatItsAngleAndTheCoverLeaveIt()
     {
