@@ -130,7 +130,7 @@ void DropletSection::refresh()
     list_->setCurrentRow(count > 0 ? droplet_ : -1);
     remove_->setEnabled(count > 0);
     place_->setEnabled(count > 0);
-    if (count == 0 || experiment->type != ExperimentType::droplet) { place_->setChecked(false); }
+    if (count == 0 || !uses_field(experiment->type, "droplets")) { place_->setChecked(false); }
     none_->setVisible(count == 0);
     for (QWidget* widget : fields_) { widget->setEnabled(count > 0); }
 }

@@ -21,16 +21,10 @@ namespace hygroloom {
 
 namespace {
 
-QString nameOfType(ExperimentType type)
+QString titleOf(ExperimentType type)
 {
-    const QString names[] = {ExperimentPanel::tr("Droplets"),
-                             ExperimentPanel::tr("Moisture management (AATCC 195)"),
-                             ExperimentPanel::tr("Vertical wicking (AATCC 197)"),
-                             ExperimentPanel::tr("Horizontal wicking (AATCC 198)"),
-                             ExperimentPanel::tr("Drying (AATCC 199, 201)"),
-                             ExperimentPanel::tr("Conditioning (ISO 139)"),
-                             ExperimentPanel::tr("Sweat")};
-    return names[static_cast<int>(type)];
+    const ExperimentTypeInfo& info = info_of(type);
+    return *info.standard ? ExperimentPanel::tr("%1 (%2)").arg(info.title, info.standard) : QString(info.title);
 }
 
 } // namespace
@@ -41,7 +35,7 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     addChoice();
     addConditions();
     addTypes();
-    groups_.push_back({form_->addGroup(), {ExperimentType::droplet}});
+    groups_.push_back({form_->addGroup(), "droplets"});
     droplets_ = new DropletSection(*form_, this);
     addModel();
     form_->fill(this);
@@ -88,17 +82,17 @@ DesignField ExperimentPanel::climateField(const QString& label, const QString& u
 
 QuantityEdit* ExperimentPanel::addSampleSize(std::size_t axis)
 {
-    return form_->addQuantity(
-        Quantity::length(0.1, 2000),
-        field(
-            axis == 0 ? tr("Along the weft") : tr("Along the warp"), axis == 0 ? tr("sample width") : tr("sample height"),
-            [this, axis] {
-                const bool strip = document_.experiment() && document_.experiment()->type == ExperimentType::vertical_wicking;
-                return "experiments[" + std::to_string(document_.experimentIndex()) + (strip ? "].strip_mm[" : "].sample_mm[") +
-                       std::to_string(axis) + "]";
-            },
-            [axis](const Experiment& e) { return std::optional(e.sample_mm[axis]); },
-            [axis](Experiment& e, double v) { e.sample_mm[axis] = v; }));
+    return form_->addQuantity(Quantity::length(0.1, 2000),
+                              field(
+                                  axis == 0 ? tr("Along the weft") : tr("Along the warp"),
+                                  axis == 0 ? tr("sample width") : tr("sample height"),
+                                  [this, axis] {
+                                      const ExperimentType type = document_.experiment() ? document_.experiment()->type : ExperimentType{};
+                                      return "experiments[" + std::to_string(document_.experimentIndex()) + "]." +
+                                             info_of(type).sample_key + "[" + std::to_string(axis) + "]";
+                                  },
+                                  [axis](const Experiment& e) { return std::optional(e.sample_mm[axis]); },
+                                  [axis](Experiment& e, double v) { e.sample_mm[axis] = v; }));
 }
 
 void ExperimentPanel::addChoice()
@@ -120,7 +114,7 @@ void ExperimentPanel::addChoice()
     layout->addWidget(remove_);
     form_->addWide(line);
     type_ = new QComboBox;
-    for (int type = 0; type < experiment_types; ++type) { type_->addItem(nameOfType(static_cast<ExperimentType>(type))); }
+    for (int type = 0; type < experiment_types; ++type) { type_->addItem(titleOf(static_cast<ExperimentType>(type))); }
     type_->setToolTip(tr("A new type sets the climate, sample and duration of its standard."));
     type_->setAccessibleName(tr("Type of experiment"));
     type_->setMinimumContentsLength(8);
@@ -155,14 +149,13 @@ void ExperimentPanel::addConditions()
 /// What only some types have, each in a group of its own.
 void ExperimentPanel::addTypes()
 {
-    const auto group = [this](std::initializer_list<ExperimentType> types) { groups_.push_back({form_->addGroup(), types}); };
-    using Type = ExperimentType;
-    group({Type::moisture_management, Type::horizontal_wicking});
+    const auto group = [this](const char* field) { groups_.push_back({form_->addGroup(), field}); };
+    group("volume_ul");
     form_->addQuantity(Quantity::volume(0.001, 100000), fixedField(
                                                             tr("Volume"), tr("volume of liquid"), "volume_ul",
                                                             [](const Experiment& e) { return std::optional(e.volume_ul); },
                                                             [](Experiment& e, double v) { e.volume_ul = v; }));
-    group({Type::moisture_management});
+    group("feed_s");
     form_->addQuantity(Quantity::time(0.01, 86400),
                        fixedField(
                            tr("Feed time"), tr("feed time"), "feed_s", [](const Experiment& e) { return std::optional(e.feed_s); },
@@ -173,7 +166,7 @@ void ExperimentPanel::addTypes()
             tr("Drop volume"), tr("drop volume of the feed"), "drop_ul", [](const Experiment& e) { return std::optional(e.drop_ul); },
             [](Experiment& e, double v) { e.drop_ul = v; },
             tr("The feed falls in drops of this volume at equal intervals, at most 64. 0: the yarns absorb from one pool.")));
-    group({Type::vertical_wicking});
+    group("direction");
     direction_ = new QComboBox;
     direction_->addItems({tr("Along the warp"), tr("Along the weft")});
     form_->addRow(tr("Strip"), direction_);
@@ -184,14 +177,14 @@ void ExperimentPanel::addTypes()
                            tr("Immersion"), tr("immersion"), "immersion_mm",
                            [](const Experiment& e) { return std::optional(e.immersion_mm); },
                            [](Experiment& e, double v) { e.immersion_mm = v; }, tr("Depth of the strip's end below the liquid surface.")));
-    group({Type::drying});
+    group("initial_water_g_m2");
     form_->addQuantity(Quantity::arealDensity(100000),
                        fixedField(
                            tr("Initial water"), tr("initial water"), "initial_water_g_m2",
                            [](const Experiment& e) { return std::optional(e.initial_water_g_m2); },
                            [](Experiment& e, double v) { e.initial_water_g_m2 = v; },
                            tr("Liquid water in the fabric at the start, in addition to its regain in this climate.")));
-    group({Type::conditioning});
+    group("initial");
     form_->addQuantity(Quantity::temperature(-10, 60), fixedField(
                                                            tr("Initial temperature"), tr("initial temperature"), "initial.temperature_c",
                                                            [](const Experiment& e) { return std::optional(e.initial.temperature_c); },
@@ -203,7 +196,7 @@ void ExperimentPanel::addTypes()
                            [](const Experiment& e) { return std::optional(e.initial.relative_humidity); },
                            [](Experiment& e, double v) { e.initial.relative_humidity = v; },
                            tr("Relative humidity of the air in which the sample was conditioned.")));
-    group({Type::sweat});
+    group("rate_g_m2_h");
     form_->addQuantity(Quantity::arealRate(100000), fixedField(
                                                         tr("Sweat rate"), tr("sweat rate"), "rate_g_m2_h",
                                                         [](const Experiment& e) { return std::optional(e.rate_g_m2_h); },
@@ -247,9 +240,7 @@ void ExperimentPanel::refreshChoice()
 void ExperimentPanel::refreshType()
 {
     const Experiment* experiment = document_.experiment();
-    for (const Group& group : groups_) {
-        group.widget->setVisible(experiment && std::find(group.types.begin(), group.types.end(), experiment->type) != group.types.end());
-    }
+    for (const Group& group : groups_) { group.widget->setVisible(experiment && uses_field(experiment->type, group.field)); }
     for (QWidget* widget : std::initializer_list<QWidget*>{type_, closure_, swelling_}) { widget->setEnabled(experiment); }
     if (!experiment) { return; }
     type_->setCurrentIndex(static_cast<int>(experiment->type));
@@ -258,7 +249,7 @@ void ExperimentPanel::refreshType()
     closure_->setCurrentIndex(static_cast<int>(experiment->closure));
     swelling_->setChecked(experiment->swelling);
     // A strip is measured as it is held, not by warp and weft.
-    const bool strip = experiment->type == ExperimentType::vertical_wicking;
+    const bool strip = uses_field(experiment->type, "direction");
     form_->setLabel(size_[0], strip ? tr("Strip width") : tr("Along the weft"));
     form_->setLabel(size_[1], strip ? tr("Strip length") : tr("Along the warp"));
 }

@@ -54,7 +54,7 @@ private:
     /// Rows that only some types have.
     struct Group {
         QWidget* widget;
-        std::vector<ExperimentType> types;
+        const char* field; ///< the types that use it have the rows
     };
     std::vector<Group> groups_;
     QComboBox* type_ = nullptr;

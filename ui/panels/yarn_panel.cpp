@@ -54,7 +54,7 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                      tr("Fibres drawn"), tr("fibre count"), "fibres_per_yarn",
                                      [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
                                      [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
-                                     tr("Per yarn, in pictures and exports. Each stands for a bundle of real fibres.")));
+                                     tr("Per yarn, in pictures and exports. Each represents a bundle of real fibres.")));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist_,

@@ -161,7 +161,7 @@ void SimulateWorkspace::refreshDrops()
     std::vector<QPointF> places;
     const Experiment* experiment = document_.experiment();
     const bool marked = !playback_.run() || droplets.placing();
-    if (shown_ && marked && experiment && experiment->type == ExperimentType::droplet) {
+    if (shown_ && marked && experiment && uses_field(experiment->type, "droplets")) {
         for (const Droplet& drop : experiment->droplets) { places.emplace_back(drop.at_mm[0], drop.at_mm[1]); }
     }
     canvas->setDrops(places, droplets.chosen());
