@@ -123,7 +123,7 @@ private Q_SLOTS:
         QCOMPARE(sentences.filter("Denim, weft: ").size(), 1);
     }
 
-    void issuesNameLiquidsAndMomentsOfTheClimate()
+    void issuesNameLiquidsAndRowsOfTheClimate()
     {
         document_->edit("wrong", {}, [](Design& d) {
             d.liquids = {{"soap", -1}, {"", 30}};
@@ -276,7 +276,7 @@ private Q_SLOTS:
 
     void anExampleIsNeverWrittenOver() { QVERIFY(document_->path().isEmpty()); }
 
-    void aBrokenFileIsToldInASentenceAndChangesNothing()
+    void aBrokenFileIsReportedAndChangesNothing()
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("broken.hygro");

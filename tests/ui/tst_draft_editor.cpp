@@ -161,7 +161,7 @@ private Q_SLOTS:
         QVERIFY(document_->fabric()->extra_yarns.empty());
     }
 
-    void aDoubleClickOnAYarnAsksForItsFields()
+    void aDoubleClickOnAYarnOpensItsFields()
     {
         OrderEditor* order = editor_->order();
         order->addYarn();

@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(field("Drop volume")->accessibleDescription().contains("of 3.125 ul or more"));
     }
 
-    void theClimateStaysUntilAMomentIsAdded()
+    void theClimateIsConstantUntilATimeIsAdded()
     {
         QVERIFY(!table()->isVisibleTo(panel_.get()));
         const std::string before = text();
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(text(), before);
     }
 
-    void aNewMomentLiesHalfWayToTheNext()
+    void aNewTimeIsHalfWayToTheNext()
     {
         course()->addMoment();
         type(1, 1, "45");
@@ -159,13 +159,13 @@ private Q_SLOTS:
         QCOMPARE(document_->experiment()->climates.size(), std::size_t(1));
     }
 
-    void whatIsWrongWithAMomentIsSaidBesideIt()
+    void errorsOfATimeAreShownBesideIt()
     {
         course()->addMoment();
         course()->addMoment();
         type(2, 0, "1");
         type(1, 2, "150");
-        QVERIFY(table()->item(2, 0)->toolTip().contains("in order of time"));
+        QVERIFY(table()->item(2, 0)->toolTip().contains("must rise"));
         QVERIFY(table()->item(1, 2)->toolTip().contains("relative humidity"));
         const QString told = named<QLabel>("About the climate over time")->text();
         QVERIFY(told.contains("Row 2: ") && told.contains("Row 1: "));
@@ -213,7 +213,7 @@ private Q_SLOTS:
         QCOMPARE(text(), before);
     }
 
-    void deletingALiquidInUseAsksAndItsExperimentsTakeWater()
+    void deletingALiquidInUseAsksAndItsExperimentsUseWater()
     {
         liquids()->addLiquid();
         const std::string before = text();
@@ -340,7 +340,7 @@ private Q_SLOTS:
         const bool limited = type < 4;
         QCOMPARE(panel.text().contains("limited by"), limited);
     }
-    void aPartThatCameOnIsToldBesideTheResults()
+    void aPartSwitchedOnDuringTheRunIsShownWithTheResults()
     {
         auto design = std::make_shared<Design>(drop_design(20)); // a spot on polyester that gets wider than the plan expects
         design->fabrics[0].warp.material = design->fabrics[0].weft.material = {{"polyester", 1.0}};

@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(button("Open Folder")->isVisible());
     }
 
-    void theWaterOfAMomentColoursTheSimulatedPiece()
+    void waterAtTheTimeShownColoursTheSimulatedPiece()
     {
         auto* piece = dialog_->findChildren<QComboBox*>().at(2);
         QVERIFY(!piece->itemText(3).contains(" s"));

@@ -37,7 +37,7 @@ private Q_SLOTS:
 
     void cleanup() { window_.reset(); }
 
-    void savingTakesWhatStandsInAField()
+    void savingCommitsTheValueBeingEdited()
     {
         type("Ends", "31");
         QCOMPARE(window_->document().fabric()->ends_per_cm, 35.0); // not taken yet
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(!window_->isWindowModified());
     }
 
-    void aRunTakesWhatStandsInAField()
+    void runningCommitsTheValueBeingEdited()
     {
         window_->setWorkspace(Workspace::simulate);
         simulationPanel().setFidelity(Fidelity::draft);
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QCOMPARE(playback().run()->design.experiments[0].duration_s, 0.2);
     }
 
-    void closingAsksAboutWhatStandsInAField()
+    void closingAsksAboutTheValueBeingEdited()
     {
         type("Ends", "29");
         const auto asked = answer(QMessageBox::Cancel);
@@ -244,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(stopped->elapsed > 0);
     }
 
-    void whatWasGivenUpIsNotKept()
+    void discardedWorkIsNotRecovered()
     {
         QTemporaryDir folder;
         {

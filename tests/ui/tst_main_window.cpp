@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY(playback().frames() > 1);
         QTRY_VERIFY_WITH_TIMEOUT(waterMaps().top().map().maximum() > 0, 5000);
         QVERIFY(waterMaps().top().circle().radius > 0);
-        // Of the last moment, also where the map of it came after the run was complete.
+        // Of the last frame, also when its map came after the run was complete.
         const double reached = wetted_circle(playback().run()->textile, *playback().frame(), Face::top).radius;
         QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().circle().radius, reached, 5000);
         QVERIFY(chart().points() > 1);

@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(edit.value(), std::optional<double>(3));
     }
 
-    void whatWasTypedIsToldAsItIs()
+    void typedTextIsQuotedAsItIs()
     {
         QuantityEdit edit(Quantity::length(0.01, 5));
         edit.setValue(0.2);
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(edit.placeholderText().contains("0.41"));
     }
 
-    void anIssueIsToldWithTheRange()
+    void anIssueIsShownWithTheRange()
     {
         QuantityEdit edit(Quantity::length(0.01, 5));
         const Issue issue{Severity::error, "range", "fabrics[0].thickness_mm", "The thickness is too small."};

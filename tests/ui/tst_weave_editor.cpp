@@ -173,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(!paper->grab().isNull());
     }
 
-    void theNotesTellWhatTheWeaveIsLike()
+    void theNotesDescribeTheWeave()
     {
         Document empty;
         WeaveEditor later(empty);
