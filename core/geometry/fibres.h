@@ -97,6 +97,8 @@ private:
     void find_hairs(std::uint64_t stream);
     void place(int fibre, std::size_t ring, float* out) const;
     void hair_curve(const Hair& hair, float* out) const;
+    /// A strand's points and one more at each end, for the tangents.
+    void middle_line(int strand, std::vector<float>& line) const;
 
     const Textile& textile_;
     FibreOptions options_;

@@ -57,6 +57,92 @@ void append_color(std::string& text, const Color& color)
     }
 }
 
+void write_materials(const ExportJob& job, const std::filesystem::path& path)
+{
+    std::string text = "# Hygroloom\n";
+    for (const YarnMaterial& material : job.materials) {
+        text += "newmtl " + material.name + "\nKd";
+        append_color(text, material.color);
+        text += "\nKs 0 0 0\nillum 1\n\n";
+    }
+    OutputFile file(path, job.shown);
+    file.write_at(0, text.data(), text.size());
+    file.close();
+}
+
+/// The lines of an OBJ, piece after piece.
+class ObjText {
+public:
+    ObjText(const ExportJob& job, OutputRun& run) : job_(job), run_(run) {}
+
+    void add(const YarnMesh& piece)
+    {
+        const MeshGroup& group = piece.groups[0];
+        if (group.name != name_) begin(group);
+        add_vertices(piece, group);
+        if (job_.lines()) add_line(group);
+        add_faces(piece);
+        spill(1);
+        first_ += group.vertices;
+    }
+
+private:
+    void begin(const MeshGroup& group)
+    {
+        name_ = group.name;
+        text_ += "g " + name_ + "\n";
+        if (!job_.wet()) text_ += "usemtl " + job_.materials[static_cast<std::size_t>(job_.material(group.kind, group.yarn))].name + "\n";
+    }
+    void add_vertices(const YarnMesh& piece, const MeshGroup& group)
+    {
+        for (std::size_t i = 0; i < group.vertices; ++i) {
+            append_vector(text_, "v", &piece.positions[3 * i], 3, 1000, 5);
+            if (job_.wet()) append_color(text_, job_.color(group.kind, group.yarn, piece.segment_of_vertex[i]));
+            text_ += '\n';
+            spill(1 << 20);
+            if (job_.lines()) continue;
+            append_vector(text_, "vt", &piece.uvs[2 * i], 2, 1, 4);
+            append_vector(text_, "\nvn", &piece.normals[3 * i], 3, 1, 4);
+            text_ += '\n';
+        }
+    }
+    void add_line(const MeshGroup& group)
+    {
+        text_ += 'l';
+        for (std::size_t i = 0; i < group.vertices; ++i) {
+            text_ += ' ';
+            append_whole(text_, first_ + i);
+        }
+        text_ += '\n';
+    }
+    void add_faces(const YarnMesh& piece)
+    {
+        for (std::size_t i = 0; i < piece.indices.size(); i += 3) {
+            text_ += 'f';
+            for (std::size_t corner = i; corner < i + 3; ++corner) {
+                const std::uint64_t number = first_ + piece.indices[corner];
+                for (char separator : {' ', '/', '/'}) {
+                    text_ += separator;
+                    append_whole(text_, number);
+                }
+            }
+            text_ += '\n';
+            spill(1 << 20);
+        }
+    }
+    void spill(std::size_t most)
+    {
+        if (text_.size() < most) return;
+        run_.add(text_);
+        text_.clear();
+    }
+
+    const ExportJob& job_;
+    OutputRun& run_;
+    std::string text_, name_;
+    std::uint64_t first_ = 1; // vertices are numbered from 1
+};
+
 } // namespace
 
 double obj_bytes(const ExportJob& job, const ExportEstimate& size)
@@ -72,69 +158,13 @@ double obj_bytes(const ExportJob& job, const ExportEstimate& size)
 void write_obj(const ExportJob& job, const std::filesystem::path& path, const std::filesystem::path& materials,
                const std::string& materials_name)
 {
-    if (!job.wet()) {
-        std::string text = "# Hygroloom\n";
-        for (const YarnMaterial& material : job.materials) {
-            text += "newmtl " + material.name + "\nKd";
-            append_color(text, material.color);
-            text += "\nKs 0 0 0\nillum 1\n\n";
-        }
-        OutputFile file(materials, job.shown);
-        file.write_at(0, text.data(), text.size());
-        file.close();
-    }
+    if (!job.wet()) write_materials(job, materials);
     OutputFile file(path, job.shown);
     OutputRun run(file, 0);
     run.add(fmt::format("# Hygroloom. Lengths in mm; {}.\n", axes));
     if (!job.wet()) run.add("mtllib " + materials_name + "\n");
-    std::string before;
-    std::uint64_t first = 1; // vertices are numbered from 1
-    std::string text;
-    const auto spill = [&](std::size_t most) {
-        if (text.size() < most) return;
-        run.add(text);
-        text.clear();
-    };
-    for_each_piece(job, [&](const YarnMesh& piece) {
-        const MeshGroup& group = piece.groups[0];
-        if (group.name != before) {
-            before = group.name;
-            text += "g " + before + "\n";
-            if (!job.wet()) text += "usemtl " + job.materials[static_cast<std::size_t>(job.material(group.kind, group.yarn))].name + "\n";
-        }
-        for (std::size_t i = 0; i < group.vertices; ++i) {
-            append_vector(text, "v", &piece.positions[3 * i], 3, 1000, 5);
-            if (job.wet()) append_color(text, job.color(group.kind, group.yarn, piece.segment_of_vertex[i]));
-            text += '\n';
-            spill(1 << 20);
-            if (job.lines()) continue;
-            append_vector(text, "vt", &piece.uvs[2 * i], 2, 1, 4);
-            append_vector(text, "\nvn", &piece.normals[3 * i], 3, 1, 4);
-            text += '\n';
-        }
-        if (job.lines()) {
-            text += 'l';
-            for (std::size_t i = 0; i < group.vertices; ++i) {
-                text += ' ';
-                append_whole(text, first + i);
-            }
-            text += '\n';
-        }
-        for (std::size_t i = 0; i < piece.indices.size(); i += 3) {
-            text += 'f';
-            for (std::size_t corner = i; corner < i + 3; ++corner) {
-                const std::uint64_t number = first + piece.indices[corner];
-                for (char separator : {' ', '/', '/'}) {
-                    text += separator;
-                    append_whole(text, number);
-                }
-            }
-            text += '\n';
-            spill(1 << 20);
-        }
-        spill(1);
-        first += group.vertices;
-    });
+    ObjText text(job, run);
+    for_each_piece(job, [&](const YarnMesh& piece) { text.add(piece); });
     run.flush();
     file.close();
 }
