@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "app/cli_fidelity.h"
 
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -52,10 +53,8 @@ void check_fidelity(const FidelityOptions& options)
 ModelPlan planned(const FidelityOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
                   const KnobSettings& knobs)
 {
-    ModelPlan plan = plan_model(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs);
     const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knobs)); });
-    if (backend != "cpu") expect(plan, shipped_measurements(backend));
-    return plan;
+    return plan_run(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs, backend);
 }
 
 FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<std::string>& fabrics,

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/plan/expectation.h"
 #include "core/project/atomic_file.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -74,9 +75,8 @@ public:
     {
         TradeoffPoint point;
         point.variant = variant;
-        point.plan =
-            plan_model(scene_.design, *find_fabric(scene_.design, scene_.fabric), *find_experiment(scene_.design, scene_.experiment),
-                       variant.fidelity, scene_.options.forced, variant.settings);
+        point.plan = plan_run(scene_.design, *find_fabric(scene_.design, scene_.fabric), *find_experiment(scene_.design, scene_.experiment),
+                              variant.fidelity, scene_.options.forced, variant.settings);
         for (TradeoffPoint& other : result_.points)
             if (variant.timed && run_alike(other.plan, point.plan)) {
                 other.stands_for.push_back(variant.name);

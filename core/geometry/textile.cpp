@@ -276,4 +276,18 @@ YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, do
     return point;
 }
 
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region)
+{
+    if (experiment.closure != Closure::paper || fabric.contact_angle_deg) return build_textile(design, fabric, region);
+    Fabric alike = fabric;
+    alike.contact_angle_deg = find_library_material("cotton")->contact_angle_deg;
+    return build_textile(design, alike, region);
+}
+
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment)
+{
+    const auto [width, height] = sample_extent_mm(experiment);
+    return textile_of_run(design, fabric, experiment, region_of_sample(fabric, width, height));
+}
+
 } // namespace hygroloom

@@ -22,7 +22,7 @@ extern const char measured_scenes_json[];
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 MeasuredScene scene_from(const Json& json)
 {
@@ -37,7 +37,7 @@ MeasuredScene scene_from(const Json& json)
     for (const Json& p : json.at("points")) {
         if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
         MeasuredRun run;
-        run.plan = plan_from_json(p.at("plan").dump());
+        run.plan = plan_from_value(p.at("plan"));
         for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
         run.seconds = p.at("wall_s");
         run.bytes = p.at("peak_bytes");

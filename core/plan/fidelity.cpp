@@ -2,7 +2,7 @@
 #include "core/plan/fidelity.h"
 
 #include "core/base/error.h"
-#include "core/project/json_reader.h"
+#include "core/base/words.h"
 
 #include <fmt/format.h>
 
@@ -14,34 +14,48 @@ namespace {
 
 // clang-format off
 constexpr KnobInfo table[] = {
-    {"particles_per_droplet", &Knobs::particles_per_droplet, "", 8, 1e6, true, 4000, 16000,
-     "particles of one drop, at most; a quarter where no yarn drinks and liquid may sleep, fewer in a tiny drop"},
-    {"fibre_shells", &Knobs::fibre_shells, "", 1, largest_shell_count, true, 5, 12,
-     "radial cells in a fibre"},
-    {"crossings_per_cell", &Knobs::crossings_per_cell, "", 1, 8, true, 4, 2,
-     "ends, and picks, that are simulated as one bundle; 1 where free liquid, sweat or fine stripes need single yarns"},
-    {"crossings_per_even_cell", &Knobs::crossings_per_even_cell, "", 1, 8, true, 8, 2,
-     "the same, at least, where all of the cloth but its edges is alike: drying, conditioning"},
-    {"network_step_limit_s", &Knobs::network_step_limit, "s", 1e-5, 1, false, 10e-3, 2.5e-3,
-     "longest step of the yarns while free liquid is about"},
-    {"saturation_change", &Knobs::saturation_change, "", 1e-3, 1, false, 0.2, 0.05,
-     "change of saturation that a step of the yarns aims at while free liquid or pools are about"},
-    {"step_error", &Knobs::step_error, "", 1e-7, 0.1, false, 1e-3, 2.5e-4,
-     "share of the water and heat at stake that a step without free liquid may misplace"},
-    {"liquid_step_factor", &Knobs::liquid_step_factor, "", 0.1, 1, false, 1, 0.5,
-     "step of the free liquid over the longest that flow, viscosity and surface waves allow"},
-    {"steps_between_drinks", &Knobs::steps_between_drinks, "", 1, 64, true, 16, 4,
-     "steps of the free liquid in which yarns drink from it once"},
-    {"density_tolerance", &Knobs::density_tolerance, "", 1e-4, 0.2, false, 0.02, 0.005,
-     "mean error of the liquid's density at which its pressure is found well enough"},
-    {"settle_share", &Knobs::settle_share, "", 0, 0.5, false, 0.02, 0.005,
-     "share of liquid at rest that yarns drink before it settles anew; 0: it never sleeps"},
-    {"rest_tolerance", &Knobs::rest_tolerance, "", 0, 0.1, false, 1e-3, 1e-5,
-     "change of the air's humidity at which the visited region grows; 0: all of the sample is visited"},
-    {"double_precision", &Knobs::double_precision, "", 0, 1, true, 0, 1,
-     "whether the liquid's particles are in double precision, 0 or 1; such a run goes to a CPU"},
-    {"neglected_share", &Knobs::neglected_share, "", 0, 0.5, false, 0.01, 0,
-     "share of the water, or of a rate, below which a part of the physics is left out"},
+    {.name = "particles_per_droplet", .value = &Knobs::particles_per_droplet, .unit = "",
+     .at = {2000, 8000, 8000}, .least = 8, .most = 1e6, .whole = true, .cheaper = 4000, .finer = 16000,
+     .meaning = "particles of one drop, at most; a quarter where no yarn absorbs and liquid may sleep, fewer in a tiny drop"},
+    {.name = "fibre_shells", .value = &Knobs::fibre_shells, .unit = "",
+     .at = {5, 8, 16}, .least = 1, .most = largest_shell_count, .whole = true, .cheaper = 5, .finer = 12,
+     .meaning = "radial cells in a fibre"},
+    {.name = "crossings_per_cell", .value = &Knobs::crossings_per_cell, .unit = "",
+     .at = {1, 1, 1}, .least = 1, .most = 8, .whole = true, .cheaper = 4, .finer = 2,
+     .meaning = "ends, and picks, that are simulated as one bundle; 1 where free liquid, sweat or fine stripes need single yarns"},
+    {.name = "crossings_per_even_cell", .value = &Knobs::crossings_per_even_cell, .unit = "",
+     .at = {8, 8, 1}, .least = 1, .most = 8, .whole = true, .cheaper = 8, .finer = 2,
+     .meaning = "the same, at least, where all of the cloth but its edges is alike: drying, conditioning"},
+    {.name = "network_step_limit_s", .value = &Knobs::network_step_limit, .unit = "s",
+     .at = {20e-3, 5e-3, 1e-3}, .least = 1e-5, .most = 1, .whole = false, .cheaper = 10e-3, .finer = 2.5e-3,
+     .meaning = "longest step of the yarns while free liquid is about"},
+    {.name = "saturation_change", .value = &Knobs::saturation_change, .unit = "",
+     .at = {0.2, 0.1, 0.03}, .least = 1e-3, .most = 1, .whole = false, .cheaper = 0.2, .finer = 0.05,
+     .meaning = "change of saturation that a step of the yarns aims at while free liquid or pools are about"},
+    {.name = "step_error", .value = &Knobs::step_error, .unit = "",
+     .at = {2e-3, 5e-4, 1e-4}, .least = 1e-7, .most = 0.1, .whole = false, .cheaper = 1e-3, .finer = 2.5e-4,
+     .meaning = "share of the water and heat at stake that a step without free liquid may misplace"},
+    {.name = "liquid_step_factor", .value = &Knobs::liquid_step_factor, .unit = "",
+     .at = {1, 1, 1}, .least = 0.1, .most = 1, .whole = false, .cheaper = 1, .finer = 0.5,
+     .meaning = "step of the free liquid over the longest that flow, viscosity and surface waves allow"},
+    {.name = "steps_between_drinks", .value = &Knobs::steps_between_drinks, .unit = "",
+     .at = {8, 8, 1}, .least = 1, .most = 64, .whole = true, .cheaper = 16, .finer = 4,
+     .meaning = "steps of the free liquid for one step in which yarns absorb it"},
+    {.name = "density_tolerance", .value = &Knobs::density_tolerance, .unit = "",
+     .at = {0.02, 0.01, 0.01}, .least = 1e-4, .most = 0.2, .whole = false, .cheaper = 0.02, .finer = 0.005,
+     .meaning = "mean error of the liquid's density up to which its pressure is corrected"},
+    {.name = "settle_share", .value = &Knobs::settle_share, .unit = "",
+     .at = {0.03, 0.01, 0}, .least = 0, .most = 0.5, .whole = false, .cheaper = 0.02, .finer = 0.005,
+     .meaning = "share of liquid at rest that yarns absorb before it settles anew; 0: it never sleeps"},
+    {.name = "rest_tolerance", .value = &Knobs::rest_tolerance, .unit = "",
+     .at = {1e-3, 1e-4, 1e-6}, .least = 0, .most = 0.1, .whole = false, .cheaper = 1e-3, .finer = 1e-5,
+     .meaning = "change of the air's humidity at which the visited region grows; 0: all of the sample is visited"},
+    {.name = "double_precision", .value = &Knobs::double_precision, .unit = "",
+     .at = {0, 0, 0}, .least = 0, .most = 1, .whole = true, .cheaper = 0, .finer = 1,
+     .meaning = "whether the liquid's particles are in double precision, 0 or 1; such a run goes to a CPU"},
+    {.name = "neglected_share", .value = &Knobs::neglected_share, .unit = "",
+     .at = {0.01, 0.001, 0}, .least = 0, .most = 0.5, .whole = false, .cheaper = 0.01, .finer = 0,
+     .meaning = "share of the water, or of a rate, below which a part of the physics is left out"},
 };
 // clang-format on
 
@@ -75,15 +89,11 @@ Fidelity fidelity_from_name(const std::string& name)
 
 std::span<const KnobInfo> knob_table() { return table; }
 
-/// Points on the ladder of fidelities; each value stands here once, in the order of Knobs.
 Knobs knobs_of(Fidelity fidelity)
 {
-    switch (fidelity) {
-    case Fidelity::draft: return {2000, 5, 1, 8, 20e-3, 0.2, 2e-3, 1, 8, 0.02, 0.03, 1e-3, 0, 0.01};
-    case Fidelity::standard: return {8000, 8, 1, 8, 5e-3, 0.1, 5e-4, 1, 8, 0.01, 0.01, 1e-4, 0, 0.001};
-    case Fidelity::reference: return {8000, 16, 1, 1, 1e-3, 0.03, 1e-4, 1, 1, 0.01, 0.0, 1e-6, 0, 0.0};
-    }
-    return {};
+    Knobs knobs;
+    for (const KnobInfo& knob : table) knobs.*knob.value = knob.at[static_cast<int>(fidelity)];
+    return knobs;
 }
 
 const KnobInfo& knob_named(const std::string& name)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What a scene needs to be simulated, decided before the run and told with the reason: people read this.
+// What a scene needs to be simulated, decided before the run, with the reasons that people read. plan_model() makes it.
 #pragma once
 
 #include "core/geometry/textile.h"
 #include "core/plan/fidelity.h"
 
-#include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace hygroloom {
 
@@ -17,8 +18,7 @@ struct PlannedPart {
     bool on = false;
     bool forced = false; ///< by the user
     std::string reason;
-    std::optional<double> share =
-        std::nullopt;     ///< of the water at stake, or of a rate, that it changes at most as far as can be told before the run
+    std::optional<double> share = std::nullopt; ///< of the water at stake, or of a rate, that it changes at most, by an estimate
     bool watched = false; ///< left out because that share is small; the run switches it on if it is not: see PartWatch
 };
 
@@ -77,14 +77,5 @@ using ForcedParts = std::map<std::string, bool>;
 
 /// Parses "heat=off,vapour=on". Throws Error naming the parts.
 ForcedParts parse_forced_parts(const std::string& text);
-
-/// The textile as the experiment takes it: build_textile(), but with the paper's closure a fabric that gives no contact angle of its own
-/// has that of cotton, whatever its fibres are.
-Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
-
-/// Precondition: validate() found no error. Throws Error when the experiment cannot be run on the fabric, or a knob is set out of its
-/// range.
-ModelPlan plan_model(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity,
-                     const ForcedParts& forced = {}, const KnobSettings& settings = {});
 
 } // namespace hygroloom

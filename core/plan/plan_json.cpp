@@ -34,24 +34,29 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     return knobs;
 }
 
+/// Recordings of older versions lack the last ones.
 SceneCounts counts_from_json(const Json& json)
 {
-    return {json.at("type"),
-            json.at("drops"),
-            json.at("drop_volume_m3"),
-            json.at("duration_s"),
-            json.at("wet_share"),
-            json.at("suction"),
-            json.value("uptake_m3_s", 0.0),
-            json.value("pores_m", 0.0),
-            json.value("drop_base", 0.0),
-            json.value("capillarity_m3_s2", 0.0),
-            json.value("viscosity_m2_s", 0.0)};
+    return {.type = json.at("type"),
+            .drops = json.at("drops"),
+            .drop_volume = json.at("drop_volume_m3"),
+            .duration = json.at("duration_s"),
+            .wet_share = json.at("wet_share"),
+            .suction = json.at("suction"),
+            .uptake = json.value("uptake_m3_s", 0.0),
+            .pores = json.value("pores_m", 0.0),
+            .drop_base = json.value("drop_base", 0.0),
+            .capillarity = json.value("capillarity_m3_s2", 0.0),
+            .viscosity = json.value("viscosity_m2_s", 0.0)};
 }
 
 PlannedPart part_from_json(const Json& json)
 {
-    PlannedPart part{json.at("name"), json.at("on"), json.at("forced"), json.at("reason"), {}, json.value("watched", false)};
+    PlannedPart part{.name = json.at("name"),
+                     .on = json.at("on"),
+                     .forced = json.at("forced"),
+                     .reason = json.at("reason"),
+                     .watched = json.value("watched", false)};
     if (json.contains("share") && !json.at("share").is_null()) part.share = json.at("share").get<double>();
     return part;
 }

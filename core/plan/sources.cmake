@@ -12,9 +12,14 @@ file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json @ONLY CON
 embed_text(${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp measured_scenes_json)
 target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp
+  plan/bounds.cpp
+  plan/bundling.cpp
   plan/expectation.cpp
   plan/fidelity.cpp
   plan/model_plan.cpp
+  plan/parts.cpp
   plan/plan_json.cpp
+  plan/planning.cpp
+  plan/supply.cpp
   plan/switched_part.cpp
 )

@@ -2,6 +2,7 @@
 #include "core/run/side_by_side.h"
 
 #include "core/base/error.h"
+#include "core/run/plan_run.h"
 #include "core/solver/backend.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ std::size_t bytes_of_largest(const Design& design, const Experiment& experiment,
     double most = 0;
     for (const std::string& fabric : fabrics) {
         try {
-            const ModelPlan plan = plan_model(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
+            const ModelPlan plan = plan_run(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
             most = std::max(most, plan.expected_bytes);
         } catch (const Error&) {
             // The run reports it.

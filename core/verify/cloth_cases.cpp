@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Whole drops on cloth: nothing gets through yarn, nothing is lost.
+#include "core/run/plan_run.h"
 #include "core/solver/host_cloth.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
@@ -101,7 +102,7 @@ std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
     experiment.droplets[0].height_mm = height;
     experiment.droplets[0].speed_m_s = speed;
     const Design design = design_of(library_fabric(v.at("fabric").word), experiment);
-    ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::standard, {});
+    ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::standard, {});
     plan.particles_per_droplet = static_cast<int>(value(v, "particles"));
     const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
     const HostCloth cloth(scene);
@@ -124,7 +125,7 @@ std::vector<VerifyResult> drop_conservation(const VerifyValues& v, Backend& back
     Experiment& experiment = design.experiments[0];
     experiment.swelling = value(v, "swelling") != 0;
     ModelPlan plan =
-        plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+        plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
     plan.particles_per_droplet = static_cast<int>(value(v, "particles"));
     const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
     std::vector<double> times;

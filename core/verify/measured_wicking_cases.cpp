@@ -2,6 +2,7 @@
 // Strips and spots that wick, compared with published curves and directions. Comparisons, not proofs.
 #include "core/base/units.h"
 #include "core/design/jam.h"
+#include "core/run/plan_run.h"
 #include "core/verify/fits.h"
 #include "core/verify/set_ups.h"
 
@@ -202,7 +203,7 @@ std::vector<VerifyResult> density_and_wicking(const VerifyValues&, Backend& back
         run.design = design;
         run.fabric = fabric.name;
         run.experiment = design.experiments[0].name;
-        run.plan = plan_model(design, fabric, design.experiments[0], Fidelity::draft);
+        run.plan = plan_run(design, fabric, design.experiments[0], Fidelity::draft);
         run.textile = build_textile(design, fabric, run.plan.region);
         Scene scene = build_scene(design, run.textile, design.experiments[0], run.plan, 1);
         scene.gravity_along_warp = 0; // it lies

@@ -2,6 +2,7 @@
 // Whole runs: what must stay, stays; and every machine computes the same.
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/run/plan_run.h"
 #include "core/run/runner.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
@@ -225,7 +226,7 @@ std::vector<VerifyResult> goes_on_on_cpu(const VerifyValues& v, Backend& backend
     const double duration = v.at("duration_s").value;
     const Design design = design_of(library_fabric(v.at("fabric").word), small_experiment(v));
     const Experiment& experiment = design.experiments[0];
-    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"vapour", true}, {"heat", true}});
+    const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {{"vapour", true}, {"heat", true}});
     const Textile textile = textile_of_run(design, design.fabrics[0], experiment, plan.region);
     const Scene scene = build_scene(design, textile, experiment, plan, 1);
     const auto advance = [](Backend& machine, double until) {

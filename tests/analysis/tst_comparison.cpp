@@ -2,6 +2,7 @@
 // How candidates are ranked, and what the files of a comparison say.
 #include "core/analysis/comparison.h"
 #include "core/base/error.h"
+#include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
 
 #include <QJsonArray>
@@ -21,7 +22,7 @@ Candidate full_candidate(ExperimentType type)
     run.design.experiments[0] = standard_experiment(type);
     run.fabric = run.design.fabrics[0].name;
     run.experiment = run.design.experiments[0].name;
-    run.plan = plan_model(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);
+    run.plan = plan_run(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);
     Metrics m;
     m.ledger.water_delivered = 1e-6;
     m.absorbency_time = m.horizontal_rate = 1.0;

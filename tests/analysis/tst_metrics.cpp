@@ -3,6 +3,7 @@
 #include "core/analysis/cell_map.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "tests/support/drop_design.h"
 
@@ -221,7 +222,7 @@ private Q_SLOTS:
         experiment.sample_mm = {5, 5};
         experiment.initial_water_g_m2 = 60;
         run.experiment = experiment.name;
-        run.plan = plan_model(run.design, run.design.fabrics[0], experiment, Fidelity::draft);
+        run.plan = plan_run(run.design, run.design.fabrics[0], experiment, Fidelity::draft);
         run.textile = build_textile(run.design, run.design.fabrics[0], run.plan.region);
         const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, 1);
         QVERIFY(scene.initial_bound > 0);

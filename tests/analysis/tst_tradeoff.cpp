@@ -4,6 +4,7 @@
 #include "core/analysis/tradeoff.h"
 #include "core/base/error.h"
 #include "core/physics/water.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "tests/support/spot_design.h"
 
@@ -21,7 +22,7 @@ TradeoffOutcome outcome(double radius, double temperature, std::vector<double> m
     o.moments.push_back({1.0, {{"bound_water_kg", bound}, {"yarn_water_kg", 4e-6 - bound}}, std::move(map), std::move(wet)});
     o.wall = 2;
     const Design design = drop_design();
-    o.plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+    o.plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
     return o;
 }
 
@@ -49,7 +50,7 @@ RunRecord run_of(const Design& design)
     run.design = design;
     run.fabric = design.fabrics[0].name;
     run.experiment = design.experiments[0].name;
-    run.plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+    run.plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
     run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0], run.plan.region);
     run.seed = 1;
     return run;
@@ -192,7 +193,7 @@ private Q_SLOTS:
     {
         const auto plan = [](double angle, const KnobSettings& settings) {
             const Design design = drop_design(angle);
-            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
+            return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
         };
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"fibre_shells", 5}})));
         QVERIFY(run_alike(plan(120, {}), plan(120, {{"fibre_shells", 5}}))); // repellent: its fibres take up nothing
@@ -204,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(run_alike(plan(35, {}), plan(35, {{"crossings_per_cell", 2}}))); // a drop meets single yarns
         const auto spot = [](const KnobSettings& settings) {
             const Design design = spot_design("cotton", 0.5, 10);
-            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
+            return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::standard, {}, settings);
         };
         QVERIFY(run_alike(spot({}), spot({{"crossings_per_cell", 1}})) && !run_alike(spot({}), spot({{"crossings_per_cell", 2}})));
         // The same parts are off, but not the same share would switch one on.

@@ -2,6 +2,7 @@
 // How fast the textile is made: meshes of yarns and fibres, and the network that is simulated. Textile F of the paper.
 #include "core/geometry/mesh_stream.h"
 #include "core/project/project_file.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 
 #include <benchmark/benchmark.h>
@@ -73,7 +74,7 @@ void network(benchmark::State& state)
     const Fabric& fabric = textile_f().fabrics[0];
     double segments = 0, bytes = 0;
     for (auto _ : state) {
-        const ModelPlan plan = plan_model(textile_f(), fabric, experiment, Fidelity::draft, {});
+        const ModelPlan plan = plan_run(textile_f(), fabric, experiment, Fidelity::draft, {});
         const Scene scene = build_scene(textile_f(), build_textile(textile_f(), fabric, plan.region), experiment, plan, 1);
         segments = scene.segments();
         bytes = static_cast<double>(scene.length.size() * sizeof(double) + scene.shift.size() * sizeof(float) + scene.warp_up.size());

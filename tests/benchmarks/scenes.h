@@ -4,6 +4,7 @@
 
 #include "core/plan/model_plan.h"
 #include "core/project/project_file.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 
 namespace hygroloom {
@@ -20,7 +21,7 @@ inline Scene drop_scene(int particles, double height_mm)
     experiment.droplets[0].volume_ul = drop_volume_ul;
     experiment.droplets[0].height_mm = height_mm;
     design.experiments = {experiment};
-    const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::reference);
+    const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::reference);
     Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
     scene.particles_per_droplet = particles;
     scene.sorption = scene.vapour = scene.heat = false;
@@ -42,7 +43,7 @@ inline Design pool_on_textile_f(double sample_mm, double volume_ul)
 
 inline Scene scene_of(const Design& design, const ForcedParts& forced)
 {
-    const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, forced);
+    const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, forced);
     return build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/plan/expectation.h"
 #include "core/project/project_file.h"
+#include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
 
 #include <QDir>
@@ -19,7 +20,7 @@ namespace {
 ModelPlan plan_of(double angle, Fidelity fidelity = Fidelity::standard, const KnobSettings& settings = {})
 {
     const Design design = drop_design(angle);
-    return plan_model(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
+    return plan_run(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
 }
 
 MeasuredScene scene_of(const char* name, const ModelPlan& plan, double seconds, std::optional<double> error)
@@ -82,7 +83,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
         const auto plan = [&](const KnobSettings& settings) {
-            ModelPlan made = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings);
+            ModelPlan made = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings);
             expect(made, shipped_measurements("cpu"));
             return made;
         };
@@ -97,7 +98,7 @@ private Q_SLOTS:
         design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
         const auto seconds = [&](double duration) {
             design.experiments[0].duration_s = duration;
-            ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+            ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
             expect(plan, shipped_measurements("cpu"));
             return plan.expected_seconds;
         };
@@ -112,7 +113,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
         for (const auto& [on, known] : {std::pair(true, true), std::pair(false, false)}) {
-            ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"heat", on}});
+            ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"heat", on}});
             expect(plan, shipped_measurements("cpu"));
             QCOMPARE(plan.expected_error.has_value(), known);
         }
@@ -132,8 +133,8 @@ private Q_SLOTS:
         design.experiments[0] = standard_experiment(ExperimentType::drying);
         design.experiments[0].sample_mm = {80, 80}; // 280 x 280
         const auto plan = [&](double of) {
-            return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
-                              {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
+            return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
+                            {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
         };
         // As 16, 4 and 1, over what does not change.
         const double single = rough_work(plan(1), "cpu"), twos = rough_work(plan(2), "cpu"), fours = rough_work(plan(4), "cpu");
@@ -162,7 +163,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::conditioning);
         design.experiments[0].sample_mm = {8, 8};
-        ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::standard);
+        ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::standard);
         for (const std::vector<MeasuredScene>& measured : {std::vector<MeasuredScene>{},
                                                            {scene_of("drop", plan_of(35), 7, 0.02)},
                                                            {scene_of("draft", plan_of(35, Fidelity::draft), 7, 0.02)}}) {
@@ -293,8 +294,7 @@ private Q_SLOTS:
             const Experiment* experiment = find_experiment(design, row[1].toStdString());
             QVERIFY2(fabric && experiment, qPrintable(row[0] + row[1]));
             const bool standard = row[2] == "standard";
-            const LiquidCount count =
-                count_liquid(plan_model(design, *fabric, *experiment, standard ? Fidelity::standard : Fidelity::draft));
+            const LiquidCount count = count_liquid(plan_run(design, *fabric, *experiment, standard ? Fidelity::standard : Fidelity::draft));
             const double ratio = row[3].toDouble() * row[4].toDouble() / (count.steps * count.particles);
             if (row[0] == "Textile F" && row[1] == "15 ul, 10 s") first = ratio;
             QVERIFY(first > 0);

@@ -2,6 +2,7 @@
 // The knobs behind a fidelity: each is set alone, is refused with a sentence, and reaches the plan, its JSON and the scene.
 #include "core/base/error.h"
 #include "core/plan/plan_json.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 #include "core/solver/steps/liquid_control.h"
@@ -16,7 +17,7 @@ namespace {
 ModelPlan plan_with(const KnobSettings& settings, Fidelity fidelity = Fidelity::standard)
 {
     const Design design = drop_design();
-    return plan_model(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
+    return plan_run(design, design.fabrics[0], design.experiments[0], fidelity, {}, settings);
 }
 
 std::string refusal(const std::string& name, const std::string& value)

@@ -2,6 +2,7 @@
 // The plan: what it leaves out, and that it says why with a number.
 #include "core/base/error.h"
 #include "core/plan/plan_json.h"
+#include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "tests/support/drop_design.h"
 
@@ -13,7 +14,7 @@ using namespace hygroloom;
 namespace {
 ModelPlan plan_of(const Design& d, Fidelity fidelity = Fidelity::standard, const ForcedParts& forced = {})
 {
-    return plan_model(d, d.fabrics[0], d.experiments[0], fidelity, forced);
+    return plan_run(d, d.fabrics[0], d.experiments[0], fidelity, forced);
 }
 
 /// The number after some words of a reason.
@@ -272,7 +273,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
         const auto notes = [&](const KnobSettings& settings) {
-            return notes_of(plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings));
+            return notes_of(plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings));
         };
         QVERIFY(notes({{"crossings_per_even_cell", 1}}).empty());
         const std::vector<std::string> told = notes({{"crossings_per_even_cell", 4}, {"settle_share", 0.1}});

@@ -3,6 +3,7 @@
 #include "core/analysis/metrics.h"
 #include "core/base/units.h"
 #include "core/physics/air.h"
+#include "core/run/plan_run.h"
 #include "core/run/runner.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
@@ -63,7 +64,7 @@ Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const Forc
 Scene scene_of(const Design& design)
 {
     const Experiment& experiment = design.experiments[0];
-    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {});
+    const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {});
     return build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
 }
 
@@ -116,7 +117,7 @@ private Q_SLOTS:
         experiment.duration_s = 5;
         experiment.climates = {{2, {35, 0.2, 1}}, {4, {10, 0.95, 0}}};
         const ModelPlan plan =
-            plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+            plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         Solver<CpuExecutor> solver;
         solver.executor().set_threads(2);
@@ -346,8 +347,8 @@ private Q_SLOTS:
         Frame frames[2];
         int visited = 0;
         for (bool growth : {false, true}) {
-            const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
-                                              {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
+            const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
+                                            {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
             const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
             Solver<CpuExecutor> solver;
             solver.executor().set_threads(2);

@@ -8,6 +8,7 @@
 #include "core/design/yarn_sections.h"
 #include "core/physics/heat_moisture.h"
 #include "core/project/project_file.h"
+#include "core/run/plan_run.h"
 #include "core/scene/coarse_scene.h"
 #include "core/solver/cpu_executor.h"
 #include "core/solver/solver.h"
@@ -288,7 +289,7 @@ private:
         Solver<CpuExecutor> solver;
         Scene scene;
         try {
-            const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);
+            const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);
             scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
             if (plan.crossings_per_cell > 1) scene = coarsened(scene, plan.crossings_per_cell);
             solver.load(scene);

@@ -6,6 +6,7 @@
 #include "core/plan/expectation.h"
 #include "core/plan/plan_json.h"
 #include "core/run/part_watch.h"
+#include "core/run/plan_run.h"
 #include "core/run/recording.h"
 #include "core/run/runner.h"
 #include "core/scene/scene.h"
@@ -243,7 +244,7 @@ private Q_SLOTS:
         Design design = spot(0.2, 1);
         Experiment& experiment = design.experiments[0];
         if (changes) experiment.climates = {{0.5, {21, 0.3, 0}}};
-        const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, forced, {{"neglected_share", 0.05}});
+        const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, forced, {{"neglected_share", 0.05}});
         QVERIFY(plan.watches("sorption") && !plan.on("vapour"));
         const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
         const auto backend = make_cpu_backend();
@@ -325,8 +326,8 @@ private Q_SLOTS:
     void aDropThatLiesOnTheClothGoesOn()
     {
         const Design design = drop_design(35, 0.2);
-        ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
-                                    {{"sorption", false}, {"vapour", false}, {"heat", false}});
+        ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
+                                  {{"sorption", false}, {"vapour", false}, {"heat", false}});
         Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
         const auto advance = [](Backend& backend, double until) {
             for (double reached = 0; reached < until;) reached = backend.advance(until);
@@ -379,7 +380,7 @@ private Q_SLOTS:
     {
         const auto watched = [](const Design& design, Fidelity fidelity = Fidelity::draft) {
             QStringList names;
-            for (const PlannedPart& part : plan_model(design, design.fabrics[0], design.experiments[0], fidelity).parts)
+            for (const PlannedPart& part : plan_run(design, design.fabrics[0], design.experiments[0], fidelity).parts)
                 if (part.watched) names << QString::fromStdString(part.name);
             return names.join(' ');
         };
@@ -445,7 +446,7 @@ private Q_SLOTS:
         drying.sample_mm = {5, 5};
         drying.climates = {{60, {30, 0.4, 1}}};
         design.experiments = {drying};
-        const ModelPlan plan = plan_model(design, design.fabrics[0], drying, Fidelity::draft, {{"sorption", false}});
+        const ModelPlan plan = plan_run(design, design.fabrics[0], drying, Fidelity::draft, {{"sorption", false}});
         QVERIFY(plan.on("vapour") && plan.on("heat"));
     }
     void coolingCountsByWhatItKeepsFromEvaporating() // near saturation a little cooling takes half of what drives it
@@ -456,7 +457,7 @@ private Q_SLOTS:
         drying.climate = {21, 0.97, 0};
         drying.duration_s = 4 * 3600;
         design.experiments = {drying};
-        const ModelPlan plan = plan_model(design, design.fabrics[0], drying, Fidelity::draft);
+        const ModelPlan plan = plan_run(design, design.fabrics[0], drying, Fidelity::draft);
         QVERIFY(plan.on("vapour") && plan.on("heat"));
         // h = 3.5 + 5.49 W/(m2 K); h_m = 3.5 / (1.200 * 1006 * 0.865^(2/3)) = 3.19 mm/s; 2.452 MJ/kg; 18.34 - 17.30 g/m3 over the last K.
         const double held = cooling_slows_evaporation(3.5 + 5.49, 3.19e-3, 294.15);

@@ -2,6 +2,7 @@
 // Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth drinks and a repellent one does not.
 #include "core/base/error.h"
 #include "core/plan/model_plan.h"
+#include "core/run/plan_run.h"
 #include "core/run/recording.h"
 #include "core/run/runner.h"
 #include "core/scene/scene.h"
@@ -103,7 +104,7 @@ private Q_SLOTS:
     {
         Design design = drop_design(35, 0.5);
         Experiment& experiment = design.experiments[0];
-        ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"growth", false}});
+        ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"growth", false}});
         plan.particles_per_droplet = 1000;
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         for (bool swelling : {false, true}) {
@@ -148,7 +149,7 @@ private Q_SLOTS:
     {
         const Design design = drop_design(35, 0.2);
         const ModelPlan plan =
-            plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"vapour", true}, {"heat", true}});
+            plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"vapour", true}, {"heat", true}});
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         const auto one = make_cpu_backend(), other = make_cpu_backend();
@@ -184,7 +185,7 @@ private Q_SLOTS:
         Experiment drying = standard_experiment(ExperimentType::drying);
         drying.sample_mm = {4, 4};
         design.experiments = {drying};
-        const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+        const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         QVERIFY(scene.step_error > 0);

@@ -3,6 +3,7 @@
 #include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/plan/bundles.h"
+#include "core/run/plan_run.h"
 #include "core/run/recording.h"
 #include "core/run/runner.h"
 #include "core/scene/coarse_scene.h"
@@ -34,14 +35,14 @@ Design small(ExperimentType type, double duration)
 Scene scene_of(const Design& design)
 {
     const Experiment& experiment = design.experiments[0];
-    const ModelPlan plan = plan_model(design, design.fabrics[0], experiment, Fidelity::draft);
+    const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft);
     return build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
 }
 
 ModelPlan plan_in_bundles(const Design& design, double of)
 {
-    return plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
-                      {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
+    return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
+                    {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
 }
 
 RunOptions in_bundles(double of)

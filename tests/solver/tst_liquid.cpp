@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The free liquid: neighbours against brute force, balances, and that nothing passes through yarn.
 #include "core/base/random.h"
+#include "core/run/plan_run.h"
 #include "core/solver/cpu_executor.h"
 #include "core/solver/host_cloth.h"
 #include "core/solver/solver.h"
@@ -268,8 +269,8 @@ Scene cloth_scene(double most_shift, double squeezed)
 {
     const Design design = thick_and_thin();
     const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
-    Scene scene = build_scene(design, textile, design.experiments[0],
-                              plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+    Scene scene =
+        build_scene(design, textile, design.experiments[0], plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
     for (std::size_t k = 0; k < scene.shift.size(); ++k)
         scene.shift[k] += static_cast<float>(most_shift * (2 * random_uniform(11, 0, k) - 1));
     scene.warp_pitch *= squeezed;
@@ -674,7 +675,7 @@ private Q_SLOTS:
         const Design design = thick_and_thin();
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
         const Scene scene = build_scene(design, textile, design.experiments[0],
-                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+                                        plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
         const HostCloth cloth(scene);
         const Real reach = Real(3e-4), touching = Real(5e-6);
         int moves = 0, stopped = 0;
@@ -708,7 +709,7 @@ private Q_SLOTS:
         const Design design = thick_and_thin();
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
         const Scene scene = build_scene(design, textile, design.experiments[0],
-                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+                                        plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
         const HostCloth cloth(scene);
         const Real reach = Real(3e-4), touching = Real(2e-5);
         int places = 0, wedges = 0, left = 0, kept = 0;
@@ -756,7 +757,7 @@ private Q_SLOTS:
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
         QCOMPARE(int(textile.warp.types.size()), 2);
         const Scene scene = build_scene(design, textile, design.experiments[0],
-                                        plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+                                        plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
         const HostCloth host(scene);
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)

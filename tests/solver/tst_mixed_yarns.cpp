@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs on cloths whose ends or picks are of different yarns: each yarn answers for itself, and no water is lost between them.
+#include "core/run/plan_run.h"
 #include "core/run/runner.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
@@ -153,8 +154,8 @@ private Q_SLOTS:
         Design design = two_fibres("cotton", "polyester", 1);
         design.fabrics[0].warp_order = design.fabrics[0].weft_order = {{0, 8}, {1, 5}, {0, 8}};
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 21, 21});
-        const ModelPlan plan = plan_model(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
-                                          {{"liquid", false}, {"wicking", true}, {"sorption", true}, {"vapour", true}, {"heat", true}});
+        const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
+                                        {{"liquid", false}, {"wicking", true}, {"sorption", true}, {"vapour", true}, {"heat", true}});
         Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
         for (int e = 6; e < 15; ++e)

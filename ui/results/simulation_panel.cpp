@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/plan/expectation.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
@@ -183,11 +184,12 @@ void SimulationPanel::refreshPlans()
     planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex(),
                   machine = expected_backend(backend())](const NewestJob::Turn& turn) {
         std::array<Expectation, 3> plans;
+        const Experiment& test = design->experiments[static_cast<std::size_t>(experiment)];
+        std::optional<Textile> textile;
         for (std::size_t i = 0; i < plans.size() && !turn.outdated(); ++i) {
             try {
-                plans[i].plan = plan_model(*design, design->fabrics[static_cast<std::size_t>(fabric)],
-                                           design->experiments[static_cast<std::size_t>(experiment)], fidelity_order[i]);
-                if (machine != "cpu") { expect(*plans[i].plan, shipped_measurements(machine)); }
+                if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test); }
+                plans[i].plan = plan_run(*design, *textile, test, fidelity_order[i], {}, {}, machine);
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());
             }

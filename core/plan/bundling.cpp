@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/plan/bundling.h"
+
+#include "core/plan/bundles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+constexpr const char* mixing = "bundles of so many would mix yarns that differ";
+
+/// Whether each bundle's yarns are of one type.
+bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bundles)
+{
+    for (int yarn = 0; yarn < bundles.yarns; ++yarn)
+        for (int bundle : {bundles.first_of(yarn), bundles.last_of(yarn)})
+            if (textile.type_of(kind, yarn) != textile.type_of(kind, bundles.middle_of(bundle))) return false;
+    return true;
+}
+
+/// Ends, and picks, of a bundle where only the edges differ from the rest: as many as leave some bundles between.
+int wanted_where_even(const Knobs& knobs, const Textile& textile)
+{
+    constexpr int least_bundles = 8;
+    return std::min(static_cast<int>(knobs.crossings_per_even_cell), std::min(textile.ends(), textile.picks()) / least_bundles);
+}
+
+/// Ends, and picks, that the fidelity puts into a bundle.
+int wanted_in_bundle(const Knobs& knobs, const Textile& textile, ExperimentType type)
+{
+    const int at_fronts = static_cast<int>(knobs.crossings_per_cell);
+    return stays_uniform(type) ? std::max(at_fronts, wanted_where_even(knobs, textile)) : at_fronts;
+}
+
+/// Why each yarn is simulated alone whatever the fidelity asks for; nullptr: it need not be.
+const char* why_single(const ModelPlan& plan, ExperimentType type)
+{
+    if (plan.on("liquid")) return "free liquid meets single yarns";
+    return info_of(type).source == WaterSource::face ? "sweat wets yarns where they lie on one face" : nullptr;
+}
+
+} // namespace
+
+std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentType type)
+{
+    const int wanted = wanted_in_bundle(plan.knobs, textile, type);
+    plan.crossings_per_cell = 1;
+    if (wanted <= 1) return "";
+    const auto alike = [&](int of) {
+        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), of)) &&
+               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), of));
+    };
+    int most = wanted;
+    while (most > 1 && !alike(most)) --most;
+    const char* why_not = why_single(plan, type);
+    if (!why_not && most == 1) why_not = mixing;
+    if (why_not)
+        return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
+                           wanted, why_not);
+    const Bundles ends = bundles_of(textile.ends(), most), picks = bundles_of(textile.picks(), most);
+    plan.crossings_per_cell = most;
+    return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
+                       ends.yarns, picks.yarns, ends.count, picks.count);
+}
+
+void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentType type)
+{
+    auto &at_fronts = plan.idle_knobs["crossings_per_cell"], &where_even = plan.idle_knobs["crossings_per_even_cell"];
+    const double fronts = plan.knobs.crossings_per_cell, even = wanted_where_even(plan.knobs, textile);
+    if (const char* why = why_single(plan, type))
+        at_fronts = where_even = why;
+    else if (!stays_uniform(type))
+        where_even = "only in drying and conditioning is all of the cloth alike";
+    else if (wanted_in_bundle(plan.knobs, textile, type) > 1 && plan.crossings_per_cell == 1)
+        at_fronts = where_even = mixing;
+    else if (fronts < even)
+        at_fronts = "crossings_per_even_cell asks for larger bundles";
+    else if (plan.knobs.crossings_per_even_cell > 1 && even <= 1)
+        where_even = "the sample has too few yarns for bundles";
+    else if (even < fronts)
+        where_even = "crossings_per_cell asks for larger bundles";
+}
+
+} // namespace hygroloom

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/run/failover.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <new>
+
+namespace hygroloom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+} // namespace
+
+bool Failover::is_due(long frame) const { return may_fail_over() && frame > 0 && seconds_since(kept_) >= pause_; }
+
+void Failover::keep(long frame)
+{
+    const auto start = Clock::now();
+    try {
+        hold(frame);
+    } catch (const std::bad_alloc&) { // the run itself is well
+    }
+    pause_ = std::max(least_pause, 20 * seconds_since(start));
+    kept_ = Clock::now();
+}
+
+void Failover::hold(long frame)
+{
+    state_ = session_.state();
+    frame_ = frame;
+}
+
+void Failover::go_on_with(const ModelPlan& plan)
+{
+    session_.go_on_from(state_, plan);
+    if (!may_fail_over()) state_ = {};
+}
+
+void Failover::go_on_on_cpu(const DeviceError& error)
+{
+    if (!options_.may_go_on_on_cpu || cpu_) throw DeviceError(error);
+    session_.backend().unload();
+    if (options_.one_on_cpu) turn_ = std::unique_lock(*options_.one_on_cpu);
+    cpu_ = make_cpu_backend();
+    cpu_->set_threads(options_.threads);
+    session_.move_to(*cpu_);
+    if (frame_ > 0)
+        session_.go_on_from(state_);
+    else
+        session_.load();
+}
+
+} // namespace hygroloom

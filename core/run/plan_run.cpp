@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/run/plan_run.h"
+
+#include "core/plan/expectation.h"
+#include "core/plan/planning.h"
+
+namespace hygroloom {
+
+ModelPlan plan_run(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced,
+                   const KnobSettings& settings, const std::string& backend)
+{
+    return plan_run(design, textile_of_run(design, fabric, experiment), experiment, fidelity, forced, settings, backend);
+}
+
+ModelPlan plan_run(const Design& design, const Textile& textile, const Experiment& experiment, Fidelity fidelity, const ForcedParts& forced,
+                   const KnobSettings& settings, const std::string& backend)
+{
+    ModelPlan plan = plan_model(design, textile, experiment, fidelity, forced, settings);
+    expect(plan, shipped_measurements(backend));
+    return plan;
+}
+
+} // namespace hygroloom

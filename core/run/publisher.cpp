@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/run/publisher.h"
+
+#include "core/base/error.h"
+#include "core/run/session.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Water may not appear or vanish; if it does, the result is worth nothing.
+void require_closed(const Ledger& l)
+{
+    if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
+        throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
+}
+
+} // namespace
+
+Publisher::Publisher(RunRecord& run, double duration, const Session& session, const RunCallbacks& callbacks, Clock::time_point start)
+    : run_(run), duration_(duration), session_(session), callbacks_(callbacks), watch_(session.scene(), run.plan), start_(start)
+{
+}
+
+void Publisher::start(const std::filesystem::path& recording)
+{
+    if (!recording.empty()) recording_.emplace(recording, run_);
+    if (callbacks_.started) callbacks_.started(run_);
+}
+
+void Publisher::publish(Frame frame, double time)
+{
+    frame.time = time;
+    require_closed(frame.ledger);
+    for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
+    frame = session_.of_single_yarns(std::move(frame));
+    if (recording_) recording_->append(frame);
+    if (time >= duration_) settle_due("the run was over");
+    if (!callbacks_.frame) return;
+    const std::scoped_lock alone(calling_);
+    callbacks_.frame(std::make_shared<const Frame>(std::move(frame)));
+}
+
+void Publisher::progress(double reached, bool ends)
+{
+    if (!callbacks_.progress || (seconds_since(reported_) <= 0.1 && !ends)) return;
+    std::unique_lock alone(calling_, std::try_to_lock);
+    if (!alone && !ends) return; // the caller looks at a frame; the steps need not wait
+    if (!alone) alone.lock();
+    reported_ = Clock::now();
+    const Backend& on = session_.backend();
+    callbacks_.progress({reached, duration_, seconds_since(start_), on.liquid_steps(), on.particles()});
+}
+
+void Publisher::device_failed(const std::string& why, double from) const
+{
+    if (callbacks_.device_failed) callbacks_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", why, from));
+}
+
+void Publisher::device_changed(double from)
+{
+    run_.device += fmt::format("; from {:.3g} s on {}", from, session_.backend().device());
+    if (recording_) recording_->note_device(run_.device);
+}
+
+void Publisher::finish()
+{
+    run_.wall = seconds_since(start_);
+    if (recording_) recording_->finish(run_.wall);
+}
+
+void Publisher::settle_due(const char* kept_off)
+{
+    for (SwitchedPart& part : due_) {
+        part.kept_off = kept_off;
+        if (recording_) recording_->note_switched_on(part);
+        if (callbacks_.switched_on) callbacks_.switched_on(part);
+        run_.switched_on.push_back(std::move(part));
+    }
+    due_.clear();
+}
+
+} // namespace hygroloom

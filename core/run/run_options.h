@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run is started with, and what passes between it and its caller.
+#pragma once
+
+#include "core/run/run_record.h"
+#include "core/scene/frame.h"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+namespace hygroloom {
+
+struct RunOptions {
+    Fidelity fidelity = Fidelity::standard;
+    std::string fidelity_reason; ///< for the plan
+    ForcedParts forced;
+    KnobSettings knobs; ///< on top of the fidelity's
+    std::uint64_t seed = 1;
+    int threads = 0;                  ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;    ///< when the device fails
+    std::mutex* one_on_cpu = nullptr; ///< of runs side by side that go on there: held by the one that does
+    std::filesystem::path recording;  ///< empty: none is written
+};
+
+/// What a caller may do to a run from another thread.
+struct RunControl {
+    std::atomic<bool> cancel{false};
+    std::atomic<bool> pause{false};
+};
+
+struct RunProgress {
+    double simulated = 0; ///< s
+    double duration = 0;  ///< s
+    double wall = 0;      ///< s
+    long steps = 0;       ///< of the liquid
+    int particles = 0;    ///< still free
+};
+
+/// Frames may come from a thread of the run's own, but never two calls at a time.
+struct RunCallbacks {
+    std::function<void(const RunRecord&)> started;
+    std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
+    std::function<void(const RunProgress&)> progress;        ///< several times a second
+    std::function<void(const SwitchedPart&)> switched_on;    ///< after the frame of its time; before it if that is the last
+    std::function<void(const std::string&)> device_failed;   ///< the run is about to go on on the CPU; a sentence
+};
+
+} // namespace hygroloom

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A scene on a machine: it is advanced, gives frames and states, and can go on from a state, also on another machine.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/solver/backend.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+class Session {
+public:
+    /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
+    Session(Backend& backend, Scene scene, int crossings_per_cell);
+
+    /// Puts the scene on the machine, at its start.
+    void load() { backend_->load(scene_); }
+    /// Advances towards a time (s), by at least one step and by about 0.05 s of wall time at most; returns the time reached.
+    double advance(double until) { return backend_->advance(until); }
+    /// What the scene has come to, as it is simulated; see Backend::take_frame().
+    std::future<Frame> take_frame() { return backend_->take_frame(); }
+    /// Such a frame with the values of each single yarn.
+    Frame of_single_yarns(Frame frame) const;
+    /// Everything the scene has come to.
+    std::vector<std::byte> state() { return backend_->state(); }
+    /// Loads the scene again and goes on from a state of it.
+    void go_on_from(const std::vector<std::byte>& state);
+    /// The same with the parts that the plan has on.
+    void go_on_from(const std::vector<std::byte>& state, const ModelPlan& plan);
+    /// The next load() goes to this machine.
+    void move_to(Backend& backend) { backend_ = &backend; }
+
+    Backend& backend() const { return *backend_; }
+    /// As it is simulated: of bundles where yarns go in bundles.
+    const Scene& scene() const { return scene_; }
+
+private:
+    Backend* backend_;
+    Scene scene_;
+    std::optional<Scene> single_; ///< where scene_ has bundles
+};
+
+} // namespace hygroloom
