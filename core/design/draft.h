@@ -2,11 +2,13 @@
 // A weaving draft: which shaft carries each end, and which shafts each pick lifts. Indices count from 0 here, from 1 in files and texts.
 #pragma once
 
-#include "core/design/weave.h"
+#include <string>
+#include <vector>
 
 namespace hygroloom {
 
-constexpr int most_shafts = 2000; ///< also treadles
+constexpr int largest_repeat = 2000; ///< ends, picks of a weave
+constexpr int most_shafts = 2000;    ///< also treadles
 
 struct Draft {
     int shafts = 0;
@@ -27,18 +29,8 @@ struct Draft {
 /// Threads may number up to most_threads in each system.
 std::string fault_in(const Draft& draft, int most_threads = largest_repeat);
 
-/// The matrix: an end is up when one of its shafts is. The weave carries no draft.
-/// Precondition of this and all below: fault_in() finds nothing.
-Weave drawdown(const Draft& draft);
-
-/// The same, and the weave carries the draft.
-Weave weave_from_draft(Draft draft);
-
-/// Fewest shafts (as many as there are different ends) and fewest treadles (different picks), numbered as they first occur, so that a
-/// twill has a straight draw.
-Draft smallest_draft(const Weave& weave);
-
 /// The same weave with each pick's shafts listed, and with a tie-up of as few treadles as there are different picks.
+/// Precondition: fault_in() finds nothing.
 Draft with_liftplan(const Draft& draft);
 Draft with_tie_up(const Draft& draft);
 

@@ -3,7 +3,6 @@
 
 #include "core/base/units.h"
 #include "core/design/flyaway.h"
-#include "core/design/yarn_quantities.h"
 
 #include <fmt/format.h>
 

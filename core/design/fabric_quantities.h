@@ -2,25 +2,9 @@
 // Numbers that follow from a fabric's description by formula alone, in trade units.
 #pragma once
 
-#include "core/design/design.h"
-#include "core/design/interlacing.h"
+#include "core/design/yarn_quantities.h"
 
 namespace hygroloom {
-
-struct YarnQuantities {
-    double linear_density_tex = 0;
-    double diameter_mm = 0;    ///< of the free, round yarn
-    double packing_factor = 0; ///< of the free yarn
-    Section section_mm;        ///< in the fabric
-    double packing_factor_in_fabric = 0;
-    double pitch_mm = 0; ///< from yarn to yarn
-    double rise_mm = 0;  ///< of the centreline, from side to side
-    double crimp_percent = 0;
-    double cover = 0;          ///< sett x mean width, 1 = touching
-    double pore_radius_um = 0; ///< between the fibres: 2 x void area / wetted perimeter
-    double contact_angle_deg = 0;
-    bool flattened = false; ///< section is not the free circle
-};
 
 struct FabricQuantities {
     YarnQuantities warp;

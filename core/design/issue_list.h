@@ -2,7 +2,8 @@
 // Collects issues while validate() walks through a design.
 #pragma once
 
-#include "core/design/validate.h"
+#include "core/design/design.h"
+#include "core/design/issue.h"
 
 #include <fmt/format.h>
 

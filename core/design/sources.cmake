@@ -5,6 +5,7 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/fibres_json.cpp
   design/design.cpp
   design/draft.cpp
+  design/drawdown.cpp
   design/experiment.cpp
   design/fabric_quantities.cpp
   design/flyaway.cpp

@@ -102,9 +102,4 @@ std::vector<Issue> validate(const Design& design)
     return list.issues;
 }
 
-bool has_error(const std::vector<Issue>& issues)
-{
-    return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
-}
-
 } // namespace hygroloom

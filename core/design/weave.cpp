@@ -2,7 +2,6 @@
 #include "core/design/weave.h"
 
 #include "core/base/error.h"
-#include "core/design/draft.h"
 
 namespace hygroloom {
 

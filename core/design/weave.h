@@ -2,16 +2,14 @@
 // A weave: the repeat of up (warp over weft) and down crossings, as on point paper.
 #pragma once
 
+#include "core/design/draft.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace hygroloom {
-
-struct Draft;
-
-constexpr int largest_repeat = 2000; ///< ends, picks
 
 /// Copyable; the matrix is shared and never changes once made.
 class Weave {

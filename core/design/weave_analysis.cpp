@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/weave_analysis.h"
 
-#include "core/design/draft.h"
+#include "core/design/drawdown.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,10 +2,24 @@
 // Numbers of one yarn as it lies in the fabric, by formula alone: of the fabric's own and of those of its stripes.
 #pragma once
 
-#include "core/design/fabric_quantities.h"
 #include "core/design/yarn_sections.h"
 
 namespace hygroloom {
+
+struct YarnQuantities {
+    double linear_density_tex = 0;
+    double diameter_mm = 0;    ///< of the free, round yarn
+    double packing_factor = 0; ///< of the free yarn
+    Section section_mm;        ///< in the fabric
+    double packing_factor_in_fabric = 0;
+    double pitch_mm = 0; ///< from yarn to yarn
+    double rise_mm = 0;  ///< of the centreline, from side to side
+    double crimp_percent = 0;
+    double cover = 0;          ///< sett x mean width, 1 = touching
+    double pore_radius_um = 0; ///< between the fibres: 2 x void area / wetted perimeter
+    double contact_angle_deg = 0;
+    bool flattened = false; ///< section is not the free circle
+};
 
 /// A fabric's yarns in their places.
 struct WovenYarns {

@@ -2,7 +2,7 @@
 // What the writers of single formats share; see mesh_file.h.
 #pragma once
 
-#include "core/project/mesh_file.h"
+#include "core/project/export_options.h"
 #include "core/project/output_file.h"
 
 #include <array>

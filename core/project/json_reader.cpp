@@ -2,6 +2,7 @@
 #include "core/project/json_reader.h"
 
 #include "core/base/text.h"
+#include "core/base/words.h"
 
 #include <fmt/format.h>
 
@@ -49,23 +50,6 @@ std::string reason(const std::string& message)
 
 /// A value as it stands, cut where it is long.
 std::string shortened(const std::string& text) { return text.size() > 60 ? cut_text(text, 57) + "..." : text; }
-
-/// Levenshtein's distance, one row at a time.
-std::size_t distance(const std::string& a, const std::string& b)
-{
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-        }
-    }
-    return row.back();
-}
 
 /// Refuses what JSON allows and a project never has. A pass of its own: the library's parser with a callback goes through every list again
 /// for each of its elements.
@@ -160,19 +144,6 @@ std::string in_words(const ProjectJson& value)
     if (value.is_object()) return "an object";
     if (value.is_array()) return fmt::format("a list of {}", value.size());
     return shortened(value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace));
-}
-
-std::string nearest_word(const std::string& word, const std::vector<std::string>& words)
-{
-    std::string nearest;
-    if (word.size() > 100) return nearest;
-    std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;
-    for (const std::string& candidate : words)
-        if (const std::size_t far = distance(word, candidate); far < least) {
-            least = far;
-            nearest = candidate;
-        }
-    return nearest;
 }
 
 double number_in(const ProjectJson& value, const std::string& file, const std::string& path)

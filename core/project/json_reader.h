@@ -29,9 +29,6 @@ ProjectJson parse_json(std::string_view text, const std::string& name);
 /// A JSON value in words, shortened: `"abc"`, `12`, `an object`.
 std::string in_words(const ProjectJson& value);
 
-/// The nearest of some words, or empty when none is near.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
-
 /// One object of the file. Ask for every key it may have, then call finish(), which refuses the others.
 class ObjectReader {
 public:

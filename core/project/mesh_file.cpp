@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What is common to all formats: which can hold what, how large it gets, and the files put in place at the end.
+#include "core/project/mesh_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/design/weave_analysis.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The design in a project's JSON. Form only: whether values make sense is for validate().
-#include "core/design/draft.h"
+#include "core/base/words.h"
+#include "core/design/drawdown.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"

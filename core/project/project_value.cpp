@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // One value of a project by its path, for --set and for scripts that sweep a parameter.
+#include "core/base/words.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A WIF draft as a fabric: its weave reduced to the smallest repeat, its colours as yarns, its numbers as suggestions.
 #include "core/base/error.h"
+#include "core/design/drawdown.h"
 #include "core/design/weave_analysis.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"

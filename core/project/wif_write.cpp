@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A fabric as a WIF 1.1 file, as plain as loom software wants it: CRLF, every thread listed, no blanks round "=".
+#include "core/design/drawdown.h"
 #include "core/design/yarn_sections.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_json.h"

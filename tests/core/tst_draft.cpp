@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/design/draft.h"
+#include "core/design/drawdown.h"
 #include "core/project/project_file.h"
 
 #include <QTest>

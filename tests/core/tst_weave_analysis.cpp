@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/random.h"
-#include "core/design/draft.h"
+#include "core/design/drawdown.h"
 #include "core/design/jam.h"
 #include "core/design/validate.h"
 #include "core/design/weave_analysis.h"

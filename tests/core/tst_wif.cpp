@@ -2,7 +2,7 @@
 // WIF drafts as drafting programs really write them.
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/design/draft.h"
+#include "core/design/drawdown.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
 

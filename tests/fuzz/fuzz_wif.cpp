@@ -2,7 +2,7 @@
 // Any bytes, as a WIF draft, a grid and a picture, either are refused with a FileError, or become a fabric that a project keeps and
 // whose exported draft gives the same weave again.
 #include "core/base/error.h"
-#include "core/design/draft.h"
+#include "core/design/drawdown.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
 

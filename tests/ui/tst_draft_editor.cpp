@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The draft editor: what is changed in the draft shows in the cloth, and the other way round; the order of the yarns.
+#include "core/design/drawdown.h"
 #include "core/project/project_file.h"
 #include "ui/document/document.h"
 #include "ui/weave/cloth_picture.h"

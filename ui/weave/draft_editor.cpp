@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/weave/draft_editor.h"
 
+#include "core/design/drawdown.h"
 #include "ui/basics/icon_button.h"
 #include "ui/weave/order_editor.h"
 #include "ui/weave/weave_edits.h"

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  base/words.cpp
+)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What is wrong at one place of a design.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+enum class Severity { note, warning, error };
+
+struct Issue {
+    Severity severity = Severity::error;
+    std::string code;  ///< stable, for programs: "range", "unknown_material", "ends_do_not_fit", ...
+    std::string where; ///< path into the project: "fabrics[0].warp.diameter_mm"
+    std::string text;  ///< what, allowed range, what was given
+};
+
+inline bool has_error(const std::vector<Issue>& issues)
+{
+    return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
+}
+
+} // namespace hygroloom
