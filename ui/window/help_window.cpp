@@ -6,7 +6,9 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -18,9 +20,30 @@ namespace {
 
 constexpr int widest_picture = 760; // pixels
 
-/// Scales pictures that are wider than a page.
+/// Gives pages more room between their parts, thin lines to tables, and pictures that fit.
 class HelpBrowser : public QTextBrowser {
 protected:
+    void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override
+    {
+        QTextBrowser::doSetSource(name, type);
+        QTextCursor cursor(document());
+        cursor.beginEditBlock();
+        for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+            QTextBlockFormat format = block.blockFormat();
+            format.setLineHeight(120, QTextBlockFormat::ProportionalHeight);
+            if (format.headingLevel() > 0) {
+                format.setTopMargin(format.headingLevel() == 1 ? 0 : 18);
+                format.setBottomMargin(6);
+            }
+            QTextCursor(block).setBlockFormat(format);
+        }
+        for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
+            if (auto* table = qobject_cast<QTextTable*>(frame)) { table->setFormat(tidied(table->format())); }
+        }
+        cursor.endEditBlock();
+        moveCursor(QTextCursor::Start);
+    }
+
     QVariant loadResource(int type, const QUrl& name) override
     {
         const QVariant loaded = QTextBrowser::loadResource(type, name);
@@ -33,6 +56,20 @@ protected:
         picture = picture.scaledToWidth(std::min(picture.width(), qRound(widest_picture * ratio)), Qt::SmoothTransformation);
         picture.setDevicePixelRatio(picture.width() / static_cast<qreal>(widest_picture));
         return picture;
+    }
+
+private:
+    QTextTableFormat tidied(QTextTableFormat format) const
+    {
+        format.setBorderCollapse(true);
+        format.setBorder(1);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderBrush(palette().mid());
+        format.setCellSpacing(0);
+        format.setCellPadding(5);
+        format.setTopMargin(4);
+        format.setBottomMargin(8);
+        return format;
     }
 };
 
