@@ -29,7 +29,7 @@ std::vector<int> chosen_gpus(const std::string& name)
     return usable;
 }
 
-/// How many scenes of so many bytes a GPU has room for, at least one; none, and why, if it cannot be asked.
+/// How many scenes of this size (bytes) a GPU has room for, at least one; none, and why, if it cannot be asked.
 std::size_t room_for_scenes(int gpu, bool threads_sleep, std::size_t bytes_each, std::string& reason)
 try {
     const double free = share_of_memory * static_cast<double>(prepare_cuda_device(gpu, threads_sleep));

@@ -22,7 +22,7 @@ public:
     /// The thread that loads a scene is the one that advances it and asks for its frames.
     void load(const Scene& scene) override
     {
-        if (scene.double_precision) throw DeviceError("Particles in double precision (fidelity.double_precision) run on a CPU only.");
+        if (scene.rules.double_precision) throw DeviceError("Particles in double precision (fidelity.double_precision) run on a CPU only.");
         solver().load(scene);
     }
     void unload() override

@@ -5,7 +5,7 @@
 #include "core/base/lanes.h"
 #include "core/solver/order.h"
 #include "core/solver/steps/liquid.h"
-#include "core/solver/steps/yarn_exchange.h"
+#include "core/solver/steps/segment_exchange.h"
 
 #include <type_traits>
 
@@ -27,7 +27,7 @@ template <> inline constexpr int blocks_beside<FindSurface> = 16;
 template <> inline constexpr int blocks_beside<FindPressureForce> = 16;
 
 /// Calls a stage for an element below end, if there is one, or with those beside it in the warp for the last once more: to the same result,
-/// so that whole warps come to what they tell each other. What it returns counts once; 0 if it returns nothing.
+/// so that all 32 lanes reach each shuffle. What it returns counts once; 0 if it returns nothing.
 template <typename Stage> __device__ std::int64_t call_stage(const Stage& stage, int i, int end)
 {
     constexpr bool has_result = !std::is_void_v<decltype(stage(0))>;
@@ -73,7 +73,7 @@ template <typename Stage> __device__ std::int64_t call_collecting(const Stage& s
     return 0;
 }
 
-/// Adds up what the threads of a warp have found, of which so many share an element, whose first counts.
+/// Adds up what the threads of a warp have found, of which groups share an element; the first of each counts.
 __device__ inline void add_from_warp(std::int64_t* total, std::int64_t part, int each)
 {
     for (int apart = 16; apart >= each; apart /= 2) part += __shfl_down_sync(0xffffffffu, part, apart);

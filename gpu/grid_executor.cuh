@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Goes through an order of stages within one kernel, whose blocks meet after each stage: nobody asks a host or a scheduler what comes next.
-// Such kernels are launched cooperatively, so all blocks of one run at a time, and several scenes' share the GPU.
+// Goes through an order of stages within one kernel, whose blocks meet after each stage: neither host nor scheduler decides what comes
+// next. Such kernels are launched cooperatively, so all blocks of one run at a time, and several scenes' share the GPU.
 #pragma once
 
 #include "core/solver/order.h"
@@ -83,7 +83,7 @@ private:
     struct Part {
         int first, end;
     };
-    /// Of so many elements: side by side, because neighbours read the same.
+    /// Elements are side by side, because neighbours read the same.
     __device__ Part own_part(int count) const
     {
         constexpr int least = 32 / lanes; // of a warp

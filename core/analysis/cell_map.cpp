@@ -29,9 +29,9 @@ Frame start_of_maps(const RunRecord& run, Frame first)
     std::fill(first.liquid.begin(), first.liquid.end(), 0.0f);
     // The fibres absorbed part of the test's water; before it, they were in equilibrium with the air.
     const Scene scene = build_scene(run.design, run.textile, *experiment, run.plan, run.seed);
-    const auto ends = static_cast<std::size_t>(scene.ends), picks = static_cast<std::size_t>(scene.picks);
+    const auto ends = static_cast<std::size_t>(scene.cloth.ends), picks = static_cast<std::size_t>(scene.cloth.picks);
     for (std::size_t line = 0, i = 0; line < ends + picks; ++line) {
-        const auto dry = static_cast<float>(scene.yarns[scene.type[line]].resting_regain);
+        const auto dry = static_cast<float>(scene.cloth.yarns[scene.cloth.type[line]].resting_regain);
         for (const std::size_t end = i + (line < ends ? picks : ends); i < end; ++i) first.regain[i] = std::min(first.regain[i], dry);
     }
     return first;

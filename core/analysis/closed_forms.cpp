@@ -14,11 +14,11 @@ namespace {
 double resting_regain(const Scene& scene)
 {
     double water = 0, fibres = 0;
-    for (int i = 0; i < scene.segments(); ++i) {
-        const bool is_warp = i < scene.crossings();
-        const int line = is_warp ? i / scene.picks : scene.ends + (i - scene.crossings()) / scene.ends;
-        const YarnParameters& yarn = scene.yarns[scene.type[static_cast<std::size_t>(line)]];
-        const double mass = yarn.fibre_density * yarn.fibre_area * scene.length[static_cast<std::size_t>(i)];
+    for (int i = 0; i < scene.cloth.segments(); ++i) {
+        const bool is_warp = i < scene.cloth.crossings();
+        const int line = is_warp ? i / scene.cloth.picks : scene.cloth.ends + (i - scene.cloth.crossings()) / scene.cloth.ends;
+        const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]];
+        const double mass = yarn.fibre_density * yarn.fibre_area * scene.cloth.length[static_cast<std::size_t>(i)];
         fibres += mass;
         water += mass * yarn.resting_regain;
     }
@@ -40,8 +40,8 @@ double wet_bulb(const ClimateParameters& air)
 /// Whether there is still water outside the fibres when the constant-rate period ends at the latest.
 bool stays_wet(const Scene& scene)
 {
-    const double liquid = std::accumulate(scene.initial_liquid.begin(), scene.initial_liquid.end(), 0.0);
-    return liquid > 0 && steady_to * (liquid + scene.initial_bound) >= scene.initial_bound;
+    const double liquid = std::accumulate(scene.cloth.start.liquid.begin(), scene.cloth.start.liquid.end(), 0.0);
+    return liquid > 0 && steady_to * (liquid + scene.cloth.start.bound) >= scene.cloth.start.bound;
 }
 
 } // namespace
@@ -53,11 +53,11 @@ std::map<std::string, double> closed_forms(const RunRecord& run)
     const bool dries = starts_wet(experiment.type) && run.plan.on("vapour");
     if (!conditions && !dries) return {};
     const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
-    if (!scene.course.empty()) return {};
+    if (!scene.climate.course.empty()) return {};
     if (conditions) return {{"regain_end", resting_regain(scene)}};
     if (!stays_wet(scene)) return {};
     const ClimateParameters& air = scene.climate;
-    const double temperature = scene.heat ? wet_bulb(air) : air.temperature;
+    const double temperature = scene.rules.heat ? wet_bulb(air) : air.temperature;
     const double rate = 2 * air.mass_transfer * (saturation_concentration(temperature) - air.vapour);
     return {{"surface_temperature_steady_c", celsius_from_kelvin(temperature)}, {"drying_rate_g_m2_h", g_m2_h_per_kg_m2_s * rate}};
 }

@@ -108,8 +108,8 @@ std::array<double, 2> drunk_before(const RunRecord& run, const Experiment& exper
         for (int end = 0; end < run.textile.ends(); ++end)
             for (int pick = 0; pick < run.textile.picks(); ++pick) {
                 const int line = kind == YarnKind::warp ? end : run.textile.ends() + pick;
-                const YarnParameters& yarn = scene.yarns[scene.type[static_cast<std::size_t>(line)]];
-                const double length = scene.length[static_cast<std::size_t>(run.textile.segment(kind, end, pick))];
+                const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]];
+                const double length = scene.cloth.length[static_cast<std::size_t>(run.textile.segment(kind, end, pick))];
                 const std::size_t face = run.textile.warp_up(end, pick) == (kind == YarnKind::warp) ? 0 : 1;
                 water[face] += (yarn.initial_regain - yarn.resting_regain) * yarn.fibre_area * yarn.fibre_density * length;
             }

@@ -15,9 +15,9 @@ namespace {
 template <typename Visit> void each_segment(const Scene& scene, const Visit& visit)
 {
     std::size_t segment = 0;
-    for (std::size_t line = 0; line < scene.type.size(); ++line) {
-        const int crossed = line < static_cast<std::size_t>(scene.ends) ? scene.picks : scene.ends;
-        for (int i = 0; i < crossed; ++i) visit(segment++, std::size_t(scene.type[line]));
+    for (std::size_t line = 0; line < scene.cloth.type.size(); ++line) {
+        const int crossed = line < static_cast<std::size_t>(scene.cloth.ends) ? scene.cloth.picks : scene.cloth.ends;
+        for (int i = 0; i < crossed; ++i) visit(segment++, std::size_t(scene.cloth.type[line]));
     }
 }
 
@@ -26,7 +26,7 @@ double dry_mass(const YarnParameters& yarn, double length) { return yarn.fibre_a
 /// At which a wet face gives vapour to the air of a moment (s), or takes it from air that is more than saturated, kg/(m2 s).
 double drying_rate(const Scene& scene, double time)
 {
-    const SceneClimate air = air_at(scene, time);
+    const AirMoment air = air_at(scene.climate, time);
     return air.mass_transfer * std::abs(1.0 - air.humidity) * saturation_concentration(scene.climate.temperature + air.air_warmth);
 }
 
@@ -38,10 +38,10 @@ PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
     bool sorption = false;
     for (const PlannedPart& part : plan.parts) {
         sorption = sorption || (part.name == "sorption" && part.watched);
-        const bool may_follow = part.name == "vapour" && sorption && !scene.course.empty() && !part.on && !part.forced;
+        const bool may_follow = part.name == "vapour" && sorption && !scene.climate.course.empty() && !part.on && !part.forced;
         if (part.watched || may_follow) watched_.push_back({{part.name, 0, 0, plan.knobs.neglected_share, part.share.value_or(0)}, false});
     }
-    for (const YarnParameters& yarn : scene.yarns)
+    for (const YarnParameters& yarn : scene.cloth.yarns)
         thirst_.push_back(std::max(0.0, equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain));
 }
 
@@ -61,14 +61,14 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
     time_ = frame.time;
     if (time_ <= 0) return over;
 
-    bool sorption = scene_.sorption, vapour = scene_.vapour; // with those that come on now: others follow them
+    bool sorption = scene_.rules.sorption, vapour = scene_.rules.vapour; // with those that come on now: others follow them
     for (Watched& watched : watched_) {
         SwitchedPart& part = watched.part;
         if (watched.told) continue;
         part.share = share_of(part.name, frame, wet, sorption, vapour);
         bool follows = part.name == "heat" && std::any_of(watched_.begin(), watched_.end(), [](const Watched& w) { return w.told; });
         if (part.share <= part.limit) { // as in the plan, fibres that come on exchange vapour with air that changes
-            follows = part.name == "vapour" && sorption && !scene_.sorption && !scene_.course.empty();
+            follows = part.name == "vapour" && sorption && !scene_.rules.sorption && !scene_.climate.course.empty();
             if (!follows) continue;
             part.share = wet.thirst / water_at_stake_;
         }
@@ -88,8 +88,8 @@ PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         if (frame.saturation[i] <= 0) return;
         const double share = wet_share(static_cast<double>(frame.saturation[i]));
-        wet.area += share * scene_.cell_area; // each of the two segments of a crossing has a face
-        wet.thirst += share * thirst_[type] * dry_mass(scene_.yarns[type], scene_.length[i]);
+        wet.area += share * scene_.cloth.cell_area; // each of the two segments of a crossing has a face
+        wet.thirst += share * thirst_[type] * dry_mass(scene_.cloth.yarns[type], scene_.cloth.length[i]);
     });
     return wet;
 }
@@ -104,7 +104,7 @@ double PartWatch::dries_until_end(double from) const
         rate = then;
         from = time;
     };
-    for (const SceneClimate& moment : scene_.course)
+    for (const AirMoment& moment : scene_.climate.course)
         if (moment.time > from && moment.time < duration_) on_to(moment.time);
     on_to(duration_);
     return dried;
@@ -119,12 +119,12 @@ double PartWatch::warming(const Frame& frame) const
     const double heat = heat_of_sorption(std::min(1.0, scene_.climate.humidity));
     double most = 0;
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
-        const YarnParameters& yarn = scene_.yarns[type];
+        const YarnParameters& yarn = scene_.cloth.yarns[type];
         const double regain = static_cast<double>(frame.regain[i]), liquid = static_cast<double>(frame.liquid[i]);
         const double gained = regain - yarn.initial_regain, sorbed = yarn.sorption_heat_scale * heat;
         const double to_come = wet_share(static_cast<double>(frame.saturation[i])) * std::max(0.0, thirst_[type] - gained);
         const double released = std::abs(gained) * (sorbed + latent) + to_come * sorbed;
-        const double water = regain + liquid / dry_mass(yarn, scene_.length[i]);
+        const double water = regain + liquid / dry_mass(yarn, scene_.cloth.length[i]);
         most = std::max(most, released / (yarn.fibre_specific_heat + water * water_specific_heat));
     });
     return most;
@@ -136,7 +136,7 @@ double PartWatch::share_of(const std::string& part, const Frame& frame, const We
     if (part == "vapour") return (evaporated_ + wet.area * dries_until_end(frame.time)) / water_at_stake_;
     double effect = sorption ? change_per_kelvin * warming(frame) : 0.0;
     if (vapour && wet.area > 0) {
-        const SceneClimate air = air_at(scene_, frame.time);
+        const AirMoment air = air_at(scene_.climate, frame.time);
         const double temperature = scene_.climate.temperature + air.air_warmth;
         const double dried = std::max(0.0, frame.ledger.water_evaporated) + wet.area * dries_until_end(frame.time);
         effect = std::max(

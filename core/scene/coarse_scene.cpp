@@ -80,7 +80,7 @@ std::vector<float> warp_up_shares(const Blocks& blocks, const std::vector<std::u
     return {shares.begin(), shares.end()};
 }
 
-/// So many yarns side by side, each segment of which meets so many.
+/// This number of yarns side by side, each segment of which meets this number of crossed ones.
 void bundle(YarnParameters& yarn, double yarns, double crossed)
 {
     yarn.pore_area *= yarns;
@@ -94,17 +94,18 @@ void add_up_faces(Frame& frame, const Scene& scene)
 {
     frame.water_top = frame.water_bottom = 0;
     std::size_t segment = 0;
-    for (std::size_t line = 0; line < scene.type.size(); ++line) {
-        const YarnParameters& yarn = scene.yarns[scene.type[line]];
-        const bool is_warp = line < static_cast<std::size_t>(scene.ends);
+    for (std::size_t line = 0; line < scene.cloth.type.size(); ++line) {
+        const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[line]];
+        const bool is_warp = line < static_cast<std::size_t>(scene.cloth.ends);
         const auto start = static_cast<double>(static_cast<float>(yarn.initial_regain)); // as frames show it
-        const auto picks = static_cast<std::size_t>(scene.picks), crossed = is_warp ? picks : static_cast<std::size_t>(scene.ends);
+        const auto picks = static_cast<std::size_t>(scene.cloth.picks),
+                   crossed = is_warp ? picks : static_cast<std::size_t>(scene.cloth.ends);
         for (std::size_t i = 0; i < crossed; ++i, ++segment) {
-            const std::size_t crossing = is_warp ? segment : i * picks + line - static_cast<std::size_t>(scene.ends);
-            const double fibres = scene.length[segment] * yarn.fibre_area * yarn.fibre_density;
+            const std::size_t crossing = is_warp ? segment : i * picks + line - static_cast<std::size_t>(scene.cloth.ends);
+            const double fibres = scene.cloth.length[segment] * yarn.fibre_area * yarn.fibre_density;
             const double gained =
                 static_cast<double>(frame.liquid[segment]) + fibres * (static_cast<double>(frame.regain[segment]) - start);
-            ((scene.warp_up[crossing] != 0) == is_warp ? frame.water_top : frame.water_bottom) += gained;
+            ((scene.cloth.warp_up[crossing] != 0) == is_warp ? frame.water_top : frame.water_bottom) += gained;
         }
     }
 }
@@ -113,29 +114,29 @@ void add_up_faces(Frame& frame, const Scene& scene)
 
 Scene coarsened(const Scene& fine, int crossings_per_cell)
 {
-    const Blocks blocks{bundles_of(fine.ends, crossings_per_cell), bundles_of(fine.picks, crossings_per_cell)};
+    const Blocks blocks{bundles_of(fine.cloth.ends, crossings_per_cell), bundles_of(fine.cloth.picks, crossings_per_cell)};
     const double ends = blocks.ends.size(), picks = blocks.picks.size();
     Scene coarse = fine;
-    coarse.ends = blocks.ends.count;
-    coarse.picks = blocks.picks.count;
-    coarse.length = lengths(blocks, fine.length);
-    coarse.pores = summed(blocks, fine.pores);
-    coarse.shift.clear();
-    coarse.warp_up_share = warp_up_shares(blocks, fine.warp_up);
-    coarse.warp_up.clear();
-    for (float share : coarse.warp_up_share) coarse.warp_up.push_back(share >= 0.5f);
-    coarse.threads_per_cell = crossings_per_cell;
-    coarse.type = types(blocks, fine.type);
-    coarse.initial_liquid = summed(blocks, fine.initial_liquid);
-    coarse.fed = fed_blocks(blocks, fine.fed);
-    coarse.cell_area *= ends * picks;
-    coarse.warp_pitch *= ends;
-    coarse.weft_pitch *= picks;
-    for (std::size_t type = 0; type < coarse.yarns.size(); ++type) {
-        const bool is_warp = type < static_cast<std::size_t>(coarse.warp_types);
-        bundle(coarse.yarns[type], is_warp ? ends : picks, is_warp ? picks : ends);
+    coarse.cloth.ends = blocks.ends.count;
+    coarse.cloth.picks = blocks.picks.count;
+    coarse.cloth.length = lengths(blocks, fine.cloth.length);
+    coarse.cloth.pores = summed(blocks, fine.cloth.pores);
+    coarse.cloth.shift.clear();
+    coarse.cloth.warp_up_share = warp_up_shares(blocks, fine.cloth.warp_up);
+    coarse.cloth.warp_up.clear();
+    for (float share : coarse.cloth.warp_up_share) coarse.cloth.warp_up.push_back(share >= 0.5f);
+    coarse.cloth.threads_per_cell = crossings_per_cell;
+    coarse.cloth.type = types(blocks, fine.cloth.type);
+    coarse.cloth.start.liquid = summed(blocks, fine.cloth.start.liquid);
+    coarse.supply.fed = fed_blocks(blocks, fine.supply.fed);
+    coarse.cloth.cell_area *= ends * picks;
+    coarse.cloth.warp_pitch *= ends;
+    coarse.cloth.weft_pitch *= picks;
+    for (std::size_t type = 0; type < coarse.cloth.yarns.size(); ++type) {
+        const bool is_warp = type < static_cast<std::size_t>(coarse.cloth.warp_types);
+        bundle(coarse.cloth.yarns[type], is_warp ? ends : picks, is_warp ? picks : ends);
     }
-    for (CrossingParameters& crossing : coarse.crossing) // of all the yarns' crossings
+    for (CrossingParameters& crossing : coarse.cloth.crossing) // of all the yarns' crossings
         for (double* conductance : {&crossing.liquid_conductance, &crossing.heat_conductance, &crossing.vapour_conductance})
             *conductance *= ends * picks;
     return coarse;
@@ -143,16 +144,16 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
 
 Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
 {
-    const Blocks blocks{{fine.ends, coarse.ends}, {fine.picks, coarse.picks}};
+    const Blocks blocks{{fine.cloth.ends, coarse.cloth.ends}, {fine.cloth.picks, coarse.cloth.picks}};
     const Frame cells = std::exchange(frame, {});
     frame.time = cells.time;
     frame.ledger = cells.ledger;
-    const auto segments = static_cast<std::size_t>(fine.segments());
+    const auto segments = static_cast<std::size_t>(fine.cloth.segments());
     frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();
     frame.shells.resize(shells * segments);
     blocks.each_part([&](std::size_t i, std::size_t c, double share) {
-        const double part = share * fine.length[i] / (blocks.yarns_of(c) * coarse.length[c]); // of the cell's pores
+        const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
         const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
         for (const FrameField& field : frame_fields)
             add((frame.*field.values)[i], field.is_amount ? part : share, (cells.*field.values)[c]);

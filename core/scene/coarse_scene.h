@@ -7,7 +7,7 @@
 
 namespace hygroloom {
 
-/// The cloth of which each crossing stands for a block of about so many ends and as many picks. Its faces, pores, fibres and water add up
+/// The cloth of which each crossing stands for a block of about this number of ends and of picks. Its faces, pores, fibres and water add up
 /// to the same; along and across bundles passes what passes along and across their yarns side by side. A bundle lies on a face with as
 /// much of it as its yarns do.
 /// Precondition: no liquid is free, and the yarns of a bundle are of one type.

@@ -12,7 +12,7 @@ namespace {
 
 /// How warm the air is over a temperature, and what it exchanges with the faces: its own layer and, in series, the still air among the
 /// hairs that stand over the yarns.
-SceneClimate scene_climate(const Climate& climate, double time, double reference, double sample, double hair)
+AirMoment scene_climate(const Climate& climate, double time, double reference, double sample, double hair)
 {
     const double temperature = kelvin_from_celsius(climate.temperature_c);
     const double convection = convective_heat_transfer(climate.air_speed_m_s, sample);
@@ -30,13 +30,13 @@ void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, con
     const double sample = metre_from_mm(std::max(width, height));
     const double hair = std::max(0.0, 0.5 * (metre_from_mm(textile.quantities.thickness_mm) - textile.thickness));
     const auto at = [&](const Climate& air, double time) { return scene_climate(air, time, climate.temperature, sample, hair); };
-    const SceneClimate start = at(experiment.climate, 0);
+    const AirMoment start = at(experiment.climate, 0);
     climate.humidity = start.humidity;
     climate.vapour = climate.humidity * saturation_concentration(climate.temperature);
     climate.heat_transfer = start.heat_transfer;
     climate.mass_transfer = start.mass_transfer;
-    if (!experiment.climates.empty()) scene.course.push_back(start);
-    for (const ClimateMoment& moment : experiment.climates) scene.course.push_back(at(moment.climate, moment.time_s));
+    if (!experiment.climates.empty()) scene.climate.course.push_back(start);
+    for (const ClimateMoment& moment : experiment.climates) scene.climate.course.push_back(at(moment.climate, moment.time_s));
 
     const LiquidAt at_20_c{newton_per_metre_from_mn_m(liquid.surface_tension_mn_m), pascal_second_from_mpa_s(liquid.viscosity_mpa_s),
                            liquid.density_kg_m3};
@@ -167,34 +167,36 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
 {
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         const YarnSystem& system = textile.system(kind);
-        const auto before = static_cast<int>(scene.yarns.size());
+        const auto before = static_cast<int>(scene.cloth.yarns.size());
         for (std::size_t type = 0; type < system.types.size(); ++type) {
-            scene.yarns.push_back(make_yarn(system.types[type], textile.system(other_kind(kind)).pitch, experiment.closure, scene.climate));
-            scene.shapes.push_back(make_shape(system, type));
+            scene.cloth.yarns.push_back(
+                make_yarn(system.types[type], textile.system(other_kind(kind)).pitch, experiment.closure, scene.climate));
+            scene.cloth.shapes.push_back(make_shape(system, type));
         }
         for (int yarn = 0; yarn < system.count; ++yarn)
-            scene.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
+            scene.cloth.type.push_back(static_cast<std::uint8_t>(before + textile.type_of(kind, yarn)));
     }
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
-    scene.warp_types = static_cast<int>(warps);
+    scene.cloth.warp_types = static_cast<int>(warps);
     for (std::size_t warp = 0; warp < warps; ++warp)
         for (std::size_t weft = 0; weft < wefts; ++weft) {
             const YarnType &over = textile.warp.types[warp], &under = textile.weft.types[weft];
-            scene.crossing.push_back(make_crossing(over, under, scene.yarns[warp], scene.yarns[warps + weft], scene.climate));
-            scene.crossing.back().warp_rise = over.rise[weft];
-            scene.crossing.back().weft_rise = under.rise[warp];
+            scene.cloth.crossing.push_back(
+                make_crossing(over, under, scene.cloth.yarns[warp], scene.cloth.yarns[warps + weft], scene.climate));
+            scene.cloth.crossing.back().warp_rise = over.rise[weft];
+            scene.cloth.crossing.back().weft_rise = under.rise[warp];
         }
     // The open space between the yarns of the layer serves the vapour of both systems, each in its own direction.
     const double open = std::max(0.0, 1.0 - (mean_area(textile.warp) / textile.warp.pitch + mean_area(textile.weft) / textile.weft.pitch) /
                                                 textile.thickness);
-    for (std::size_t type = 0; type < scene.yarns.size(); ++type) {
+    for (std::size_t type = 0; type < scene.cloth.yarns.size(); ++type) {
         const double pitch = type < warps ? textile.warp.pitch : textile.weft.pitch;
-        scene.yarns[type].open_vapour =
+        scene.cloth.yarns[type].open_vapour =
             vapour_diffusivity(scene.climate.temperature) * std::pow(open, 1.5) * pitch * textile.thickness; // Bruggeman
     }
-    scene.warp_pitch = textile.warp.pitch;
-    scene.weft_pitch = textile.weft.pitch;
-    scene.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
+    scene.cloth.warp_pitch = textile.warp.pitch;
+    scene.cloth.weft_pitch = textile.weft.pitch;
+    scene.cloth.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
 }
 
 std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
@@ -217,55 +219,56 @@ std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment
 /// Everything of the strip's end that hangs in the liquid; the strip's lowest yarn is its first.
 void hang_in_liquid(Scene& scene, const Textile& textile, const Experiment& experiment)
 {
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
+    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
     const double pitch = experiment.along_weft ? textile.warp.pitch : textile.weft.pitch;
     const int deep = std::max(1, static_cast<int>(std::lround(metre_from_mm(experiment.immersion_mm) / pitch)));
-    for (int end = 0; end < scene.ends; ++end)
-        for (int pick = 0; pick < scene.picks; ++pick)
+    for (int end = 0; end < scene.cloth.ends; ++end)
+        for (int pick = 0; pick < scene.cloth.picks; ++pick)
             if ((experiment.along_weft ? end : pick) < deep)
                 for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-                    scene.fed[static_cast<std::size_t>(textile.segment(kind, end, pick))] = 1;
-    (experiment.along_weft ? scene.gravity_along_weft : scene.gravity_along_warp) = gravity_acceleration;
+                    scene.supply.fed[static_cast<std::size_t>(textile.segment(kind, end, pick))] = 1;
+    (experiment.along_weft ? scene.cloth.gravity_along_weft : scene.cloth.gravity_along_warp) = gravity_acceleration;
 }
 
-/// The water of a drying test: the fibres drink first, the rest fills all pores alike, as far as they hold it.
+/// The water of a drying test: the fibres bind first, the rest fills all pores alike, up to what they hold.
 void wet_evenly(Scene& scene, double water_per_area)
 {
-    const double water = water_per_area * scene.cell_area * scene.crossings();
+    const double water = water_per_area * scene.cloth.cell_area * scene.cloth.crossings();
     double wanted = 0, pores = 0;
     const auto yarn_of = [&](std::size_t i) -> std::size_t {
-        const auto crossings = static_cast<std::size_t>(scene.crossings());
-        const std::size_t line = i < crossings
-                                     ? i / static_cast<std::size_t>(scene.picks)
-                                     : static_cast<std::size_t>(scene.ends) + (i - crossings) / static_cast<std::size_t>(scene.ends);
-        return scene.type[line];
+        const auto crossings = static_cast<std::size_t>(scene.cloth.crossings());
+        const std::size_t line =
+            i < crossings ? i / static_cast<std::size_t>(scene.cloth.picks)
+                          : static_cast<std::size_t>(scene.cloth.ends) + (i - crossings) / static_cast<std::size_t>(scene.cloth.ends);
+        return scene.cloth.type[line];
     };
-    std::vector<double> thirst; // regain each type can still bind
-    for (const YarnParameters& yarn : scene.yarns)
-        thirst.push_back(scene.sorption ? equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain : 0.0);
-    const auto segments = static_cast<std::size_t>(scene.segments());
+    std::vector<double> bindable; // regain each type can still bind
+    for (const YarnParameters& yarn : scene.cloth.yarns)
+        bindable.push_back(scene.rules.sorption ? equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain
+                                                : 0.0);
+    const auto segments = static_cast<std::size_t>(scene.cloth.segments());
     for (std::size_t i = 0; i < segments; ++i) {
-        const YarnParameters& yarn = scene.yarns[yarn_of(i)];
-        wanted += thirst[yarn_of(i)] * yarn.fibre_area * yarn.fibre_density * scene.length[i];
-        pores += yarn.pore_area * scene.length[i];
+        const YarnParameters& yarn = scene.cloth.yarns[yarn_of(i)];
+        wanted += bindable[yarn_of(i)] * yarn.fibre_area * yarn.fibre_density * scene.cloth.length[i];
+        pores += yarn.pore_area * scene.cloth.length[i];
     }
-    const double drunk = wanted > 0 ? std::min(1.0, water / wanted) : 0.0;
-    const double saturation = std::clamp((water - drunk * wanted) / (scene.climate.density * pores), 0.0, 1.0);
-    scene.initial_bound = drunk * wanted;
-    for (std::size_t type = 0; type < scene.yarns.size(); ++type) scene.yarns[type].initial_regain += drunk * thirst[type];
-    scene.initial_liquid.resize(segments);
+    const double bound = wanted > 0 ? std::min(1.0, water / wanted) : 0.0;
+    const double saturation = std::clamp((water - bound * wanted) / (scene.climate.density * pores), 0.0, 1.0);
+    scene.cloth.start.bound = bound * wanted;
+    for (std::size_t type = 0; type < scene.cloth.yarns.size(); ++type) scene.cloth.yarns[type].initial_regain += bound * bindable[type];
+    scene.cloth.start.liquid.resize(segments);
     for (std::size_t i = 0; i < segments; ++i)
-        scene.initial_liquid[i] = saturation * scene.climate.density * scene.yarns[yarn_of(i)].pore_area * scene.length[i];
-    scene.initial_humidity = water > 0 ? 1.0 : -1.0;
+        scene.cloth.start.liquid[i] = saturation * scene.climate.density * scene.cloth.yarns[yarn_of(i)].pore_area * scene.cloth.length[i];
+    scene.cloth.start.humidity = water > 0 ? 1.0 : -1.0;
 }
 
 /// In equilibrium with another climate.
 void start_in(Scene& scene, const Climate& initial)
 {
     const double temperature = kelvin_from_celsius(initial.temperature_c);
-    scene.initial_warmth = temperature - scene.climate.temperature;
-    scene.initial_humidity = initial.relative_humidity;
-    for (YarnParameters& yarn : scene.yarns)
+    scene.cloth.start.warmth = temperature - scene.climate.temperature;
+    scene.cloth.start.humidity = initial.relative_humidity;
+    for (YarnParameters& yarn : scene.cloth.yarns)
         yarn.initial_regain = equilibrium_regain(yarn.isotherm, initial.relative_humidity, temperature);
 }
 
@@ -273,90 +276,89 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 {
     const double volume = cubic_metre_from_ul(experiment.volume_ul);
     constexpr double pouring = 5; // s, to dispense the liquid of a horizontal test
-    if (plan.on("liquid")) scene.droplets = make_droplets(textile, experiment);
+    if (plan.on("liquid")) scene.supply.droplets = make_droplets(textile, experiment);
     switch (experiment.type) {
     case ExperimentType::droplet: break;
     case ExperimentType::moisture_management:
-        if (experiment.drop_ul == 0) scene.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
+        if (experiment.drop_ul == 0) scene.supply.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
         break;
-    case ExperimentType::horizontal_wicking: scene.pools.push_back({0, pouring, volume / pouring, true}); break;
+    case ExperimentType::horizontal_wicking: scene.supply.pools.push_back({0, pouring, volume / pouring, true}); break;
     case ExperimentType::vertical_wicking: hang_in_liquid(scene, textile, experiment); break;
     case ExperimentType::drying: wet_evenly(scene, 1e-3 * experiment.initial_water_g_m2); break;
     case ExperimentType::conditioning: start_in(scene, experiment.initial); break;
     case ExperimentType::sweat:
-        scene.sweat = 1e-3 * experiment.rate_g_m2_h / 3600.0 / scene.climate.density;
-        scene.sweat_on_top = experiment.from_top;
+        scene.supply.sweat = 1e-3 * experiment.rate_g_m2_h / 3600.0 / scene.climate.density;
+        scene.supply.sweat_on_top = experiment.from_top;
         break;
     }
 }
 
 } // namespace
 
-SceneClimate air_at(const Scene& scene, double time)
+AirMoment air_at(const SceneClimate& climate, double time)
 {
-    const ClimateParameters& start = scene.climate;
-    if (scene.course.empty()) return {time, start.air_warmth, start.humidity, start.heat_transfer, start.mass_transfer};
-    const auto after = std::upper_bound(scene.course.begin(), scene.course.end(), time,
-                                        [](double at, const SceneClimate& moment) { return at < moment.time; });
-    const SceneClimate& last = *(after - 1);
-    SceneClimate now = last;
-    if (after == scene.course.end()) return now;
+    if (climate.course.empty()) return {time, climate.air_warmth, climate.humidity, climate.heat_transfer, climate.mass_transfer};
+    const auto after = std::upper_bound(climate.course.begin(), climate.course.end(), time,
+                                        [](double at, const AirMoment& moment) { return at < moment.time; });
+    const AirMoment& last = *(after - 1);
+    AirMoment now = last;
+    if (after == climate.course.end()) return now;
     const double share = (time - last.time) / (after->time - last.time);
-    const auto between = [&](double SceneClimate::*value) { now.*value += share * (*after.*value - last.*value); };
-    between(&SceneClimate::air_warmth);
-    between(&SceneClimate::humidity);
-    between(&SceneClimate::heat_transfer);
-    between(&SceneClimate::mass_transfer);
+    const auto between = [&](double AirMoment::*value) { now.*value += share * (*after.*value - last.*value); };
+    between(&AirMoment::air_warmth);
+    between(&AirMoment::humidity);
+    between(&AirMoment::heat_transfer);
+    between(&AirMoment::mass_transfer);
     return now;
 }
 
 void set_parts(Scene& scene, const ModelPlan& plan)
 {
-    scene.wicking = plan.on("wicking");
-    scene.sorption = plan.on("sorption");
-    scene.vapour = plan.on("vapour");
-    scene.heat = plan.on("heat");
-    scene.fibre_shells = plan.fibre_shells;
+    scene.rules.wicking = plan.on("wicking");
+    scene.rules.sorption = plan.on("sorption");
+    scene.rules.vapour = plan.on("vapour");
+    scene.rules.heat = plan.on("heat");
+    scene.rules.fibre_shells = plan.fibre_shells;
 }
 
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed)
 {
     Scene scene;
-    scene.ends = textile.ends();
-    scene.picks = textile.picks();
-    scene.length.resize(static_cast<std::size_t>(scene.segments()));
-    scene.shift.resize(static_cast<std::size_t>(scene.segments()));
-    scene.warp_up.resize(static_cast<std::size_t>(scene.crossings()));
-    for (int end = 0; end < scene.ends; ++end)
-        for (int pick = 0; pick < scene.picks; ++pick) {
+    scene.cloth.ends = textile.ends();
+    scene.cloth.picks = textile.picks();
+    scene.cloth.length.resize(static_cast<std::size_t>(scene.cloth.segments()));
+    scene.cloth.shift.resize(static_cast<std::size_t>(scene.cloth.segments()));
+    scene.cloth.warp_up.resize(static_cast<std::size_t>(scene.cloth.crossings()));
+    for (int end = 0; end < scene.cloth.ends; ++end)
+        for (int pick = 0; pick < scene.cloth.picks; ++pick) {
             for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
                 const auto segment = static_cast<std::size_t>(textile.segment(kind, end, pick));
-                scene.length[segment] = textile.segment_length(kind, end, pick);
-                scene.shift[segment] = static_cast<float>(textile.shift_at_crossing(kind, end, pick));
+                scene.cloth.length[segment] = textile.segment_length(kind, end, pick);
+                scene.cloth.shift[segment] = static_cast<float>(textile.shift_at_crossing(kind, end, pick));
             }
-            scene.warp_up[static_cast<std::size_t>(end * scene.picks + pick)] = textile.warp_up(end, pick);
+            scene.cloth.warp_up[static_cast<std::size_t>(end * scene.cloth.picks + pick)] = textile.warp_up(end, pick);
         }
-    scene.cell_area = textile.warp.pitch * textile.weft.pitch;
-    scene.half_thickness = textile.half_thickness();
+    scene.cloth.cell_area = textile.warp.pitch * textile.weft.pitch;
+    scene.cloth.half_thickness = textile.half_thickness();
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
-    scene.particles_per_droplet = plan.particles_per_droplet;
+    scene.rules.particles_per_droplet = plan.particles_per_droplet;
     set_parts(scene, plan);
     set_up(scene, textile, experiment, plan);
-    if (!scene.heat) scene.initial_warmth = 0; // as warm as the air from the start
-    constexpr double swelling = 1e-3;          // m3 per kg: bound water takes as much room as liquid
-    if (experiment.swelling) scene.swelling = swelling;
-    scene.network_step = plan.knobs.network_step_limit;
-    scene.calm_network_step = experiment.duration_s;
-    scene.step_error = plan.knobs.step_error;
-    scene.rest_tolerance = plan.rest_tolerance;
-    scene.saturation_change = plan.knobs.saturation_change;
-    scene.liquid_step_factor = plan.knobs.liquid_step_factor;
-    scene.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
-    scene.density_tolerance = plan.knobs.density_tolerance;
-    scene.settle_share = plan.knobs.settle_share;
-    scene.double_precision = plan.knobs.double_precision != 0;
-    scene.seed = seed;
+    if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
+    constexpr double swelling = 1e-3;                    // m3 per kg: bound water takes as much room as liquid
+    if (experiment.swelling) scene.cloth.swelling = swelling;
+    scene.rules.network_step = plan.knobs.network_step_limit;
+    scene.rules.calm_network_step = experiment.duration_s;
+    scene.rules.step_error = plan.knobs.step_error;
+    scene.rules.rest_tolerance = plan.rest_tolerance;
+    scene.rules.saturation_change = plan.knobs.saturation_change;
+    scene.rules.liquid_step_factor = plan.knobs.liquid_step_factor;
+    scene.rules.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
+    scene.rules.density_tolerance = plan.knobs.density_tolerance;
+    scene.rules.settle_share = plan.knobs.settle_share;
+    scene.rules.double_precision = plan.knobs.double_precision != 0;
+    scene.rules.seed = seed;
     return scene;
 }
 

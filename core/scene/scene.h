@@ -32,7 +32,7 @@ struct YarnParameters {
     double open_vapour = 0;         ///< m4/s, diffusivity of vapour in air times the open cross-section beside a yarn
     double suction_radius = 0;      ///< m, pore radius / cos(contact angle): smaller sucks harder; 0: does not wick
     double intake_flux = 0;         ///< kg/(m2 s) through the skin of a dry yarn
-    double face_area = 0;           ///< m2 of one segment's skin that drinks from drops
+    double face_area = 0;           ///< m2 of one segment's skin that absorbs from drops
     double adhesion = 0;            ///< J/m2, work of adhesion
     double initial_regain = 0;
     double resting_regain = 0; ///< in equilibrium with the climate: a segment that has it and no liquid is not visited
@@ -61,20 +61,12 @@ struct ClimateParameters {
     double density = 0;         ///< kg/m3
 };
 
-/// The air at one moment; between moments it changes evenly.
-struct SceneClimate {
-    double time = 0;
-    double air_warmth = 0;
-    double humidity = 0;
-    double heat_transfer = 0;
-    double mass_transfer = 0;
-};
-
-/// Liquid fed onto a face as one standing pool, which the yarns under it drink.
-struct ScenePool {
-    double start = 0, end = 0; ///< s
-    double rate = 0;           ///< m3/s
-    bool top = true;
+/// The cloth's water and warmth at the start.
+struct ClothStart {
+    std::vector<double> liquid; ///< kg per segment; empty: dry
+    double bound = 0;           ///< kg of the fibres' water at the start that was added for the experiment
+    double warmth = 0;          ///< K, of the sample over the climate's temperature
+    double humidity = -1;       ///< of its pores; less than 0: the climate's
 };
 
 /// The shape of one type of yarn as the liquid meets it.
@@ -86,27 +78,8 @@ struct ContactShape {
     std::vector<float> profiles;
 };
 
-struct SceneDroplet {
-    double time = 0;
-    double volume = 0; ///< m3
-    Vec3d centre;
-    double speed = 0; ///< downwards
-};
-
-/// A smooth box, open at its top, with liquid inside; a plate if its sides are far away. It stands over the cloth.
-struct SceneVessel {
-    Vec3d low, high;
-    double adhesion = 0; ///< J/m2, work of adhesion
-};
-
-/// Free liquid that is there from the start.
-struct SceneLiquid {
-    std::vector<Vec3d> places;
-    std::vector<Vec3d> velocities;
-    double particle_volume = 0; ///< m3; drops that come later are made of the same
-};
-
-struct Scene {
+/// One patch of ends x picks: its yarns in segments, one from crossing to crossing, all of the warp's before all of the weft's.
+struct Cloth {
     int ends = 0;
     int picks = 0;
     std::vector<double> length;            ///< m, one per segment
@@ -124,29 +97,75 @@ struct Scene {
     int profile_samples = 0;                  ///< of each of their profiles
     std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
     std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
-    ClimateParameters climate;
+    bool face_only = false;                   ///< the sample's edge is closed to vapour and heat
+    double swelling = 0;                      ///< m3 of pore lost per kg of water that fibres bind
+    double gravity_along_warp = 0;            ///< m/s2 towards pick 0
+    double gravity_along_weft = 0;            ///< m/s2 towards end 0
+    ClothStart start;
+
+    int crossings() const { return ends * picks; }
+    int segments() const { return 2 * crossings(); }
+    int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
+};
+
+/// The air at a time; between two of them it changes evenly.
+struct AirMoment {
+    double time = 0;          ///< s
+    double air_warmth = 0;    ///< K, over the climate's temperature
+    double humidity = 0;      ///< 0..1
+    double heat_transfer = 0; ///< W/(m2 K)
+    double mass_transfer = 0; ///< m/s
+};
+
+/// Air and liquid at the start, and how the air changes.
+struct SceneClimate : ClimateParameters {
+    std::vector<AirMoment> course; ///< the first at 0 s; empty: constant
+};
+AirMoment air_at(const SceneClimate& climate, double time);
+
+struct SceneDroplet {
+    double time = 0;   ///< s
+    double volume = 0; ///< m3
+    Vec3d centre;      ///< m, from the cloth's middle
+    double speed = 0;  ///< m/s, downwards
+};
+
+/// Liquid fed onto a face as one standing pool, which the yarns under it absorb.
+struct ScenePool {
+    double start = 0, end = 0; ///< s
+    double rate = 0;           ///< m3/s
+    bool top = true;
+};
+
+/// Liquid that comes to the cloth while the scene runs.
+struct Supply {
     std::vector<SceneDroplet> droplets; ///< in order of time
-    SceneLiquid liquid;
+    std::vector<ScenePool> pools;       ///< in the middle of the sample
+    std::vector<std::uint8_t> fed;      ///< per segment, whether it hangs in liquid and stays full; empty: none does
+    double sweat = 0;                   ///< m/s (m3 of liquid per m2 and s) fed to one face
+    bool sweat_on_top = false;
+};
+
+/// A smooth box, open at its top, with liquid inside; a plate if its sides are far away. It stands over the cloth.
+struct SceneVessel {
+    Vec3d low, high;     ///< m
+    double adhesion = 0; ///< J/m2, work of adhesion
+};
+
+/// Free liquid that is there from the start, and what holds it.
+struct FreeLiquidStart {
+    std::vector<Vec3d> places;     ///< m
+    std::vector<Vec3d> velocities; ///< m/s
+    double particle_volume = 0;    ///< m3; drops that come later are made of the same
     std::optional<SceneVessel> vessel;
     double gravity = gravity_acceleration; ///< m/s2, downwards, on the free liquid
-    bool shows_pressure = false;           ///< whether frames show the free liquid's pressure
-    std::vector<SceneClimate> course;      ///< of the climate, the first at 0 s; empty: constant
-    std::vector<ScenePool> pools;          ///< in the middle of the sample
-    double sweat = 0;                      ///< m/s (m3 of liquid per m2 and s) fed to one face
-    bool sweat_on_top = false;
-    std::vector<double> initial_liquid; ///< kg per segment; empty: dry
-    double initial_bound = 0;           ///< kg of the fibres' water at the start that was added for the experiment
-    double initial_warmth = 0;          ///< K, of the sample
-    double initial_humidity = -1;       ///< of its pores; less than 0: the climate's
-    std::vector<std::uint8_t> fed;      ///< per segment, whether it hangs in liquid and stays full; empty: none does
-    double gravity_along_warp = 0;      ///< m/s2 towards pick 0
-    double gravity_along_weft = 0;      ///< m/s2 towards end 0
-    bool face_only = false;             ///< the sample's edge is closed to vapour and heat
-    double swelling = 0;                ///< m3 of pore lost per kg of water that fibres bind
+};
+
+/// Which parts of the physics are computed, how finely, and what frames show of it.
+struct StepRules {
+    bool wicking = true, sorption = true, vapour = true, heat = true;
     int particles_per_droplet = 0;
     int fibre_shells = 1;
-    bool shows_shells = false; ///< whether frames show the regain of each shell
-    bool wicking = true, sorption = true, vapour = true, heat = true;
     double network_step = 0;       ///< s, longest while drops are about
     double calm_network_step = 0;  ///< s, longest without drops; 0: the same
     double rest_tolerance = 0;     ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
@@ -154,19 +173,30 @@ struct Scene {
     double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0;  ///< largest a step aims at, for the step's length
     double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
-    int steps_between_drinks = 1;  ///< of the free liquid
+    int steps_between_drinks = 1;  ///< of the free liquid, between times at which yarns absorb from it
     double density_tolerance = 0.01;
     bool double_precision = false; ///< of the free liquid's particles
-    double settle_share = 0;       ///< of the free liquid at rest that yarns drink before it settles anew; 0: it takes all its steps
+    double settle_share = 0;       ///< of the free liquid at rest that yarns absorb before it settles anew; 0: it takes all its steps
+    bool shows_shells = false;     ///< whether frames show the regain of each shell
+    bool shows_pressure = false;   ///< whether frames show the free liquid's pressure
     std::uint64_t seed = 1;
-
-    int crossings() const { return ends * picks; }
-    int segments() const { return 2 * crossings(); }
-    int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
 };
 
-/// The air at a moment (s).
-SceneClimate air_at(const Scene& scene, double time);
+struct Scene {
+    Cloth cloth;
+    SceneClimate climate;
+    Supply supply;
+    FreeLiquidStart liquid;
+    StepRules rules;
+};
+
+/// Throw Error with a sentence where a part does not fit together.
+void check(const Cloth& cloth);
+void check(const SceneClimate& climate);
+void check(const Supply& supply);
+void check(const FreeLiquidStart& liquid);
+void check(const StepRules& rules);
+void check(const Scene& scene);
 
 /// Switches parts on and off as the plan has them; nothing else of the scene, and nothing of its start, changes.
 void set_parts(Scene& scene, const ModelPlan& plan);

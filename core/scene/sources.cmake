@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  scene/check_scene.cpp
   scene/coarse_scene.cpp
   scene/scene.cpp
 )

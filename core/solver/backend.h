@@ -46,7 +46,7 @@ public:
     virtual int particles() const = 0;
     /// From now on adds up what each stage takes, where the backend can.
     virtual void time_stages() {}
-    /// The longest first; none when not asked for, or when the backend cannot tell.
+    /// The longest first; none when not asked for, or when the backend does not measure them.
     virtual std::vector<StageTime> stage_times() { return {}; }
 };
 

@@ -39,9 +39,9 @@ public:
     }
     void load(const Scene& scene) override
     {
-        if (scene.double_precision != is_double_) {
-            solver_ = scene.double_precision ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
-            is_double_ = scene.double_precision;
+        if (scene.rules.double_precision != is_double_) {
+            solver_ = scene.rules.double_precision ? in_double::make_cpu_solver() : in_single::make_cpu_solver();
+            is_double_ = scene.rules.double_precision;
             solver_->set_threads(threads_);
             if (times_stages_) solver_->time_stages();
         }

@@ -87,7 +87,7 @@ public:
         for_each(name, *counted.count, stage, next);
     }
 
-    /// Calls stage(team, line) for 0 <= line < lines, none of more than so many places.
+    /// Calls stage(team, line) for 0 <= line < lines, none of more places than the longest.
     template <typename Stage> void for_each_line(const char* name, int lines, int longest, const Stage& stage)
     {
         const StageLap lap(stage_clock_.get(), name);
@@ -112,7 +112,7 @@ public:
     {
         if (flag->on) body();
     }
-    /// Goes through an order of stages that decide loops and branches; of so many elements at most. Returns the seconds that took.
+    /// Goes through an order of stages that decide loops and branches; over at most this number of elements. Returns the seconds that took.
     template <typename Order> double go_through(const Order& order, int)
     {
         const auto start = std::chrono::steady_clock::now();
@@ -120,7 +120,7 @@ public:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    /// Before the first sort of so many keys.
+    /// Before the first sort; the most keys that there will be.
     void prepare_sort(int, int) {}
     /// The order in which keys (0 <= key <= largest), which a stage finds, rise, equal ones as they stand but for those of the largest:
     /// order[i] is the place of the i-th, and start[key] is where a key begins. start has room for three more.

@@ -6,7 +6,7 @@
 
 namespace hygroloom {
 
-/// So many elements as stages find there, at most so many.
+/// As many elements as stages find there, up to a most.
 struct Counted {
     const int* count;
     int most;
@@ -18,7 +18,7 @@ struct Nothing {
 };
 
 /// Whether a stage is one of two parts: collect(i) sums over neighbours by lanes, finish(i, sums) does with the sums what takes one lane
-/// only, and asks no other. What finish() writes no collect() reads, so any order of elements gives the same.
+/// only, and reads nothing of another lane. What finish() writes no collect() reads, so any order of elements gives the same.
 template <typename Stage> constexpr bool collects = requires(const Stage& stage) { stage.collect(0); };
 
 /// One stage after the other on the same element.

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-target_sources(hygroloom_core PRIVATE
-  solver/cpu_backend.cpp
+target_sources(hygroloom_core PRIVATE solver/cpu_backend.cpp)
+
+# What depends on the particles' number type, in single and once more in double precision.
+set(solver_sources
   solver/cpu_solver.cpp
   solver/droplet.cpp
   solver/host_cloth.cpp
+  solver/liquid_start.cpp
+  solver/stock.cpp
+  solver/yarn_start.cpp
 )
-
-# What depends on the particles' number type, once more in double precision.
-add_library(hygroloom_core_double OBJECT solver/cpu_solver.cpp solver/droplet.cpp solver/host_cloth.cpp)
+target_sources(hygroloom_core PRIVATE ${solver_sources})
+add_library(hygroloom_core_double OBJECT ${solver_sources})
 target_compile_definitions(hygroloom_core_double PRIVATE HYGROLOOM_DOUBLE)
 target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eigen TBB::tbb)
 target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Threads that work on a yarn's line together: one on a CPU, a block of them on a GPU. A stage that goes along lines is called with its
-// team, by all of its threads at once. What threads tell each other goes through places of the line and the team's own room; each call
+// team, by all of its threads at once. What threads exchange goes through places of the line and the team's own room; each call
 // of the team ends when all of its threads are done with it.
 #pragma once
 

@@ -25,10 +25,10 @@ Scene cloth_with_gaps(double gap)
     ContactShape shape{half_height, half_width, {}};
     for (double rise : {half_height, half_height, half_height, -half_height}) // level, then from side to side
         for (double v : {rise, 0.0, half_height, half_width}) shape.profiles.push_back(static_cast<float>(v));
-    scene.shapes.assign(2, shape);
-    scene.crossing = {{0, 0, 0, half_height, half_height}};
-    scene.half_thickness = 2.0 * half_height;
-    for (YarnParameters& yarn : scene.yarns) yarn.adhesion = scene.climate.surface_tension; // at 90 degrees
+    scene.cloth.shapes.assign(2, shape);
+    scene.cloth.crossing = {{0, 0, 0, half_height, half_height}};
+    scene.cloth.half_thickness = 2.0 * half_height;
+    for (YarnParameters& yarn : scene.cloth.yarns) yarn.adhesion = scene.climate.surface_tension; // at 90 degrees
     return scene;
 }
 
@@ -62,8 +62,8 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
     const double volume = cubic_metre_from_ul(value(v, "volume_ul")), radius = std::cbrt(3.0 * volume / (4.0 * pi));
     const double spacing = std::cbrt(volume / value(v, "particles"));
     Scene scene = cloth_with_gaps(gap);
-    scene.particles_per_droplet = static_cast<int>(value(v, "particles"));
-    scene.droplets = {{0, volume, {0, 0, scene.half_thickness + 1e-6 * value(v, "height_um") + radius}, speed}};
+    scene.rules.particles_per_droplet = static_cast<int>(value(v, "particles"));
+    scene.supply.droplets = {{0, volume, {0, 0, scene.cloth.half_thickness + 1e-6 * value(v, "height_um") + radius}, speed}};
     const HostCloth cloth(scene);
     const std::vector<double> times = moments_of_impact(1e-6 * value(v, "height_um"), radius, speed, spacing);
     double deepest = 0;
@@ -107,7 +107,7 @@ std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
     const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
     const HostCloth cloth(scene);
     double half_way = std::numeric_limits<double>::infinity();
-    for (const ContactShape& shape : scene.shapes) half_way = std::min(half_way, 0.5 * shape.half_height);
+    for (const ContactShape& shape : scene.cloth.shapes) half_way = std::min(half_way, 0.5 * shape.half_height);
     int inside = 0;
     double drift = 0;
     for (const Frame& f : frames_at(backend, scene, times)) {

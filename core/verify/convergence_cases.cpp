@@ -39,8 +39,8 @@ Field cooling_slab(Backend& backend, int half, int steps)
     constexpr double diffusivity = 1e-7, fourier = 0.2;
     const double cell = std::sqrt(diffusivity * short_time / fourier) / half;
     Scene scene = warm_yarn(2 * half + 1, cell, diffusivity, true);
-    scene.initial_warmth = 50; // frames are in single precision
-    scene.network_step = short_time / steps;
+    scene.cloth.start.warmth = 50; // frames are in single precision
+    scene.rules.network_step = short_time / steps;
     return {frames_at(backend, scene, {short_time}).back().temperature[static_cast<std::size_t>(half)]};
 }
 
@@ -48,14 +48,14 @@ Field cooling_slab(Backend& backend, int half, int steps)
 Field drinking_fibre(Backend& backend, int shells, int steps)
 {
     Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
-    scene.sorption = true;
-    scene.fibre_shells = shells;
-    YarnParameters& yarn = scene.yarns[0];
+    scene.rules.sorption = true;
+    scene.rules.fibre_shells = shells;
+    YarnParameters& yarn = scene.cloth.yarns[0];
     yarn.fibre_area = 1e-6 * yarn.pore_area;
     yarn.diffusivity.constant = 0.1 * yarn.fibre_radius * yarn.fibre_radius / short_time;
-    const double full = scene.climate.density * yarn.pore_area * scene.length[0];
-    scene.initial_liquid = {full, full};
-    scene.network_step = short_time / (4 * steps); // fibres take every fourth step of the network
+    const double full = scene.climate.density * yarn.pore_area * scene.cloth.length[0];
+    scene.cloth.start.liquid = {full, full};
+    scene.rules.network_step = short_time / (4 * steps); // fibres take every fourth step of the network
     return {frames_at(backend, scene, {short_time}).back().regain[0]};
 }
 
@@ -65,14 +65,14 @@ Field levelling_yarn(Backend& backend, int cells, int steps)
     constexpr double length = 0.01, diffusivity = 1e-3;
     constexpr int parts = 16;
     Scene scene = bare_scene(1, cells, length / cells, 293.15);
-    scene.wicking = true;
-    scene.yarns[0].liquid_diffusivity = diffusivity;
-    scene.saturation_change = 1e3; // steps stay alike
-    scene.network_step = short_time / steps;
-    scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
-    const double capacity = scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
+    scene.rules.wicking = true;
+    scene.cloth.yarns[0].liquid_diffusivity = diffusivity;
+    scene.rules.saturation_change = 1e3; // steps stay alike
+    scene.rules.network_step = short_time / steps;
+    scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
+    const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[0];
     for (int i = 0; i < cells; ++i)
-        scene.initial_liquid[static_cast<std::size_t>(i)] =
+        scene.cloth.start.liquid[static_cast<std::size_t>(i)] =
             capacity * (0.5 + 0.4 * cells / pi * (std::sin(pi * (i + 1) / cells) - std::sin(pi * i / cells)));
     const Frame frame = frames_at(backend, scene, {short_time}).back();
     Field means(parts, 0.0);
@@ -88,12 +88,12 @@ Field drinking_yarn(Backend& backend, int cells, int steps)
     constexpr double length = 0.01, diffusivity = 1e-3;
     const double cell = length / (cells + 0.5); // from the middle of the fed segment to the end
     Scene scene = bare_scene(1, cells + 1, cell, 293.15);
-    scene.wicking = true;
-    scene.yarns[0].liquid_diffusivity = diffusivity;
-    scene.saturation_change = 1e3;
-    scene.network_step = short_time / steps;
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-    scene.fed[0] = 1;
+    scene.rules.wicking = true;
+    scene.cloth.yarns[0].liquid_diffusivity = diffusivity;
+    scene.rules.saturation_change = 1e3;
+    scene.rules.network_step = short_time / steps;
+    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
+    scene.supply.fed[0] = 1;
     const Frame frame = frames_at(backend, scene, {short_time}).back();
     const double held = std::accumulate(frame.saturation.begin() + 1, frame.saturation.begin() + cells + 1, 0.0);
     return {(held + 0.5) * cell / length};
@@ -105,10 +105,10 @@ std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time)
     std::array<Frame, 3> frames;
     for (std::size_t k = 0; k < 3; ++k) {
         Scene scene = wet_spot();
-        scene.vapour = vapour;
-        scene.saturation_change = 1e3; // steps stay alike
-        scene.calm_network_step = 0;
-        scene.network_step = time / (80 << k); // and every fourth an exchange with fibres and air
+        scene.rules.vapour = vapour;
+        scene.rules.saturation_change = 1e3; // steps stay alike
+        scene.rules.calm_network_step = 0;
+        scene.rules.network_step = time / (80 << k); // and every fourth an exchange with fibres and air
         frames[k] = frames_at(backend, scene, {time}).back();
     }
     return frames;

@@ -31,7 +31,7 @@ std::vector<VerifyResult> slab_conduction(const VerifyValues& v, Backend& backen
     constexpr double cell = 1e-4, diffusivity = 1e-7;
     Scene scene = warm_yarn(2 * half + 1, cell, diffusivity, true);
     const double thickness = half * cell, time = fourier * thickness * thickness / diffusivity;
-    scene.network_step = time / 3000;
+    scene.rules.network_step = time / 3000;
     const Frame frame = frames_at(backend, scene, {time}).back();
     double expected = 0;
     for (int n = 0; n < 400; ++n) {
@@ -48,7 +48,7 @@ std::vector<VerifyResult> half_space(const VerifyValues& v, Backend& backend)
     constexpr int cells = 1200;
     const double cell = std::max(5.0 * reach, 1.5 * depth) / cells;
     Scene scene = warm_yarn(cells, cell, diffusivity, false);
-    scene.network_step = time / 3000;
+    scene.rules.network_step = time / 3000;
     const Frame frame = frames_at(backend, scene, {time}).back();
     return {{"temperature", warmth_at(frame, depth / cell), std::erf(depth / reach), 0.005}};
 }
@@ -159,7 +159,7 @@ std::vector<VerifyResult> sorption_heating(const VerifyValues& v, Backend& backe
         sheet_in_air(material, isotherm, {sheet.mass, sheet.mass_transfer, sheet.heat_transfer, sheet.diffusivity, from, to, temperature});
     const double course = sheet.mass * regain_at_reference(isotherm, std::max(from, to)) /
                           (2.0 * sheet.mass_transfer * saturation_concentration(temperature));
-    scene.network_step = std::clamp(course / 5000, 1e-3, 0.02);
+    scene.rules.network_step = std::clamp(course / 5000, 1e-3, 0.02);
     std::vector<double> times;
     const double until = 600, spacing = std::min(0.5, course / 500);
     for (double time = spacing; time < until; time += time < 500 * spacing ? spacing : 0.5) times.push_back(time);
@@ -186,8 +186,8 @@ std::vector<VerifyResult> adiabatic_wetting(const VerifyValues& v, Backend& back
     if (regain > material.saturation_regain + 1e-9)
         throw Error(fmt::format("regain: {} takes up at most {}; {} was given.", material.name, material.saturation_regain, regain));
     const Scene scene = fibre_with_liquid(material, regain);
-    const Isotherm& isotherm = scene.yarns[0].isotherm;
-    const double scale = scene.yarns[0].sorption_heat_scale;
+    const Isotherm& isotherm = scene.cloth.yarns[0].isotherm;
+    const double scale = scene.cloth.yarns[0].sorption_heat_scale;
     const Frame frame = frames_at(backend, scene, {600.0}).back();
 
     // The heat of sorption over the isotherm up to this regain.

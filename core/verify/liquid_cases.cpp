@@ -26,17 +26,17 @@ double temperature_of(const VerifyValues& values) { return kelvin_from_celsius(v
 Scene scene_with(const std::vector<Vec3d>& places, double particle_volume, double temperature)
 {
     Scene scene = bare_scene(1, 1, 2e-3, temperature);
-    scene.network_step = scene.calm_network_step = 1.0;
+    scene.rules.network_step = scene.rules.calm_network_step = 1.0;
     scene.liquid.places = places;
     scene.liquid.velocities.assign(places.size(), Vec3d{});
     scene.liquid.particle_volume = particle_volume;
-    scene.gravity = 0;
+    scene.liquid.gravity = 0;
     return scene;
 }
 
 void put_on_plate(Scene& scene, double contact_angle)
 {
-    scene.vessel = SceneVessel{{-1, -1, plate_height}, {1, 1, 1}, scene.climate.surface_tension * (1.0 + std::cos(contact_angle))};
+    scene.liquid.vessel = SceneVessel{{-1, -1, plate_height}, {1, 1, 1}, scene.climate.surface_tension * (1.0 + std::cos(contact_angle))};
 }
 
 /// Places a little off their lattice, so that nothing rests on a perfect one.
@@ -248,7 +248,7 @@ std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
 double inner_pressure(Backend& backend, const VerifyValues& v, double radius, std::uint64_t start)
 {
     Scene scene = ball(particles_of(v), radius, temperature_of(v), start);
-    scene.shows_pressure = true;
+    scene.rules.shows_pressure = true;
     const double period = 2.0 * pi * std::sqrt(scene.climate.density * radius * radius * radius / (8.0 * scene.climate.surface_tension));
     double sum = 0;
     long count = 0;
@@ -308,8 +308,8 @@ std::vector<VerifyResult> sessile_drop(const VerifyValues& v, Backend& backend)
     const double start = angle + (0.5 * pi - angle) * value(v, "off_by"); // a drop that starts far off leaps from the plate
     Scene scene = cap_on_plate(v, start);
     const bool heavy = value(v, "gravity") != 0;
-    scene.gravity = heavy ? gravity_acceleration : 0.0;
-    const double weight = scene.gravity * scene.climate.density / scene.climate.surface_tension;
+    scene.liquid.gravity = heavy ? gravity_acceleration : 0.0;
+    const double weight = scene.liquid.gravity * scene.climate.density / scene.climate.surface_tension;
     const double volume = cubic_metre_from_ul(value(v, "volume_ul"));
     const double capillary = std::sqrt(scene.climate.density * volume / scene.climate.surface_tension);
     const double time = value(v, "time_s") > 0 ? value(v, "time_s") : 12.0 * capillary;
@@ -366,9 +366,9 @@ std::vector<VerifyResult> hydrostatic(const VerifyValues& v, Backend& backend)
     disturb(places, spacing);
     Scene scene = scene_with(places, spacing * spacing * spacing, temperature_of(v));
     const double half = 0.5 * across * spacing;
-    scene.vessel = SceneVessel{{-half, -half, plate_height}, {half, half, 1}, scene.climate.surface_tension};
-    scene.gravity = gravity_acceleration;
-    scene.shows_pressure = true;
+    scene.liquid.vessel = SceneVessel{{-half, -half, plate_height}, {half, half, 1}, scene.climate.surface_tension};
+    scene.liquid.gravity = gravity_acceleration;
+    scene.rules.shows_pressure = true;
     const double fall = std::sqrt(depth / gravity_acceleration);
     std::vector<Frame> frames = frames_at(backend, scene, moments(2.5 * fall, 5.0 * fall, 20));
     frames.erase(frames.begin()); // its mean goes back to the start
@@ -398,7 +398,7 @@ std::vector<VerifyResult> falling_drop(const VerifyValues& v, Backend& backend)
 {
     const double radius = 1e-3 * value(v, "radius_mm"), time = value(v, "time_s");
     Scene scene = ball(particles_of(v), radius, temperature_of(v));
-    scene.gravity = gravity_acceleration;
+    scene.liquid.gravity = gravity_acceleration;
     for (Vec3d& p : scene.liquid.places) p.z += gravity_acceleration * time * time;
     const std::vector<Frame> frames = frames_at(backend, scene, {1e-4, time});
     const auto energy = [](const Frame& f) {

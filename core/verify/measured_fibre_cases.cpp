@@ -32,9 +32,9 @@ double heat_given_off(const Material& material, double regain, bool calibrated, 
     Scene scene = fibre_with_liquid(material, regain);
     double fibres = 0;
     for (std::size_t i = 0; i < 2; ++i) {
-        YarnParameters& yarn = scene.yarns[i];
+        YarnParameters& yarn = scene.cloth.yarns[i];
         if (!calibrated) yarn.sorption_heat_scale = 1;
-        fibres += scene.length[i] * yarn.fibre_area * yarn.fibre_density;
+        fibres += scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
     }
     return 1e-3 * frames_at(backend, scene, {600.0}).back().ledger.energy_released / fibres;
 }
@@ -110,16 +110,16 @@ double half_change_hours(double density, double step, double from, double to, Ba
         return 0.5 * (low + high);
     };
     Scene scene = bare_scene(1, cells, thickness / cells, temperature);
-    scene.sorption = scene.vapour = scene.heat = true;
-    scene.cell_area = 0; // the line has no faces, only ends
+    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = true;
+    scene.cloth.cell_area = 0; // the line has no faces, only ends
     scene.climate.humidity = humidity(to);
     scene.climate.vapour = scene.climate.humidity * saturation_concentration(temperature);
     const double convection = convective_heat_transfer(0.0, thickness);
     scene.climate.heat_transfer = convection + radiative_heat_transfer(temperature);
     scene.climate.mass_transfer = mass_transfer(convection, temperature);
-    scene.initial_humidity = humidity(from);
+    scene.cloth.start.humidity = humidity(from);
     const double packing = density / cotton.density_kg_m3;
-    for (YarnParameters& yarn : scene.yarns) {
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.fibre_density = cotton.density_kg_m3;
         yarn.fibre_specific_heat = cotton.specific_heat_j_kgk;
         yarn.fibre_conductivity = cotton.thermal_conductivity_w_mk;
@@ -131,7 +131,7 @@ double half_change_hours(double density, double step, double from, double to, Ba
         yarn.initial_regain = from;
         yarn.resting_regain = to;
     }
-    scene.network_step = step / 4; // fibres and air take every fourth step
+    scene.rules.network_step = step / 4; // fibres and air take every fourth step
     std::vector<double> times, regains;
     for (int i = 1; i <= 400; ++i) times.push_back(300.0 * i);
     for (const Frame& frame : frames_at(backend, scene, times)) {
@@ -161,18 +161,18 @@ double diffusivity_by_half_time(const Material& material, Backend& backend)
 {
     constexpr double from = 0.74, to = 0.76;
     Scene scene = fibre_in_air(material, isotherm_temperature, to);
-    scene.fibre_shells = 16;
+    scene.rules.fibre_shells = 16;
     scene.climate.mass_transfer = 1e3; // the pores follow the air at once
-    scene.initial_humidity = from;
-    for (YarnParameters& yarn : scene.yarns) {
+    scene.cloth.start.humidity = from;
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.initial_regain = equilibrium_regain(yarn.isotherm, from, isotherm_temperature);
         yarn.diffusivity.constant = material.diffusion.constant_m2_s;
         const std::string law = two_stage_law(material);
         if (material.diffusion.two_stage)
             yarn.diffusivity.law = law == "wool" ? DiffusionLaw::wool_two_stage : DiffusionLaw::cotton_two_stage;
     }
-    scene.network_step = 0.05;
-    const YarnParameters& yarn = scene.yarns[0];
+    scene.rules.network_step = 0.05;
+    const YarnParameters& yarn = scene.cloth.yarns[0];
     const double half = 0.5 * (yarn.initial_regain + yarn.resting_regain);
     std::vector<double> times;
     for (int i = 1; i <= 600; ++i) times.push_back(i);

@@ -206,7 +206,7 @@ std::vector<VerifyResult> density_and_wicking(const VerifyValues&, Backend& back
         run.plan = plan_run(design, fabric, design.experiments[0], Fidelity::draft);
         run.textile = build_textile(design, fabric, run.plan.region);
         Scene scene = build_scene(design, run.textile, design.experiments[0], run.plan, 1);
-        scene.gravity_along_warp = 0; // it lies
+        scene.cloth.gravity_along_warp = 0; // it lies
         std::vector<double> times;
         for (int i = 1; i <= 60; ++i) times.push_back(2.0 * i);
         MetricsCollector collector;

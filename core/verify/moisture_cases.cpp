@@ -67,19 +67,21 @@ std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend
 {
     const double fourier = value(v, "fourier");
     Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
-    scene.sorption = true;
-    scene.fibre_shells = static_cast<int>(value(v, "shells"));
-    scene.shows_shells = true;
-    scene.yarns[0].fibre_area = 1e-6 * scene.yarns[0].pore_area; // the liquid outlasts what the fibre takes
-    const double full = scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
-    scene.initial_liquid = {full, full};
-    const double time = fourier * scene.yarns[0].fibre_radius * scene.yarns[0].fibre_radius / scene.yarns[0].diffusivity.constant;
-    scene.network_step = time / 8000;
+    scene.rules.sorption = true;
+    scene.rules.fibre_shells = static_cast<int>(value(v, "shells"));
+    scene.rules.shows_shells = true;
+    scene.cloth.yarns[0].fibre_area = 1e-6 * scene.cloth.yarns[0].pore_area; // the liquid outlasts what the fibre takes
+    const double full = scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[0];
+    scene.cloth.start.liquid = {full, full};
+    const double time =
+        fourier * scene.cloth.yarns[0].fibre_radius * scene.cloth.yarns[0].fibre_radius / scene.cloth.yarns[0].diffusivity.constant;
+    scene.rules.network_step = time / 8000;
     const Frame frame = frames_at(backend, scene, {time}).front();
     const double expected = crank_uptake(fourier), position = value(v, "position"),
-                 skin = regain_at_reference(scene.yarns[0].isotherm, 1.0);
-    return {{"uptake", static_cast<double>(frame.regain[0]) / skin, expected, 0.005 * expected},
-            {"concentration", regain_at(frame, scene.fibre_shells, skin, position) / skin, crank_concentration(fourier, position), 0.01}};
+                 skin = regain_at_reference(scene.cloth.yarns[0].isotherm, 1.0);
+    return {
+        {"uptake", static_cast<double>(frame.regain[0]) / skin, expected, 0.005 * expected},
+        {"concentration", regain_at(frame, scene.rules.fibre_shells, skin, position) / skin, crank_concentration(fourier, position), 0.01}};
 }
 
 struct AirExchange {
@@ -103,29 +105,29 @@ double wet_bulb_temperature(const AirExchange& air)
 Scene drying_scene(const AirExchange& air, double humidity)
 {
     Scene scene = bare_scene(1, 1, 1e-3, air.temperature);
-    scene.vapour = scene.heat = true;
-    scene.face_only = true;
+    scene.rules.vapour = scene.rules.heat = true;
+    scene.cloth.face_only = true;
     scene.climate.humidity = humidity;
     scene.climate.vapour = air.vapour;
     scene.climate.heat_transfer = air.heat_transfer;
     scene.climate.mass_transfer = air.mass_transfer;
-    for (YarnParameters& yarn : scene.yarns) {
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.fibre_specific_heat *= 0.1; // little to cool: the liquid outlasts it
         yarn.fibre_radius = 1e-6;        // much surface: the air outside is all that holds evaporation back
     }
     const double saturation = humidity > 1 ? 0.5 : 0.9; // of full pores there is hardly any air; what condenses needs room
-    const double liquid = saturation * scene.climate.density * scene.yarns[0].pore_area * scene.length[0];
-    scene.initial_liquid = {liquid, liquid};
+    const double liquid = saturation * scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[0];
+    scene.cloth.start.liquid = {liquid, liquid};
     return scene;
 }
 
 /// Time in which the air brings a crossing's heat capacity once round, s.
 double settling_time(const Scene& scene, const AirExchange& air)
 {
-    const YarnParameters& yarn = scene.yarns[0];
-    const double capacity =
-        yarn.fibre_area * scene.length[0] * yarn.fibre_density * yarn.fibre_specific_heat + scene.initial_liquid[0] * water_specific_heat;
-    return capacity / (air.heat_transfer * scene.cell_area);
+    const YarnParameters& yarn = scene.cloth.yarns[0];
+    const double capacity = yarn.fibre_area * scene.cloth.length[0] * yarn.fibre_density * yarn.fibre_specific_heat +
+                            scene.cloth.start.liquid[0] * water_specific_heat;
+    return capacity / (air.heat_transfer * scene.cloth.cell_area);
 }
 
 AirExchange air_of(const VerifyValues& v, double convection)
@@ -143,7 +145,7 @@ std::vector<VerifyResult> wet_bulb(const VerifyValues& v, Backend& backend)
     air.heat_transfer = value(v, "radiation") > 0.5 ? 10.0 : 5.0;
     Scene scene = drying_scene(air, value(v, "relative_humidity"));
     const double settle = 8.0 * settling_time(scene, air);
-    scene.network_step = settle / 400;
+    scene.rules.network_step = settle / 400;
     const Frame frame = frames_at(backend, scene, {settle}).front();
     return {{"temperature_c", celsius_from_kelvin(frame.temperature[0]), celsius_from_kelvin(wet_bulb_temperature(air)), 0.25}};
 }
@@ -153,9 +155,10 @@ std::vector<VerifyResult> drying_rate(const VerifyValues& v, Backend& backend)
     const AirExchange air = air_of(v, convective_heat_transfer(value(v, "air_speed_m_s"), 1e-3 * value(v, "length_mm")));
     Scene scene = drying_scene(air, value(v, "relative_humidity"));
     const double settle = 8.0 * settling_time(scene, air);
-    scene.network_step = settle / 800;
+    scene.rules.network_step = settle / 800;
     const std::vector<Frame> frames = frames_at(backend, scene, {settle, 1.25 * settle});
-    const double rate = (frames[1].ledger.water_evaporated - frames[0].ledger.water_evaporated) / (0.25 * settle * 2.0 * scene.cell_area);
+    const double rate =
+        (frames[1].ledger.water_evaporated - frames[0].ledger.water_evaporated) / (0.25 * settle * 2.0 * scene.cloth.cell_area);
     const double wet = wet_bulb_temperature(air);
     const double expected = 3.6e6 * air.mass_transfer * (saturation_concentration(wet) - air.vapour);
     // In saturated air nothing is left but what rounding leaves of two equal concentrations.
@@ -201,7 +204,7 @@ std::vector<VerifyResult> regain(const VerifyValues& v, Backend& backend)
             middle * std::exp(-heat_of_sorption(middle) * water_molar_mass / gas_constant * (1.0 / temperature - 1.0 / 293.15));
         (here < std::min(1.0, humidity) ? low : high) = middle; // fibres are full in saturated air
     }
-    const double expected = regain_at_reference(scene.yarns[0].isotherm, 0.5 * (low + high));
+    const double expected = regain_at_reference(scene.cloth.yarns[0].isotherm, 0.5 * (low + high));
     return {{"regain", frame.regain[0], expected, std::max(1e-6, 0.03 * expected)}};
 }
 

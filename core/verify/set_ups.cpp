@@ -13,14 +13,14 @@ namespace hygroloom {
 Scene bare_scene(int ends, int picks, double pitch, double temperature)
 {
     Scene scene;
-    scene.ends = ends;
-    scene.picks = picks;
-    scene.length.assign(static_cast<std::size_t>(scene.segments()), pitch);
-    scene.warp_up.resize(static_cast<std::size_t>(scene.crossings()));
+    scene.cloth.ends = ends;
+    scene.cloth.picks = picks;
+    scene.cloth.length.assign(static_cast<std::size_t>(scene.cloth.segments()), pitch);
+    scene.cloth.warp_up.resize(static_cast<std::size_t>(scene.cloth.crossings()));
     for (int end = 0; end < ends; ++end)
-        for (int pick = 0; pick < picks; ++pick) scene.warp_up[static_cast<std::size_t>(end * picks + pick)] = (end + pick) % 2 == 0;
-    scene.cell_area = pitch * pitch;
-    scene.half_thickness = 0.25 * pitch;
+        for (int pick = 0; pick < picks; ++pick) scene.cloth.warp_up[static_cast<std::size_t>(end * picks + pick)] = (end + pick) % 2 == 0;
+    scene.cloth.cell_area = pitch * pitch;
+    scene.cloth.half_thickness = 0.25 * pitch;
     YarnParameters yarn;
     yarn.pore_area = 0.1 * pitch * pitch;
     yarn.fibre_area = 0.1 * pitch * pitch;
@@ -31,21 +31,21 @@ Scene bare_scene(int ends, int picks, double pitch, double temperature)
     yarn.isotherm = {0.07, 0.24, 0, 0, 0};
     yarn.diffusivity = {DiffusionLaw::constant, 5e-14};
     yarn.vapour_diffusivity = vapour_diffusivity(temperature);
-    scene.yarns = {yarn, yarn};
-    scene.type.assign(static_cast<std::size_t>(ends), 0);
-    scene.type.resize(static_cast<std::size_t>(ends + picks), 1);
-    scene.crossing = {{0, 0, 0, 0.125 * pitch, 0.125 * pitch}};
-    scene.warp_pitch = scene.weft_pitch = pitch;
-    scene.profile_samples = 2;
-    scene.shapes.assign(2, {0.125 * pitch, 0.25 * pitch, std::vector<float>(16, 0.0f)});
+    scene.cloth.yarns = {yarn, yarn};
+    scene.cloth.type.assign(static_cast<std::size_t>(ends), 0);
+    scene.cloth.type.resize(static_cast<std::size_t>(ends + picks), 1);
+    scene.cloth.crossing = {{0, 0, 0, 0.125 * pitch, 0.125 * pitch}};
+    scene.cloth.warp_pitch = scene.cloth.weft_pitch = pitch;
+    scene.cloth.profile_samples = 2;
+    scene.cloth.shapes.assign(2, {0.125 * pitch, 0.25 * pitch, std::vector<float>(16, 0.0f)});
     ClimateParameters& climate = scene.climate;
     climate.temperature = temperature;
     climate.surface_tension = water_surface_tension(temperature);
     climate.viscosity = water_viscosity(temperature);
     climate.density = water_density(temperature);
-    scene.wicking = scene.sorption = scene.vapour = scene.heat = false;
-    scene.network_step = 1e-2;
-    scene.saturation_change = 1.0;
+    scene.rules.wicking = scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
+    scene.rules.network_step = 1e-2;
+    scene.rules.saturation_change = 1.0;
     return scene;
 }
 
@@ -86,18 +86,18 @@ Isotherm isotherm_of(const Material& m) { return {m.standard_regain, m.saturatio
 Scene fibre_in_air(const Material& material, double temperature, double humidity)
 {
     Scene scene = bare_scene(1, 1, 1e-3, temperature);
-    scene.sorption = scene.vapour = true;
-    scene.fibre_shells = 8;
+    scene.rules.sorption = scene.rules.vapour = true;
+    scene.rules.fibre_shells = 8;
     scene.climate.humidity = humidity;
     scene.climate.vapour = humidity * saturation_concentration(temperature);
     scene.climate.mass_transfer = 0.01;
-    for (YarnParameters& yarn : scene.yarns) {
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.isotherm = isotherm_of(material);
         yarn.diffusivity.constant = 1e-12; // only the end matters here
         yarn.initial_regain = 0;
         yarn.resting_regain = equilibrium_regain(yarn.isotherm, humidity, temperature);
     }
-    scene.network_step = 5.0;
+    scene.rules.network_step = 5.0;
     return scene;
 }
 
@@ -106,57 +106,57 @@ Scene fibre_with_liquid(const Material& material, double regain)
     Isotherm isotherm = isotherm_of(material);
     isotherm.shifts = false; // heats of wetting are measured at one temperature
     Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
-    scene.sorption = scene.vapour = scene.heat = true; // vapour fills the pores; no air takes it
-    scene.fibre_shells = 12;
-    scene.climate.humidity = scene.initial_humidity = 1;
+    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = true; // vapour fills the pores; no air takes it
+    scene.rules.fibre_shells = 12;
+    scene.climate.humidity = scene.cloth.start.humidity = 1;
     scene.climate.vapour = saturation_concentration(scene.climate.temperature);
-    scene.initial_liquid.assign(2, 0.0);
+    scene.cloth.start.liquid.assign(2, 0.0);
     for (std::size_t i = 0; i < 2; ++i) {
-        YarnParameters& yarn = scene.yarns[i];
+        YarnParameters& yarn = scene.cloth.yarns[i];
         yarn.fibre_density = material.density_kg_m3;
         yarn.fibre_specific_heat = material.specific_heat_j_kgk;
         yarn.isotherm = isotherm;
         if (material.heat_of_wetting_j_g > 0) yarn.sorption_heat_scale = 1e3 * material.heat_of_wetting_j_g / heat_of_wetting(isotherm);
         yarn.diffusivity = {DiffusionLaw::constant, 1e-12, 0.0};
         yarn.resting_regain = 1;
-        scene.initial_liquid[i] = regain * scene.length[i] * yarn.fibre_area * yarn.fibre_density;
-        yarn.pore_area = std::max(yarn.pore_area, 2.0 * scene.initial_liquid[i] / (scene.climate.density * scene.length[i]));
+        scene.cloth.start.liquid[i] = regain * scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
+        yarn.pore_area = std::max(yarn.pore_area, 2.0 * scene.cloth.start.liquid[i] / (scene.climate.density * scene.cloth.length[i]));
     }
-    scene.face_only = true;
-    scene.network_step = 0.05;
+    scene.cloth.face_only = true;
+    scene.rules.network_step = 0.05;
     return scene;
 }
 
 Scene warm_yarn(int cells, double cell, double diffusivity, bool both_ends)
 {
     Scene scene = bare_scene(1, cells, cell, 293.15);
-    scene.heat = true;
-    for (YarnParameters& yarn : scene.yarns) {
+    scene.rules.heat = true;
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.pore_area = 1e-9 * yarn.fibre_area;
         yarn.fibre_conductivity = diffusivity * yarn.fibre_density * yarn.fibre_specific_heat;
     }
-    scene.initial_warmth = 1;
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-    scene.fed[0] = 1;
-    if (both_ends) scene.fed[static_cast<std::size_t>(cells - 1)] = 1;
+    scene.cloth.start.warmth = 1;
+    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
+    scene.supply.fed[0] = 1;
+    if (both_ends) scene.supply.fed[static_cast<std::size_t>(cells - 1)] = 1;
     return scene;
 }
 
 Scene sheet_in_air(const Material& material, const Isotherm& isotherm, const SheetClimate& air)
 {
     Scene scene = bare_scene(1, 1, 1e-3, air.temperature);
-    scene.sorption = scene.vapour = scene.heat = true;
-    scene.fibre_shells = air.diffusivity > 0 ? largest_shell_count : 1;
+    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = true;
+    scene.rules.fibre_shells = air.diffusivity > 0 ? largest_shell_count : 1;
     scene.climate.humidity = air.to_humidity;
     scene.climate.vapour = air.to_humidity * saturation_concentration(air.temperature);
     scene.climate.mass_transfer = air.mass_transfer;
     scene.climate.heat_transfer = air.heat_transfer;
-    scene.initial_humidity = air.from_humidity;
-    for (YarnParameters& yarn : scene.yarns) {
+    scene.cloth.start.humidity = air.from_humidity;
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.fibre_density = material.density_kg_m3;
         yarn.fibre_specific_heat = material.specific_heat_j_kgk;
         yarn.fibre_radius = metre_from_um(material.fibre_radius_um);
-        yarn.fibre_area = 0.5 * air.areal_density * scene.cell_area / (scene.length[0] * yarn.fibre_density);
+        yarn.fibre_area = 0.5 * air.areal_density * scene.cloth.cell_area / (scene.cloth.length[0] * yarn.fibre_density);
         yarn.pore_area = 0.01 * yarn.fibre_area;
         yarn.isotherm = isotherm;
         yarn.diffusivity = {DiffusionLaw::constant, air.diffusivity > 0 ? air.diffusivity : 1e-6, 0.0};
@@ -164,8 +164,8 @@ Scene sheet_in_air(const Material& material, const Isotherm& isotherm, const She
         yarn.initial_regain = equilibrium_regain(isotherm, air.from_humidity, air.temperature);
         yarn.resting_regain = equilibrium_regain(isotherm, air.to_humidity, air.temperature);
     }
-    scene.face_only = true; // a sheet has no cut ends
-    scene.network_step = 0.02;
+    scene.cloth.face_only = true; // a sheet has no cut ends
+    scene.rules.network_step = 0.02;
     return scene;
 }
 
@@ -179,11 +179,11 @@ Scene wet_spot()
     plan.knobs.network_step_limit = 5e-3;
     plan.knobs.saturation_change = 0.1;
     Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
-    scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
+    scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
     for (int end = 12; end < 25; ++end)
         for (int pick = 14; pick < 27; ++pick) {
             const auto i = static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick));
-            scene.initial_liquid[i] = 0.9 * scene.climate.density * scene.yarns[0].pore_area * scene.length[i];
+            scene.cloth.start.liquid[i] = 0.9 * scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[i];
         }
     return scene;
 }

@@ -107,8 +107,8 @@ double difference(const std::vector<float>& a, const std::vector<float>& b)
 Scene wet_spot_on_lone_yarns()
 {
     Scene scene = wet_spot();
-    scene.crossing.assign(1, {});
-    scene.saturation_change = 1e3;
+    scene.cloth.crossing.assign(1, {});
+    scene.rules.saturation_change = 1e3;
     return scene;
 }
 
@@ -116,7 +116,7 @@ Scene wet_spot_on_lone_yarns()
 Scene wet_spot_on_coarse_yarns()
 {
     Scene scene = wet_spot_on_lone_yarns();
-    for (YarnParameters& yarn : scene.yarns) {
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.pore_area *= 1.5;
         yarn.fibre_radius *= 2;
         yarn.fibre_specific_heat *= 0.8;
@@ -132,12 +132,13 @@ std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
 {
     const Scene fine = wet_spot_on_lone_yarns(), coarse = wet_spot_on_coarse_yarns();
     Scene mixed = fine;
-    mixed.warp_types = 2;
-    mixed.yarns = {fine.yarns[0], coarse.yarns[0], fine.yarns[1], coarse.yarns[1]};
-    mixed.shapes = {fine.shapes[0], fine.shapes[0], fine.shapes[1], fine.shapes[1]};
-    mixed.crossing.assign(4, {});
-    for (int end = 0; end < mixed.ends; ++end) mixed.type[static_cast<std::size_t>(end)] = end / 3 % 2 == 1;
-    for (int pick = 0; pick < mixed.picks; ++pick) mixed.type[static_cast<std::size_t>(mixed.ends + pick)] = pick / 2 % 2 == 1 ? 3 : 2;
+    mixed.cloth.warp_types = 2;
+    mixed.cloth.yarns = {fine.cloth.yarns[0], coarse.cloth.yarns[0], fine.cloth.yarns[1], coarse.cloth.yarns[1]};
+    mixed.cloth.shapes = {fine.cloth.shapes[0], fine.cloth.shapes[0], fine.cloth.shapes[1], fine.cloth.shapes[1]};
+    mixed.cloth.crossing.assign(4, {});
+    for (int end = 0; end < mixed.cloth.ends; ++end) mixed.cloth.type[static_cast<std::size_t>(end)] = end / 3 % 2 == 1;
+    for (int pick = 0; pick < mixed.cloth.picks; ++pick)
+        mixed.cloth.type[static_cast<std::size_t>(mixed.cloth.ends + pick)] = pick / 2 % 2 == 1 ? 3 : 2;
 
     const std::vector<double> times{0.2};
     const Frame of_fine = frames_at(backend, fine, times).back(), of_coarse = frames_at(backend, coarse, times).back();
@@ -147,9 +148,9 @@ std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
                                       std::pair{"vapour", &Frame::vapour}, std::pair{"temperature", &Frame::temperature}}) {
         std::vector<float> expected = of_fine.*field;
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            const int segment = static_cast<int>(i), weft = segment - mixed.crossings();
-            const int line = weft < 0 ? segment / mixed.picks : mixed.ends + weft / mixed.ends;
-            if (mixed.type[static_cast<std::size_t>(line)] % 2 == 1) expected[i] = (of_coarse.*field)[i];
+            const int segment = static_cast<int>(i), weft = segment - mixed.cloth.crossings();
+            const int line = weft < 0 ? segment / mixed.cloth.picks : mixed.cloth.ends + weft / mixed.cloth.ends;
+            if (mixed.cloth.type[static_cast<std::size_t>(line)] % 2 == 1) expected[i] = (of_coarse.*field)[i];
         }
         results.push_back({name, difference(here.*field, expected), 0, 0});
     }
@@ -160,9 +161,9 @@ std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
 Scene falling_drop(int particles)
 {
     Scene scene = bare_scene(20, 20, 3e-4, 293.15);
-    scene.particles_per_droplet = particles;
-    scene.droplets.push_back({0, 5e-9, {1e-4, -2e-4, 3e-3}, 0.2});
-    scene.network_step = 1.0;
+    scene.rules.particles_per_droplet = particles;
+    scene.supply.droplets.push_back({0, 5e-9, {1e-4, -2e-4, 3e-3}, 0.2});
+    scene.rules.network_step = 1.0;
     return scene;
 }
 

@@ -31,18 +31,18 @@ std::vector<double> front_distances(Backend& backend, double temperature, double
 {
     constexpr int cells = 1200;
     Scene scene = bare_scene(1, cells, 1.2 * farthest / cells, temperature);
-    scene.wicking = true;
-    scene.yarns[0].exponent = tube_exponent;
-    scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-    scene.fed[0] = 1;
-    scene.network_step = time / 4000;
-    const double capacity = scene.climate.density * scene.yarns[0].pore_area;
+    scene.rules.wicking = true;
+    scene.cloth.yarns[0].exponent = tube_exponent;
+    scene.cloth.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
+    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
+    scene.supply.fed[0] = 1;
+    scene.rules.network_step = time / 4000;
+    const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area;
     std::vector<double> distances;
     for (const Frame& frame : frames_at(backend, scene, {time / 64, time / 16, time / 4, time})) {
         // The water that ran in, as length of full tube from the middle of the fed segment.
         const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0);
-        distances.push_back(held > 0 ? held / capacity + 0.5 * scene.length[0] : 0.0);
+        distances.push_back(held > 0 ? held / capacity + 0.5 * scene.cloth.length[0] : 0.0);
     }
     return distances;
 }
@@ -71,23 +71,23 @@ struct StandingTube {
         constexpr int cells = 800;
         cell = length / cells;
         scene = bare_scene(1, cells, cell, temperature);
-        scene.wicking = true;
+        scene.rules.wicking = true;
         const double suction = capillary_pressure(scene.climate.surface_tension, contact_angle, radius);
         const double mobility = tube_mobility(temperature, contact_angle, radius);
         const PoreFlow flow = pore_flow(mobility * (tube_exponent + 1), tube_exponent, suction, scene.climate.density);
-        scene.yarns[0].exponent = flow.exponent;
-        scene.yarns[0].liquid_diffusivity = flow.diffusivity;
-        scene.yarns[0].fall = flow.fall;
-        scene.gravity_along_warp = gravity_acceleration;
-        scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-        scene.fed[0] = 1;
-        scene.network_step = step;
+        scene.cloth.yarns[0].exponent = flow.exponent;
+        scene.cloth.yarns[0].liquid_diffusivity = flow.diffusivity;
+        scene.cloth.yarns[0].fall = flow.fall;
+        scene.cloth.gravity_along_warp = gravity_acceleration;
+        scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
+        scene.supply.fed[0] = 1;
+        scene.rules.network_step = step;
     }
     /// The liquid in it as length of full tube above the middle of the cell that hangs in the liquid; 0 when none has risen.
     double height(const Frame& frame) const
     {
-        const double capacity = scene.climate.density * scene.yarns[0].pore_area;
-        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.picks, 0.0);
+        const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area;
+        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.cloth.picks, 0.0);
         return held > 0 ? held / capacity + 0.5 * cell : 0.0;
     }
 };
@@ -160,15 +160,15 @@ std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend
     constexpr int cells = 1000;
     const double cell = (1.1 * radius - source) / cells;
     Scene scene = bare_scene(1, cells, cell, temperature);
-    scene.wicking = true;
-    scene.yarns[0].exponent = tube_exponent;
-    scene.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
+    scene.rules.wicking = true;
+    scene.cloth.yarns[0].exponent = tube_exponent;
+    scene.cloth.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
     constexpr double width = 1e-4; // m2 of pores per m of radius
-    scene.pores.assign(static_cast<std::size_t>(scene.segments()), 1e-12);
-    for (int i = 0; i < cells; ++i) scene.pores[static_cast<std::size_t>(i)] = width * (source + i * cell) * cell;
-    scene.fed.assign(static_cast<std::size_t>(scene.segments()), 0);
-    scene.fed[0] = 1;
-    scene.network_step = expected / 3000;
+    scene.cloth.pores.assign(static_cast<std::size_t>(scene.cloth.segments()), 1e-12);
+    for (int i = 0; i < cells; ++i) scene.cloth.pores[static_cast<std::size_t>(i)] = width * (source + i * cell) * cell;
+    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
+    scene.supply.fed[0] = 1;
+    scene.rules.network_step = expected / 3000;
     constexpr int moments = 150;
     std::vector<double> times;
     for (int i = 1; i <= moments; ++i) times.push_back(1.2 * expected * i / moments);
@@ -233,33 +233,33 @@ std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
     constexpr int cells = 101;
     const double pitch = 2.3 * exact.radius(time) / cells, temperature = kelvin_from_celsius(value(v, "temperature_c"));
     Scene scene = bare_scene(cells, cells, pitch, temperature);
-    scene.wicking = true;
-    for (YarnParameters& yarn : scene.yarns) {
+    scene.rules.wicking = true;
+    for (YarnParameters& yarn : scene.cloth.yarns) {
         yarn.pore_area = 0.5 * thickness * porosity * pitch; // each system holds half of the plane's liquid
         yarn.exponent = exact.p;
         yarn.liquid_diffusivity = 2.0 * exact.d0; // and carries all of one direction's flow
         yarn.suction_radius = 1e-5;
     }
-    scene.crossing[0].liquid_conductance = 1e3 * scene.climate.density * scene.yarns[0].pore_area * exact.d0 / pitch;
+    scene.cloth.crossing[0].liquid_conductance = 1e3 * scene.climate.density * scene.cloth.yarns[0].pore_area * exact.d0 / pitch;
 
     // From the exact profile of an earlier time, once the centre is no longer over-full.
     const double full_until = std::pow(std::pow(exact.constant(), 1.0 / exact.p), exact.p + 1) * (exact.p + 1) / exact.d0;
     const double start = std::max(time / 16, 1.01 * full_until);
     if (time <= start) throw Error(fmt::format("time_s: The spot's middle is more than full until {:.4g} s; give more.", start));
-    scene.initial_liquid.resize(static_cast<std::size_t>(scene.segments()));
+    scene.cloth.start.liquid.resize(static_cast<std::size_t>(scene.cloth.segments()));
     const auto radius_of = [&](int end, int pick) { return pitch * std::hypot(end - cells / 2, pick - cells / 2); };
-    const double capacity = scene.climate.density * scene.yarns[0].pore_area * pitch;
+    const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area * pitch;
     for (int end = 0; end < cells; ++end)
         for (int pick = 0; pick < cells; ++pick) {
             const double liquid = capacity * exact.saturation(radius_of(end, pick), start);
-            scene.initial_liquid[static_cast<std::size_t>(end * cells + pick)] = liquid;
-            scene.initial_liquid[static_cast<std::size_t>(scene.crossings() + pick * cells + end)] = liquid;
+            scene.cloth.start.liquid[static_cast<std::size_t>(end * cells + pick)] = liquid;
+            scene.cloth.start.liquid[static_cast<std::size_t>(scene.cloth.crossings() + pick * cells + end)] = liquid;
         }
-    scene.network_step = time / 600;
+    scene.rules.network_step = time / 600;
     const Frame frame = frames_at(backend, scene, {std::max(1e-9, time - start)}).front();
 
     const double centre = 0.5 * (frame.saturation[static_cast<std::size_t>((cells / 2) * cells + cells / 2)] +
-                                 frame.saturation[static_cast<std::size_t>(scene.crossings() + (cells / 2) * cells + cells / 2)]);
+                                 frame.saturation[static_cast<std::size_t>(scene.cloth.crossings() + (cells / 2) * cells + cells / 2)]);
     constexpr double front = 1e-4; // of the centre: low, because a small exponent's profile ends in a long flat foot
     const auto wet = std::count_if(frame.saturation.begin(), frame.saturation.end(), [&](float s) { return s > front * centre; });
     const double radius = std::sqrt(0.5 * static_cast<double>(wet) * pitch * pitch / pi);

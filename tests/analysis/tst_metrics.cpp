@@ -225,16 +225,16 @@ private Q_SLOTS:
         run.plan = plan_run(run.design, run.design.fabrics[0], experiment, Fidelity::draft);
         run.textile = build_textile(run.design, run.design.fabrics[0], run.plan.region);
         const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, 1);
-        QVERIFY(scene.initial_bound > 0);
+        QVERIFY(scene.cloth.start.bound > 0);
         Frame first = dry_frame(run.textile);
-        first.liquid.assign(scene.initial_liquid.begin(), scene.initial_liquid.end());
-        first.regain.assign(first.liquid.size(), static_cast<float>(scene.yarns[0].initial_regain)); // warp and weft are alike
+        first.liquid.assign(scene.cloth.start.liquid.begin(), scene.cloth.start.liquid.end());
+        first.regain.assign(first.liquid.size(), static_cast<float>(scene.cloth.yarns[0].initial_regain)); // warp and weft are alike
         const CellMap map = cell_map(run.textile, first, start_of_maps(run, first), MapSide::total, 1);
         const double mean = std::accumulate(map.water.begin(), map.water.end(), 0.0) / static_cast<double>(map.water.size());
         QVERIFY2(std::abs(mean - 0.06) < 1e-6, qPrintable(QString::number(mean)));
         Frame last = first;
         last.liquid.assign(first.liquid.size(), 0.0f);
-        last.regain.assign(first.liquid.size(), static_cast<float>(scene.yarns[0].resting_regain));
+        last.regain.assign(first.liquid.size(), static_cast<float>(scene.cloth.yarns[0].resting_regain));
         for (double water : cell_map(run.textile, last, start_of_maps(run, first), MapSide::total, 1).water) QCOMPARE(water, 0.0);
     }
     void mapIsWrittenWithItsProvenance()

@@ -156,7 +156,7 @@ void network_step(benchmark::State& state, bool everything)
         advance_to(*backend, time += steps * wet_cloth_step);
         cudaDeviceSynchronize();
     }
-    const double visits = static_cast<double>(steps) * scene.segments();
+    const double visits = static_cast<double>(steps) * scene.cloth.segments();
     state.counters["s/segment"] = benchmark::Counter(visits, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["least B/s"] = benchmark::Counter(visits * least_bytes(scene), benchmark::Counter::kIsIterationInvariantRate);
     std::size_t left = 0, all = 0;

@@ -22,8 +22,8 @@ void step(benchmark::State& state, bool everything, int threads)
     solver.load(scene);
     double time = solver.advance(0.1, 1e9);
     constexpr int steps = 10;
-    for (auto _ : state) time = solver.advance(time + steps * scene.network_step, 1e9);
-    const double visits = static_cast<double>(steps) * scene.segments();
+    for (auto _ : state) time = solver.advance(time + steps * scene.rules.network_step, 1e9);
+    const double visits = static_cast<double>(steps) * scene.cloth.segments();
     state.counters["s/segment"] = benchmark::Counter(visits, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["least bytes/segment"] = least_bytes(scene);
     state.counters["least B/s"] = benchmark::Counter(visits * least_bytes(scene), benchmark::Counter::kIsIterationInvariantRate);
@@ -54,7 +54,7 @@ void pool(benchmark::State& state, bool growth)
         solver.executor().set_threads(0);
         solver.load(scene);
         solver.advance(5, 1e9);
-        state.counters["visited share"] = static_cast<double>(solver.visited_segments()) / scene.segments();
+        state.counters["visited share"] = static_cast<double>(solver.visited_segments()) / scene.cloth.segments();
     }
 }
 BENCHMARK_CAPTURE(pool, near_the_water, true)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -76,9 +76,10 @@ void network(benchmark::State& state)
     for (auto _ : state) {
         const ModelPlan plan = plan_run(textile_f(), fabric, experiment, Fidelity::draft, {});
         const Scene scene = build_scene(textile_f(), build_textile(textile_f(), fabric, plan.region), experiment, plan, 1);
-        segments = scene.segments();
-        bytes = static_cast<double>(scene.length.size() * sizeof(double) + scene.shift.size() * sizeof(float) + scene.warp_up.size());
-        benchmark::DoNotOptimize(scene.length.data());
+        segments = scene.cloth.segments();
+        bytes = static_cast<double>(scene.cloth.length.size() * sizeof(double) + scene.cloth.shift.size() * sizeof(float) +
+                                    scene.cloth.warp_up.size());
+        benchmark::DoNotOptimize(scene.cloth.length.data());
     }
     state.counters["segments"] = segments;
     state.counters["bytes"] = bytes;

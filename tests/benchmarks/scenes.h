@@ -23,9 +23,9 @@ inline Scene drop_scene(int particles, double height_mm)
     design.experiments = {experiment};
     const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::reference);
     Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
-    scene.particles_per_droplet = particles;
-    scene.sorption = scene.vapour = scene.heat = false;
-    scene.network_step = scene.calm_network_step = 1; // the liquid's steps alone
+    scene.rules.particles_per_droplet = particles;
+    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
+    scene.rules.network_step = scene.rules.calm_network_step = 1; // the liquid's steps alone
     return scene;
 }
 
@@ -49,7 +49,7 @@ inline Scene scene_of(const Design& design, const ForcedParts& forced)
 
 /// Doubles of a segment that a step with every part reads or writes at least once: length, pores, flux and uptake; liquid, vapour, warmth,
 /// evaporated, released, lost and every shell there and back. Without wicking's partners: length, pores, liquid and flux.
-inline double least_bytes(const Scene& scene) { return 8.0 * (scene.vapour ? 4 + 2 * (6 + scene.fibre_shells) : 6); }
+inline double least_bytes(const Scene& scene) { return 8.0 * (scene.rules.vapour ? 4 + 2 * (6 + scene.rules.fibre_shells) : 6); }
 
 /// Every segment wet, steps of one length (wet_cloth_step), each with its exchange with fibres and air.
 constexpr double wet_cloth_step = 0.01; // s
@@ -58,12 +58,12 @@ inline Scene wet_cloth(double side_mm, bool everything)
 {
     Scene scene = scene_of(pool_on_textile_f(side_mm, 1),
                            {{"growth", false}, {"sorption", everything}, {"vapour", everything}, {"heat", everything}});
-    scene.pools.clear();
-    scene.step_error = 0;
-    scene.network_step = scene.calm_network_step = wet_cloth_step;
-    const double pores = scene.yarns[0].pore_area * scene.climate.density;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(scene.segments()); ++i)
-        scene.initial_liquid.push_back((0.2 + 0.3 * static_cast<double>(i % 97) / 97) * pores * scene.length[i]);
+    scene.supply.pools.clear();
+    scene.rules.step_error = 0;
+    scene.rules.network_step = scene.rules.calm_network_step = wet_cloth_step;
+    const double pores = scene.cloth.yarns[0].pore_area * scene.climate.density;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(scene.cloth.segments()); ++i)
+        scene.cloth.start.liquid.push_back((0.2 + 0.3 * static_cast<double>(i % 97) / 97) * pores * scene.cloth.length[i]);
     return scene;
 }
 

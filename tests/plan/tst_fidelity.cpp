@@ -100,17 +100,17 @@ private Q_SLOTS:
                                           {"rest_tolerance", 2e-4},
                                           {"double_precision", 1}});
         const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
-        QCOMPARE(scene.particles_per_droplet, 300);
-        QCOMPARE(scene.fibre_shells, 3);
-        QCOMPARE(scene.network_step, 0.004);
-        QCOMPARE(scene.saturation_change, 0.07);
-        QCOMPARE(scene.step_error, 3e-4);
-        QCOMPARE(scene.liquid_step_factor, 0.3);
-        QCOMPARE(scene.steps_between_drinks, 5);
-        QCOMPARE(scene.density_tolerance, 0.03);
-        QCOMPARE(scene.settle_share, 0.04);
-        QCOMPARE(scene.rest_tolerance, 2e-4);
-        QVERIFY(scene.double_precision);
+        QCOMPARE(scene.rules.particles_per_droplet, 300);
+        QCOMPARE(scene.rules.fibre_shells, 3);
+        QCOMPARE(scene.rules.network_step, 0.004);
+        QCOMPARE(scene.rules.saturation_change, 0.07);
+        QCOMPARE(scene.rules.step_error, 3e-4);
+        QCOMPARE(scene.rules.liquid_step_factor, 0.3);
+        QCOMPARE(scene.rules.steps_between_drinks, 5);
+        QCOMPARE(scene.rules.density_tolerance, 0.03);
+        QCOMPARE(scene.rules.settle_share, 0.04);
+        QCOMPARE(scene.rules.rest_tolerance, 2e-4);
+        QVERIFY(scene.rules.double_precision);
     }
     void aPlanOfBeforeBundlesHadACellForEachCrossing()
     {
@@ -173,8 +173,8 @@ private Q_SLOTS:
             control.sync_time = 1;
             for (int step = 1; step <= 128; ++step) {
                 EndStep{&control, rules, true}(0);
-                QCOMPARE(control.drinks.on, step % between == 0 ? 1 : 0);
-                if (control.drinks.on) QVERIFY(std::abs(control.drink_dt - between * 1e-6) < 1e-15); // for all the time since
+                QCOMPARE(control.absorbs.on, step % between == 0 ? 1 : 0);
+                if (control.absorbs.on) QVERIFY(std::abs(control.absorb_dt - between * 1e-6) < 1e-15); // for all the time since
             }
         }
         const ShortRun often = drop_with({{"steps_between_drinks", 1}}), seldom = drop_with({{"steps_between_drinks", 64}});

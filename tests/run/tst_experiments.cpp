@@ -202,7 +202,7 @@ private Q_SLOTS:
         Experiment& experiment = design.experiments[0];
         experiment.droplets = {{8, 0, {0, 0}, 0, 0}, {8, 0.5, {0, 0}, 0, 0}, {8, 1, {0.2, 0}, 0, 0}};
         const Scene scene = scene_of(design);
-        const double spacing = std::cbrt(scene.droplets[0].volume / scene.particles_per_droplet);
+        const double spacing = std::cbrt(scene.supply.droplets[0].volume / scene.rules.particles_per_droplet);
         Solver<CpuExecutor> solver;
         solver.executor().set_threads(2);
         solver.load(scene);
@@ -213,10 +213,11 @@ private Q_SLOTS:
             for (const auto& place : before.positions) highest = std::max(highest, static_cast<double>(place[2]));
             solver.advance(experiment.duration_s, 0.0); // one step
             const Frame frame = solver.frame();
-            QCOMPARE(frame.positions.size(), before.positions.size() + static_cast<std::size_t>(scene.particles_per_droplet));
+            QCOMPARE(frame.positions.size(), before.positions.size() + static_cast<std::size_t>(scene.rules.particles_per_droplet));
             const auto fresh = std::count_if(frame.positions.begin(), frame.positions.end(),
                                              [&](const auto& place) { return static_cast<double>(place[2]) > highest + 0.5 * spacing; });
-            if (drop > 0) QCOMPARE(fresh, static_cast<std::ptrdiff_t>(scene.particles_per_droplet)); // all of it over all that stood there
+            if (drop > 0)
+                QCOMPARE(fresh, static_cast<std::ptrdiff_t>(scene.rules.particles_per_droplet)); // all of it over all that stood there
             const double closest = closest_pair_above(drop > 0 ? highest + 0.5 * spacing : 0, frame.positions);
             qInfo("drop %zu at %.4f s: closest pair with one of its particles %.3f spacings", drop, frame.time, closest / spacing);
             QVERIFY2(closest > 0.5 * spacing, qPrintable(QString::number(closest / spacing)));
@@ -356,7 +357,7 @@ private Q_SLOTS:
             solver.advance(experiment.duration_s, 1e9);
             frames[growth] = solver.frame();
             visited = solver.visited_segments();
-            if (!growth) QCOMPARE(visited, scene.segments());
+            if (!growth) QCOMPARE(visited, scene.cloth.segments());
         }
         const Frame &whole = frames[0], &part = frames[1];
         QVERIFY2(visited < 0.7 * static_cast<double>(whole.liquid.size()), qPrintable(QString::number(visited)));

@@ -182,18 +182,19 @@ double moved_heat(const Ledger& l)
 double heat_capacity_of(const Scene& scene, const Ledger& l)
 {
     double capacity = (l.water_liquid + l.water_bound) * water_specific_heat;
-    for (std::size_t i = 0; i < scene.length.size(); ++i) {
+    for (std::size_t i = 0; i < scene.cloth.length.size(); ++i) {
         const int segment = static_cast<int>(i);
-        const int line = segment < scene.crossings() ? segment / scene.picks : scene.ends + (segment - scene.crossings()) / scene.ends;
-        capacity += heat_capacity(scene.yarns[scene.type[static_cast<std::size_t>(line)]], scene.length[i], 0);
+        const int line = segment < scene.cloth.crossings() ? segment / scene.cloth.picks
+                                                           : scene.cloth.ends + (segment - scene.cloth.crossings()) / scene.cloth.ends;
+        capacity += heat_capacity(scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]], scene.cloth.length[i], 0);
     }
     return capacity;
 }
 /// By how much the temperatures of the start and of the air differ, K.
 double swing(const Scene& scene)
 {
-    double lowest = std::min(0.0, scene.initial_warmth), highest = std::max(0.0, scene.initial_warmth);
-    for (const SceneClimate& air : scene.course) {
+    double lowest = std::min(0.0, scene.cloth.start.warmth), highest = std::max(0.0, scene.cloth.start.warmth);
+    for (const AirMoment& air : scene.climate.course) {
         lowest = std::min(lowest, air.air_warmth);
         highest = std::max(highest, air.air_warmth);
     }
@@ -211,7 +212,7 @@ double negligible_heat(const Scene& scene, const Ledger& l)
 double most_regain(const Scene& scene)
 {
     double most = 0;
-    for (const YarnParameters& yarn : scene.yarns)
+    for (const YarnParameters& yarn : scene.cloth.yarns)
         for (double temperature = 233; temperature < 400; temperature += 1)
             most = std::max(most, equilibrium_regain(yarn.isotherm, 1.0, temperature));
     return most;
@@ -234,8 +235,9 @@ std::string complaint(const Scene& scene, const Frame& frame, double most)
             return fmt::format("temperature {} K of segment {}", frame.temperature[i], i);
         if (!(frame.vapour[i] >= 0 && std::isfinite(frame.vapour[i]))) return fmt::format("vapour {} of segment {}", frame.vapour[i], i);
         const double saturated = saturation_concentration(static_cast<double>(frame.temperature[i]));
-        const double at_first =
-            !scene.vapour || frame.time > 0 ? 1 : std::max({1.0, scene.initial_humidity, scene.climate.humidity}); // has not condensed yet
+        const double at_first = !scene.rules.vapour || frame.time > 0
+                                    ? 1
+                                    : std::max({1.0, scene.cloth.start.humidity, scene.climate.humidity}); // has not condensed yet
         if (!(frame.vapour[i] <= 1.00001 * at_first * saturated))
             return fmt::format("vapour {} over saturation {} of segment {}", frame.vapour[i], saturated, i);
     }
@@ -318,7 +320,7 @@ private:
         ++covered_[std::string("type ") + name_of(e.type)];
         ++covered_[std::string("closure ") + name_of(e.closure)];
         ++covered_[simulated > longest ? "long runs" : simulated < 1e-5 ? "runs of 1 us" : "runs of up to 5 s"];
-        covered_["a single end or pick"] += scene.ends == 1 || scene.picks == 1;
+        covered_["a single end or pick"] += scene.cloth.ends == 1 || scene.cloth.picks == 1;
         covered_["contact angle 0"] += design.fabrics[0].contact_angle_deg.value_or(1) < 1e-5;
         covered_["contact angle 90 or more"] += design.fabrics[0].contact_angle_deg.value_or(0) >= 90;
         covered_["humidity 0"] += e.climate.relative_humidity == 0;
@@ -328,10 +330,10 @@ private:
         covered_["a course of the climate"] += !e.climates.empty();
         covered_["swelling"] += e.swelling;
         for (const char* part : {"wicking", "sorption", "vapour", "heat"})
-            covered_[std::string("with ") + part] += part[0] == 'w'   ? scene.wicking
-                                                     : part[0] == 's' ? scene.sorption
-                                                     : part[0] == 'v' ? scene.vapour
-                                                                      : scene.heat;
+            covered_[std::string("with ") + part] += part[0] == 'w'   ? scene.rules.wicking
+                                                     : part[0] == 's' ? scene.rules.sorption
+                                                     : part[0] == 'v' ? scene.rules.vapour
+                                                                      : scene.rules.heat;
     }
 
     std::map<std::string, int> covered_;

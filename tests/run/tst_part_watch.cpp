@@ -339,7 +339,7 @@ private Q_SLOTS:
         QVERIFY(!before.positions.empty() && before.ledger.water_liquid > 0);
         for (const char* part : {"sorption", "vapour", "heat"}) plan = with_part(std::move(plan), part);
         set_parts(scene, plan);
-        QCOMPARE(scene.fibre_shells, 5);
+        QCOMPARE(scene.rules.fibre_shells, 5);
         other->load(scene);
         other->go_on_from(one->state());
         Frame begun = other->frame();
@@ -359,7 +359,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(moved)));
         other->load(scene);
         Scene larger = scene;
-        larger.particles_per_droplet *= 2;
+        larger.rules.particles_per_droplet *= 2;
         one->load(larger);
         QVERIFY_EXCEPTION_THROWN(one->go_on_from(other->state()), Error);
     }

@@ -110,10 +110,11 @@ private Q_SLOTS:
         for (bool swelling : {false, true}) {
             experiment.swelling = swelling;
             Scene scene = build_scene(design, textile, experiment, plan, 1);
-            for (YarnParameters& yarn : scene.yarns) yarn.diffusivity = {DiffusionLaw::constant, 1e-10, 0.0}; // fibres fill at once
-            for (int i = 0; i < scene.segments(); ++i)                                                        // full from the start
-                scene.initial_liquid.push_back(scene.climate.density * scene.yarns[i < scene.crossings() ? 0 : 1].pore_area *
-                                               scene.length[static_cast<std::size_t>(i)]);
+            for (YarnParameters& yarn : scene.cloth.yarns) yarn.diffusivity = {DiffusionLaw::constant, 1e-10, 0.0}; // fibres fill at once
+            for (int i = 0; i < scene.cloth.segments(); ++i)                                                        // full from the start
+                scene.cloth.start.liquid.push_back(scene.climate.density *
+                                                   scene.cloth.yarns[i < scene.cloth.crossings() ? 0 : 1].pore_area *
+                                                   scene.cloth.length[static_cast<std::size_t>(i)]);
             const auto backend = make_cpu_backend();
             std::size_t most = 0;
             for (const Frame& f : frames_at(*backend, scene, {0.05, 0.1})) {
@@ -175,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(moved.water_imbalance()) <= 1e-12 * moved.water_delivered);
         QVERIFY(std::abs(moved.water_liquid - end.water_liquid) < 0.01 * end.water_delivered); // neighbours in another order
         Scene larger = scene;
-        larger.particles_per_droplet *= 2;
+        larger.rules.particles_per_droplet *= 2;
         other->load(larger);
         QVERIFY_EXCEPTION_THROWN(other->go_on_from(one->state()), Error);
     }
@@ -188,7 +189,7 @@ private Q_SLOTS:
         const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
         const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
-        QVERIFY(scene.step_error > 0);
+        QVERIFY(scene.rules.step_error > 0);
         const auto one = make_cpu_backend(), other = make_cpu_backend();
         const auto advance = [](Backend& backend, double until) {
             for (double reached = 0; reached < until;) reached = backend.advance(until);

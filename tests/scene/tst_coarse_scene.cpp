@@ -79,10 +79,10 @@ Run run(const Design& design, const RunOptions& options) { return run(design, op
 /// visit(segment, its yarn, the yarn it crosses)
 template <typename Visit> void each_segment(const Scene& scene, const Visit& visit)
 {
-    const auto ends = static_cast<std::size_t>(scene.ends), picks = static_cast<std::size_t>(scene.picks);
+    const auto ends = static_cast<std::size_t>(scene.cloth.ends), picks = static_cast<std::size_t>(scene.cloth.picks);
     for (std::size_t end = 0; end < ends; ++end)
         for (std::size_t pick = 0; pick < picks; ++pick) {
-            const YarnParameters &warp = scene.yarns[scene.type[end]], &weft = scene.yarns[scene.type[ends + pick]];
+            const YarnParameters &warp = scene.cloth.yarns[scene.cloth.type[end]], &weft = scene.cloth.yarns[scene.cloth.type[ends + pick]];
             visit(end * picks + pick, warp, weft);
             visit(ends * picks + pick * ends + end, weft, warp);
         }
@@ -90,9 +90,9 @@ template <typename Visit> void each_segment(const Scene& scene, const Visit& vis
 
 std::size_t crossing_of(const Scene& scene, std::size_t segment)
 {
-    const auto crossings = static_cast<std::size_t>(scene.crossings()), ends = static_cast<std::size_t>(scene.ends);
+    const auto crossings = static_cast<std::size_t>(scene.cloth.crossings()), ends = static_cast<std::size_t>(scene.cloth.ends);
     if (segment < crossings) return segment;
-    return (segment - crossings) % ends * static_cast<std::size_t>(scene.picks) + (segment - crossings) / ends;
+    return (segment - crossings) % ends * static_cast<std::size_t>(scene.cloth.picks) + (segment - crossings) / ends;
 }
 
 /// What a scene has in all; of the faces, what drinks.
@@ -102,21 +102,22 @@ struct Totals {
 Totals totals(const Scene& scene)
 {
     Totals t;
-    t.face = scene.cell_area * scene.crossings();
-    t.width = scene.warp_pitch * scene.ends;
-    t.height = scene.weft_pitch * scene.picks;
+    t.face = scene.cloth.cell_area * scene.cloth.crossings();
+    t.width = scene.cloth.warp_pitch * scene.cloth.ends;
+    t.height = scene.cloth.weft_pitch * scene.cloth.picks;
     each_segment(scene, [&](std::size_t i, const YarnParameters& yarn, const YarnParameters&) {
-        const double fibres = yarn.fibre_area * scene.length[i] * yarn.fibre_density;
-        t.pores += scene.pores.empty() ? yarn.pore_area * scene.length[i] : scene.pores[i];
+        const double fibres = yarn.fibre_area * scene.cloth.length[i] * yarn.fibre_density;
+        t.pores += scene.cloth.pores.empty() ? yarn.pore_area * scene.cloth.length[i] : scene.cloth.pores[i];
         t.fibres += fibres;
         t.bound += fibres * yarn.initial_regain;
         const std::size_t crossing = crossing_of(scene, i);
-        const double warp = scene.warp_up_share.empty() ? scene.warp_up[crossing] : static_cast<double>(scene.warp_up_share[crossing]);
-        const bool is_warp = i < static_cast<std::size_t>(scene.crossings());
+        const double warp =
+            scene.cloth.warp_up_share.empty() ? scene.cloth.warp_up[crossing] : static_cast<double>(scene.cloth.warp_up_share[crossing]);
+        const bool is_warp = i < static_cast<std::size_t>(scene.cloth.crossings());
         t.top += yarn.face_area * (is_warp ? warp : 1 - warp);
         t.bottom += yarn.face_area * (is_warp ? 1 - warp : warp);
-        if (!scene.initial_liquid.empty()) t.liquid += scene.initial_liquid[i];
-        if (!scene.fed.empty() && scene.fed[i] != 0) t.fed += yarn.pore_area * scene.length[i];
+        if (!scene.cloth.start.liquid.empty()) t.liquid += scene.cloth.start.liquid[i];
+        if (!scene.supply.fed.empty() && scene.supply.fed[i] != 0) t.fed += yarn.pore_area * scene.cloth.length[i];
     });
     return t;
 }
@@ -127,10 +128,11 @@ bool alike(double a, double b, double tolerance) { return std::abs(a - b) <= tol
 double reach_of(const Scene& fine, const Frame& frame)
 {
     double water = 0, moment = 0;
-    for (int end = 0; end < fine.ends; ++end)
-        for (int pick = 0; pick < fine.picks; ++pick) {
-            const double x = (end - 0.5 * (fine.ends - 1)) * fine.warp_pitch, y = (pick - 0.5 * (fine.picks - 1)) * fine.weft_pitch;
-            for (int i : {end * fine.picks + pick, fine.crossings() + pick * fine.ends + end}) {
+    for (int end = 0; end < fine.cloth.ends; ++end)
+        for (int pick = 0; pick < fine.cloth.picks; ++pick) {
+            const double x = (end - 0.5 * (fine.cloth.ends - 1)) * fine.cloth.warp_pitch,
+                         y = (pick - 0.5 * (fine.cloth.picks - 1)) * fine.cloth.weft_pitch;
+            for (int i : {end * fine.cloth.picks + pick, fine.cloth.crossings() + pick * fine.cloth.ends + end}) {
                 const auto liquid = static_cast<double>(frame.liquid[static_cast<std::size_t>(i)]);
                 water += liquid;
                 moment += liquid * (x * x + y * y);
@@ -218,14 +220,14 @@ private Q_SLOTS:
         for (bool own_pores : {false, true}) {
             Scene fine = scene_of(design);
             if (own_pores)
-                for (int i = 0; i < fine.segments(); ++i) fine.pores.push_back(1e-12 * (1 + i % 7));
-            QVERIFY(*std::max_element(fine.length.begin(), fine.length.end()) >
-                    1.001 * *std::min_element(fine.length.begin(), fine.length.end()));
+                for (int i = 0; i < fine.cloth.segments(); ++i) fine.cloth.pores.push_back(1e-12 * (1 + i % 7));
+            QVERIFY(*std::max_element(fine.cloth.length.begin(), fine.cloth.length.end()) >
+                    1.001 * *std::min_element(fine.cloth.length.begin(), fine.cloth.length.end()));
             const Scene coarse = coarsened(fine, of);
-            QCOMPARE(coarse.ends, bundles_of(fine.ends, of).count);
-            QCOMPARE(coarse.type.size(), static_cast<std::size_t>(coarse.ends + coarse.picks));
-            QCOMPARE(coarse.length.size(), static_cast<std::size_t>(coarse.segments()));
-            QCOMPARE(coarse.warp_up.size(), static_cast<std::size_t>(coarse.crossings()));
+            QCOMPARE(coarse.cloth.ends, bundles_of(fine.cloth.ends, of).count);
+            QCOMPARE(coarse.cloth.type.size(), static_cast<std::size_t>(coarse.cloth.ends + coarse.cloth.picks));
+            QCOMPARE(coarse.cloth.length.size(), static_cast<std::size_t>(coarse.cloth.segments()));
+            QCOMPARE(coarse.cloth.warp_up.size(), static_cast<std::size_t>(coarse.cloth.crossings()));
             const Totals a = totals(coarse), b = totals(fine);
             QVERIFY(b.liquid > 0 && b.bound > 0);
             for (double Totals::*total :
@@ -238,30 +240,30 @@ private Q_SLOTS:
     void theFineClothHasNumbersThatFewDivide() // or the claim above would be about whole bundles only
     {
         const Scene fine = scene_of(small(ExperimentType::drying, 60));
-        for (int of : {3, 4, 8}) QVERIFY2(fine.ends % of != 0 || fine.picks % of != 0, qPrintable(QString::number(of)));
+        for (int of : {3, 4, 8}) QVERIFY2(fine.cloth.ends % of != 0 || fine.cloth.picks % of != 0, qPrintable(QString::number(of)));
     }
     void aBundleConductsAsItsYarnsSideBySide()
     {
         Design design = small(ExperimentType::drying, 60);
         design.experiments[0].sample_mm = {12, 10}; // 42 ends, 28 picks
         const Scene fine = scene_of(design), coarse = coarsened(fine, 2);
-        QCOMPARE(fine.ends, 2 * coarse.ends);
-        QCOMPARE(fine.picks, 2 * coarse.picks);
-        for (std::size_t k = 0; k < fine.crossing.size(); ++k) {
-            QCOMPARE(coarse.crossing[k].liquid_conductance, 4 * fine.crossing[k].liquid_conductance);
-            QCOMPARE(coarse.crossing[k].heat_conductance, 4 * fine.crossing[k].heat_conductance);
-            QCOMPARE(coarse.crossing[k].vapour_conductance, 4 * fine.crossing[k].vapour_conductance);
+        QCOMPARE(fine.cloth.ends, 2 * coarse.cloth.ends);
+        QCOMPARE(fine.cloth.picks, 2 * coarse.cloth.picks);
+        for (std::size_t k = 0; k < fine.cloth.crossing.size(); ++k) {
+            QCOMPARE(coarse.cloth.crossing[k].liquid_conductance, 4 * fine.cloth.crossing[k].liquid_conductance);
+            QCOMPARE(coarse.cloth.crossing[k].heat_conductance, 4 * fine.cloth.crossing[k].heat_conductance);
+            QCOMPARE(coarse.cloth.crossing[k].vapour_conductance, 4 * fine.cloth.crossing[k].vapour_conductance);
         }
-        for (std::size_t k = 0; k < fine.yarns.size(); ++k) { // twice as thick, twice as long; per metre and yarn what it was
-            QCOMPARE(coarse.yarns[k].pore_area, 2 * fine.yarns[k].pore_area);
-            QCOMPARE(coarse.yarns[k].open_vapour, 2 * fine.yarns[k].open_vapour);
-            QCOMPARE(coarse.yarns[k].face_area, 4 * fine.yarns[k].face_area);
-            QCOMPARE(coarse.yarns[k].intake_flux, fine.yarns[k].intake_flux);
-            QCOMPARE(coarse.yarns[k].suction_radius, fine.yarns[k].suction_radius);
-            QCOMPARE(coarse.yarns[k].liquid_diffusivity, fine.yarns[k].liquid_diffusivity);
+        for (std::size_t k = 0; k < fine.cloth.yarns.size(); ++k) { // twice as thick, twice as long; per metre and yarn what it was
+            QCOMPARE(coarse.cloth.yarns[k].pore_area, 2 * fine.cloth.yarns[k].pore_area);
+            QCOMPARE(coarse.cloth.yarns[k].open_vapour, 2 * fine.cloth.yarns[k].open_vapour);
+            QCOMPARE(coarse.cloth.yarns[k].face_area, 4 * fine.cloth.yarns[k].face_area);
+            QCOMPARE(coarse.cloth.yarns[k].intake_flux, fine.cloth.yarns[k].intake_flux);
+            QCOMPARE(coarse.cloth.yarns[k].suction_radius, fine.cloth.yarns[k].suction_radius);
+            QCOMPARE(coarse.cloth.yarns[k].liquid_diffusivity, fine.cloth.yarns[k].liquid_diffusivity);
         }
-        QVERIFY(alike(coarse.length[0], 2 * fine.length[0], 1e-12));
-        for (float share : coarse.warp_up_share) QCOMPARE(share, 0.5f); // plain weave
+        QVERIFY(alike(coarse.cloth.length[0], 2 * fine.cloth.length[0], 1e-12));
+        for (float share : coarse.cloth.warp_up_share) QCOMPARE(share, 0.5f); // plain weave
     }
     void aStripHangsAboutAsDeep_data() { rows_of_bundles({2, 3, 4, 8}); }
     void aStripHangsAboutAsDeep()
@@ -272,7 +274,7 @@ private Q_SLOTS:
         for (double immersion : {0.2, 3.0}) {
             design.experiments[0].immersion_mm = immersion;
             const Scene fine = scene_of(design), coarse = coarsened(fine, of);
-            const double row = totals(coarse).pores / coarse.picks;
+            const double row = totals(coarse).pores / coarse.cloth.picks;
             const double fed = totals(coarse).fed, wanted = totals(fine).fed;
             QVERIFY2(fed > 0 && std::abs(fed - wanted) <= std::max(0.5 * row, row - wanted) * (1 + 1e-9),
                      qPrintable(QString("%1 %2").arg(fed / row).arg(wanted / row)));
@@ -300,10 +302,10 @@ private Q_SLOTS:
         double open_evaporated[2] = {};
         for (bool closed : {true, false}) {
             Scene fine = scene_of(design);
-            fine.face_only = closed;
-            fine.step_error = 0; // the same steps, or what their lengths do would show, which follow their error
-            fine.network_step = fine.calm_network_step = 2;
-            fine.saturation_change = 1;
+            fine.cloth.face_only = closed;
+            fine.rules.step_error = 0; // the same steps, or what their lengths do would show, which follow their error
+            fine.rules.network_step = fine.rules.calm_network_step = 2;
+            fine.rules.saturation_change = 1;
             const std::vector<Frame> single = frames_in_bundles(fine, 1, times), bundled = frames_in_bundles(fine, of, times);
             for (std::size_t k = 0; k < times.size(); ++k) {
                 const Ledger &a = bundled[k].ledger, &b = single[k].ledger;
@@ -368,15 +370,15 @@ private Q_SLOTS:
         const Run result = run(design, options);
         const Scene fine = scene_of(design);
         QCOMPARE(result.record.plan.crossings_per_cell, of);
-        QCOMPARE(result.record.plan.segments, fine.segments());
+        QCOMPARE(result.record.plan.segments, fine.cloth.segments());
         for (const Frame& frame : result.frames) {
             for (const auto* values : {&frame.saturation, &frame.liquid, &frame.regain, &frame.vapour, &frame.temperature})
-                QCOMPARE(values->size(), static_cast<std::size_t>(fine.segments()));
+                QCOMPARE(values->size(), static_cast<std::size_t>(fine.cloth.segments()));
             const Ledger& l = frame.ledger;
             QVERIFY(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial));
             double liquid = 0, bound = 0, start = 0;
             each_segment(fine, [&](std::size_t i, const YarnParameters& yarn, const YarnParameters&) {
-                const double fibres = yarn.fibre_area * yarn.fibre_density * fine.length[i];
+                const double fibres = yarn.fibre_area * yarn.fibre_density * fine.cloth.length[i];
                 liquid += static_cast<double>(frame.liquid[i]);
                 bound += fibres * static_cast<double>(frame.regain[i]);
                 start += fibres * yarn.initial_regain;
@@ -394,13 +396,14 @@ private Q_SLOTS:
     void shellsAreShownToo()
     {
         Scene fine = scene_of(small(ExperimentType::conditioning, 60));
-        fine.shows_shells = true;
+        fine.rules.shows_shells = true;
         const Frame frame = frames_in_bundles(fine, 3, {60})[0];
-        const auto shells = static_cast<std::size_t>(fine.fibre_shells);
+        const auto shells = static_cast<std::size_t>(fine.rules.fibre_shells);
         QVERIFY(shells > 1);
-        QCOMPARE(frame.shells.size(), shells * static_cast<std::size_t>(fine.segments()));
+        QCOMPARE(frame.shells.size(), shells * static_cast<std::size_t>(fine.cloth.segments()));
         for (std::size_t i = 0; i < frame.regain.size(); ++i) {
-            const auto inside = frame.shells.begin() + static_cast<std::ptrdiff_t>(i * shells), outside = inside + fine.fibre_shells - 1;
+            const auto inside = frame.shells.begin() + static_cast<std::ptrdiff_t>(i * shells),
+                       outside = inside + fine.rules.fibre_shells - 1;
             QVERIFY(*inside < frame.regain[i] && frame.regain[i] < *outside); // moist air comes in from the skin
         }
     }
@@ -451,9 +454,9 @@ private Q_SLOTS:
         if (comes_to == 1) return;
         const Scene fine = build_scene(design, build_textile(design, fabric, plan.region), design.experiments[0], plan, 1);
         const Scene coarse = coarsened(fine, of);
-        QCOMPARE(coarse.ends * of, fine.ends);
-        for (int end = 0; end < fine.ends; ++end)
-            QCOMPARE(coarse.type[static_cast<std::size_t>(end / of)], fine.type[static_cast<std::size_t>(end)]);
+        QCOMPARE(coarse.cloth.ends * of, fine.cloth.ends);
+        for (int end = 0; end < fine.cloth.ends; ++end)
+            QCOMPARE(coarse.cloth.type[static_cast<std::size_t>(end / of)], fine.cloth.type[static_cast<std::size_t>(end)]);
         QVERIFY(alike(totals(coarse).fibres, totals(fine).fibres, 1e-12));
     }
     void aRecordingHoldsTheKnobAndSingleYarns()

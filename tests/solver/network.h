@@ -2,22 +2,25 @@
 // A network of yarns without a scene, for tests of its stages.
 #pragma once
 
+#include "core/solver/particles.h"
+#include "core/solver/steps/crossing_exchange.h"
+#include "core/solver/steps/segment_exchange.h"
+#include "core/solver/steps/segment_sums.h"
 #include "core/solver/steps/supply.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace hygroloom {
 
+template <typename T> using HostArray = std::vector<std::remove_const_t<T>>;
+
 /// Arrays behind the views, one line of segments in each system unless said.
-struct Network {
+struct Network : SegmentFields<HostArray> {
     int ends, picks, shells;
-    std::vector<double> length, liquid, vapour, warmth, regain, evaporated, released, lost, work0, work1, work2, flux, pores, uptake,
-        supplied, bound;
-    std::vector<std::uint8_t> warp_up, type, fed;
+    std::vector<std::uint8_t> type;
     std::vector<YarnParameters> yarns;
     CrossingParameters crossing;
-    std::vector<std::int64_t> absorbed;
-    std::vector<int> contact;
 
     Network(int ends_, int picks_, const YarnParameters& warp, const YarnParameters& weft, int shells_ = 4)
         : ends(ends_), picks(picks_), shells(shells_), yarns{warp, weft}
@@ -25,15 +28,18 @@ struct Network {
         type.assign(static_cast<std::size_t>(ends), 0);
         type.resize(static_cast<std::size_t>(ends + picks), 1);
         const auto n = static_cast<std::size_t>(2 * ends * picks);
-        for (auto* v :
-             {&liquid, &vapour, &warmth, &evaporated, &released, &lost, &work0, &work1, &work2, &flux, &uptake, &supplied, &bound})
-            v->assign(n, 0.0);
+        each(
+            [&](const auto& field, auto& array) {
+                const bool per_shell = field.count == SegmentCount::shells, per_crossing = field.count == SegmentCount::crossings;
+                array.assign(per_shell ? n * static_cast<std::size_t>(shells) : per_crossing ? n / 2 : n, {});
+            },
+            *this);
+        fed.clear();
+        warp_up_share.clear();
         length.assign(n, 3e-4);
         pores.assign(n / 2, warp.pore_area * 3e-4);
         pores.resize(n, weft.pore_area * 3e-4);
-        regain.assign(n * static_cast<std::size_t>(shells), 0.0);
         warp_up.assign(n / 2, 1);
-        absorbed.assign(n, 0);
         contact.assign(n, no_particle);
     }
     Segments views()
@@ -45,26 +51,7 @@ struct Network {
         s.parameters = yarns.data();
         s.crossing = &crossing;
         s.shells = shells;
-        s.length = length.data();
-        s.warp_up = warp_up.data();
-        s.fed = fed.empty() ? nullptr : fed.data();
-        s.pores = pores.data();
-        s.uptake = uptake.data();
-        s.supplied = supplied.data();
-        s.liquid = liquid.data();
-        s.vapour = vapour.data();
-        s.warmth = warmth.data();
-        s.regain = regain.data();
-        s.bound = bound.data();
-        s.absorbed = absorbed.data();
-        s.contact = contact.data();
-        s.evaporated = evaporated.data();
-        s.released = released.data();
-        s.lost = lost.data();
-        s.work0 = work0.data();
-        s.work1 = work1.data();
-        s.work2 = work2.data();
-        s.flux = flux.data();
+        each([](const auto&, auto& array, auto& pointer) { pointer = array.empty() ? nullptr : array.data(); }, *this, s);
         for (int i = 0; i < s.visited_segments(); ++i) SumShells{s}(i);
         return s;
     }

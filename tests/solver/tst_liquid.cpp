@@ -20,14 +20,14 @@ namespace {
 void set_heights(Scene& scene, const std::vector<double>& half_heights)
 {
     const std::size_t n = half_heights.size();
-    scene.warp_types = static_cast<int>(n);
-    scene.yarns.resize(2 * n, scene.yarns[0]);
-    scene.shapes.clear();
-    scene.crossing.clear();
-    scene.half_thickness = 0;
-    for (int line = 0; line < scene.ends + scene.picks; ++line) {
-        const auto yarn = static_cast<std::size_t>(line < scene.ends ? line : line - scene.ends);
-        scene.type[static_cast<std::size_t>(line)] = static_cast<std::uint8_t>(yarn % n + (line < scene.ends ? 0 : n));
+    scene.cloth.warp_types = static_cast<int>(n);
+    scene.cloth.yarns.resize(2 * n, scene.cloth.yarns[0]);
+    scene.cloth.shapes.clear();
+    scene.cloth.crossing.clear();
+    scene.cloth.half_thickness = 0;
+    for (int line = 0; line < scene.cloth.ends + scene.cloth.picks; ++line) {
+        const auto yarn = static_cast<std::size_t>(line < scene.cloth.ends ? line : line - scene.cloth.ends);
+        scene.cloth.type[static_cast<std::size_t>(line)] = static_cast<std::uint8_t>(yarn % n + (line < scene.cloth.ends ? 0 : n));
     }
     for (double own : half_heights) {
         ContactShape shape{own, 1.47e-4, {}};
@@ -36,23 +36,23 @@ void set_heights(Scene& scene, const std::vector<double>& half_heights)
                 for (double side : {1.0, -1.0})
                     for (double rise : {0.5 * (own + before), side * 0.5 * (own + after)})
                         for (double value : {rise, 0.0, own, shape.half_width}) shape.profiles.push_back(static_cast<float>(value));
-        scene.shapes.push_back(shape);
+        scene.cloth.shapes.push_back(shape);
         for (double other : half_heights) {
-            scene.crossing.push_back({0, 0, 0, 0.5 * (own + other), 0.5 * (own + other)});
-            scene.half_thickness = std::max(scene.half_thickness, 0.5 * (own + other) + own);
+            scene.cloth.crossing.push_back({0, 0, 0, 0.5 * (own + other), 0.5 * (own + other)});
+            scene.cloth.half_thickness = std::max(scene.cloth.half_thickness, 0.5 * (own + other) + own);
         }
     }
-    for (std::size_t i = 0; i < n; ++i) scene.shapes.push_back(scene.shapes[i]);
+    for (std::size_t i = 0; i < n; ++i) scene.cloth.shapes.push_back(scene.cloth.shapes[i]);
 }
 
 Scene drop_over_plate(double volume, double height, double speed, int particles, const std::vector<double>& half_heights = {5e-5})
 {
     Scene scene = bare_scene(80, 80, 3e-4, 293.15);
-    scene.shift.assign(static_cast<std::size_t>(scene.segments()), 0.0f);
+    scene.cloth.shift.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0f);
     set_heights(scene, half_heights);
     const double radius = std::cbrt(3 * volume / (4 * pi));
-    scene.droplets.push_back({0, volume, {0, 0, scene.half_thickness + height + radius}, speed});
-    scene.particles_per_droplet = particles;
+    scene.supply.droplets.push_back({0, volume, {0, 0, scene.cloth.half_thickness + height + radius}, speed});
+    scene.rules.particles_per_droplet = particles;
     return scene;
 }
 
@@ -61,7 +61,7 @@ Scene water_in_vessel(bool box)
 {
     constexpr double spacing = 2e-4, plate = 5e-3, half = 1e-3; // m
     Scene scene = bare_scene(1, 1, 2e-3, 293.15);
-    scene.network_step = scene.calm_network_step = 1;
+    scene.rules.network_step = scene.rules.calm_network_step = 1;
     for (int k = 0; k < (box ? 20 : 5); ++k)
         for (int j = -5; j < 5; ++j)
             for (int i = -5; i < 5; ++i) {
@@ -72,8 +72,8 @@ Scene water_in_vessel(bool box)
             }
     scene.liquid.velocities.assign(scene.liquid.places.size(), Vec3d{});
     scene.liquid.particle_volume = spacing * spacing * spacing;
-    scene.vessel = SceneVessel{{-half, -half, plate}, {half, half, 1}, scene.climate.surface_tension};
-    if (!box) scene.vessel->low.x = scene.vessel->low.y = -(scene.vessel->high.x = scene.vessel->high.y = 1);
+    scene.liquid.vessel = SceneVessel{{-half, -half, plate}, {half, half, 1}, scene.climate.surface_tension};
+    if (!box) scene.liquid.vessel->low.x = scene.liquid.vessel->low.y = -(scene.liquid.vessel->high.x = scene.liquid.vessel->high.y = 1);
     return scene;
 }
 
@@ -271,10 +271,10 @@ Scene cloth_scene(double most_shift, double squeezed)
     const Textile textile = build_textile(design, design.fabrics[0], {0, 0, 17, 19});
     Scene scene =
         build_scene(design, textile, design.experiments[0], plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
-    for (std::size_t k = 0; k < scene.shift.size(); ++k)
-        scene.shift[k] += static_cast<float>(most_shift * (2 * random_uniform(11, 0, k) - 1));
-    scene.warp_pitch *= squeezed;
-    scene.weft_pitch *= squeezed;
+    for (std::size_t k = 0; k < scene.cloth.shift.size(); ++k)
+        scene.cloth.shift[k] += static_cast<float>(most_shift * (2 * random_uniform(11, 0, k) - 1));
+    scene.cloth.warp_pitch *= squeezed;
+    scene.cloth.weft_pitch *= squeezed;
     return scene;
 }
 
@@ -417,7 +417,7 @@ private Q_SLOTS:
     void nothingDependsOnThreadsOrOnFramesTaken()
     {
         Scene scene = drop_over_plate(1e-9, 0.2e-3, 0.5, 300);
-        for (YarnParameters& yarn : scene.yarns) { // so that some are drunk
+        for (YarnParameters& yarn : scene.cloth.yarns) { // so that some are drunk
             yarn.pore_area = 5e-8;
             yarn.intake_flux = 100;
             yarn.face_area = 1e-7;
@@ -485,7 +485,7 @@ private Q_SLOTS:
             middle += (1.0 / 800) * Vec3d{x[0], x[1], x[2]};
             speed += (1.0 / 800) * Vec3d{v[0], v[1], v[2]};
         }
-        const double fallen = scene.droplets[0].centre.z - middle.z;
+        const double fallen = scene.supply.droplets[0].centre.z - middle.z;
         QCOMPARE(int(frames[1].positions.size()), 800);
         QVERIFY2(std::abs(fallen - 0.5 * 9.80665 * 0.03 * 0.03) < 0.02 * fallen,
                  qPrintable(QString("%1 m, %2 m/s").arg(fallen).arg(speed.z)));
@@ -535,7 +535,7 @@ private Q_SLOTS:
         for (const Frame& frame : frames_at(*backend, scene, {1e-5, 3e-5, 1e-4, 3e-4, 1e-3})) {
             fastest = 0;
             for (const auto& v : frame.velocities) fastest = std::max(fastest, std::hypot(double(v[0]), double(v[1]), double(v[2])));
-            QVERIFY2(fastest < 2 * scene.droplets[0].speed, qPrintable(QString("%1 m/s at %2 s").arg(fastest).arg(frame.time)));
+            QVERIFY2(fastest < 2 * scene.supply.droplets[0].speed, qPrintable(QString("%1 m/s at %2 s").arg(fastest).arg(frame.time)));
         }
         QVERIFY2(fastest < 0.2, qPrintable(QString::number(fastest)));
     }
@@ -588,9 +588,9 @@ private Q_SLOTS:
                 const auto within = [&](std::uint64_t axis, double half) {
                     return Real((2 * random_uniform(9, axis, lanes * k + lane) - 1) * half);
                 };
-                x[lane] = within(0, 0.55 * scene.ends * scene.warp_pitch);
-                y[lane] = within(1, 0.55 * scene.picks * scene.weft_pitch);
-                z[lane] = within(2, (k % 4 == 0 ? 8 : 1.2) * scene.half_thickness);
+                x[lane] = within(0, 0.55 * scene.cloth.ends * scene.cloth.warp_pitch);
+                y[lane] = within(1, 0.55 * scene.cloth.picks * scene.cloth.weft_pitch);
+                z[lane] = within(2, (k % 4 == 0 ? 8 : 1.2) * scene.cloth.half_thickness);
             }
             const Nearest<Pack> pack = nearest_skins(t, Packs{load(x), load(y), load(z)}, reach);
             for (int lane = 0; lane < lanes; ++lane) {
@@ -642,8 +642,8 @@ private Q_SLOTS:
         } side_by_side;
         for (std::size_t i = 0; i < n; ++i) {
             const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(10, axis, i) - 1) * half); };
-            const Vec3 start{within(0, 0.5 * scene.ends * scene.warp_pitch), within(1, 0.5 * scene.picks * scene.weft_pitch),
-                             within(2, 1.2 * scene.half_thickness)};
+            const Vec3 start{within(0, 0.5 * scene.cloth.ends * scene.cloth.warp_pitch),
+                             within(1, 0.5 * scene.cloth.picks * scene.cloth.weft_pitch), within(2, 1.2 * scene.cloth.half_thickness)};
             const double far = i % 5 == 0 ? 6e-4 : 2e-5;
             side_by_side.place[i] = {start.x, start.y, start.z, 0};
             side_by_side.x[i] = i % 101 == 0 ? Vec3{0, 0, -2} : start + Vec3{within(3, far), within(4, far), within(5, far)};
@@ -681,7 +681,7 @@ private Q_SLOTS:
         int moves = 0, stopped = 0;
         for (std::uint64_t k = 0; k < 3000; ++k) {
             const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(7, axis, k) - 1) * half); };
-            const Real height = Real(1.3 * scene.half_thickness);
+            const Real height = Real(1.3 * scene.cloth.half_thickness);
             const Vec3 start{within(0, 2e-3), within(1, 2e-3), within(2, 1) * height};
             const Vec3 way{within(3, 6e-4), within(4, 6e-4), within(5, 6e-4)}; // of up to several yarns
             const NearestSkin at_start = nearest_skin(cloth.shape(), start, reach);
@@ -715,7 +715,7 @@ private Q_SLOTS:
         int places = 0, wedges = 0, left = 0, kept = 0;
         for (std::uint64_t k = 0; k < 20000; ++k) {
             const auto within = [&](std::uint64_t axis, double half) { return Real((2 * random_uniform(8, axis, k) - 1) * half); };
-            const Vec3 start{within(0, 2e-3), within(1, 2e-3), within(2, scene.half_thickness)};
+            const Vec3 start{within(0, 2e-3), within(1, 2e-3), within(2, scene.cloth.half_thickness)};
             const NearestSkin at_start = nearest_skin(cloth.shape(), start, reach);
             if (at_start.distance >= touching || at_start.distance < 0) continue;
             const Vec3 pushed = start + (touching - at_start.distance) * at_start.normal;

@@ -157,9 +157,9 @@ private Q_SLOTS:
         const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft,
                                         {{"liquid", false}, {"wicking", true}, {"sorption", true}, {"vapour", true}, {"heat", true}});
         Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
-        scene.initial_liquid.assign(static_cast<std::size_t>(scene.segments()), 0.0);
+        scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
         for (int e = 6; e < 15; ++e)
-            for (int p = 6; p < 15; ++p) scene.initial_liquid[static_cast<std::size_t>(textile.segment(YarnKind::warp, e, p))] = 2e-9;
+            for (int p = 6; p < 15; ++p) scene.cloth.start.liquid[static_cast<std::size_t>(textile.segment(YarnKind::warp, e, p))] = 2e-9;
         const auto backend = make_cpu_backend();
         const Frame end = frames_at(*backend, scene, {0.5}).back();
         const auto apart = [&](const std::vector<float>& field, YarnKind kind, int e, int p, int e2, int p2) {

@@ -495,7 +495,7 @@ private Q_SLOTS:
                     n.warmth[0] = from.warmth;
                     const ExchangeInSegment stage{n.views(), climate, 8e-8, dt, true, true, true};
                     n.work2[0] = from.foreseen * full;
-                    ExchangeInSegment::ShellRows rows;
+                    ShellRows rows;
                     const double air = pore_air(n.pores[0], n.liquid[0], climate.density);
                     const ExchangeInSegment::Start start = stage.start_of(0, yarn, air, rows);
                     ExchangeInSegment::Warm found = stage.at_warmth(0);

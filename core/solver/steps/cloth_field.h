@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/physics/fluid_forces.h"
-#include "core/solver/steps/contact.h"
+#include "core/solver/steps/skin.h"
 
 namespace hygroloom::inline HL_PRECISION {
 

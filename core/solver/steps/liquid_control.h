@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What the free liquid's steps decide as they go: their length, when neighbours are listed, how often pressure is corrected, when yarns
-// drink, when the liquid sleeps. It stands where the stages run, and stages of one element change it, so that nobody waits for an answer.
+// absorb, when the liquid sleeps. It stands where the stages run, and stages of one element change it, so that no thread waits for an
+// answer.
 #pragma once
 
 #include "core/solver/steps/contact.h"
@@ -33,7 +34,7 @@ struct LiquidRules {
     double correction_time = 0; ///< s, over which what a step finds pressed together is corrected, however short the step
     int steps_between_drinks = 1;
     double stiffness = 0;    ///< delta x dt2
-    double settle_share = 0; ///< of the liquid, that must have been drunk before what sleeps wakes; 0: it never sleeps
+    double settle_share = 0; ///< of the liquid, that must have been absorbed before what sleeps wakes; 0: it never sleeps
     double drag = 0;         ///< m2/s, 20 nu
     double thinnest2 = 0;    ///< m2, square of the thinnest yarn's half height
 
@@ -69,7 +70,7 @@ struct LiquidControl {
     Flag begins;  ///< what neighbours read is not of this step yet
     Flag lists;   ///< neighbours must be listed
     Flag presses; ///< another round of pressure follows
-    Flag drinks;  ///< yarns drink from the particles in this step
+    Flag absorbs; ///< yarns absorb from the particles in this step
     Flag drains;  ///< the liquid sleeps until liquid and yarns meet: it only drains
 
     CellGrid grid;
@@ -78,9 +79,9 @@ struct LiquidControl {
     int listed_for = 0; ///< steps that have used the neighbours listed last; 0: list anew
     int round = 0;      ///< of pressure in this step
 
-    double thirst = 0;     ///< s since yarns last drank from drops
-    double drink_dt = 0;   ///< s, for which yarns drink now
-    int thirsty_steps = 0; ///< of the liquid since yarns last drank
+    double since_absorbed = 0;    ///< s since yarns last absorbed from drops
+    double absorb_dt = 0;         ///< s, for which yarns absorb now
+    int steps_since_absorbed = 0; ///< of the liquid since yarns last absorbed
     int asleep = 0;
     double landing = 0;                         ///< s, when the last drop released meets the cloth
     double roused = 0;                          ///< s, when the free liquid last landed or woke
@@ -97,7 +98,7 @@ struct LiquidControl {
     int largest = 0;                               ///< see SumSpeeds
     std::int64_t dead = 0, error = 0, squares = 0; ///< see BeginStep, CorrectPressure, SumSpeeds
     std::int64_t dripped = 0;                      ///< quanta since the start
-    std::int64_t drunk = 0;                        ///< quanta since the liquid fell asleep
+    std::int64_t absorbed = 0;                     ///< quanta since the liquid fell asleep
 };
 
 /// The same control on another machine, which has memory of its own and lists neighbours anew.
@@ -134,16 +135,16 @@ HL_FN void forget_moves(LiquidControl& c)
     c.dead = 0;
 }
 
-/// Wakes the liquid when so much was drunk since it fell asleep that its shape must change. What has changed is as large as that, and so
+/// Wakes the liquid when enough was absorbed since it fell asleep to change its shape. What has changed is as large as that, and so
 /// is the time in which it settles.
 HL_FN void wake(LiquidControl& c, const LiquidRules& rules)
 {
-    const double drunk = static_cast<double>(c.drunk) * water_quantum / rules.particle_mass;
-    if (drunk < 1.0 || drunk < rules.settle_share * c.count) return;
+    const double absorbed = static_cast<double>(c.absorbed) * water_quantum / rules.particle_mass;
+    if (absorbed < 1.0 || absorbed < rules.settle_share * c.count) return;
     c.asleep = 0;
     c.roused = c.time;
-    c.settling = rules.capillary_time(drunk * rules.particle_mass / rules.density);
-    // To move as far as it would have meanwhile, it is less dragged on. Beyond the time a whole drop needs, little is left to move.
+    c.settling = rules.capillary_time(absorbed * rules.particle_mass / rules.density);
+    // To move as it would have meanwhile, it is less dragged on. Beyond the time a whole drop needs, little is left to move.
     const double slept = c.time - c.fell_asleep, whole = rules.capillary_time(c.count * rules.particle_mass / rules.density);
     const double due = slept / (most_hurry - 1) < whole ? slept / (most_hurry - 1) : whole;
     if (c.settling < due) c.settling = due;
@@ -151,14 +152,14 @@ HL_FN void wake(LiquidControl& c, const LiquidRules& rules)
     c.hurry = hurry < most_hurry ? hurry : most_hurry;
 }
 
-/// Yarns have drunk nothing for dt longer; whether they drink now, and if so, for how long a time.
-HL_FN bool drink_after(LiquidControl& c, double dt, bool now, int steps_between)
+/// Yarns have absorbed nothing for dt longer; whether they absorb now, and if so, for how long a time.
+HL_FN bool absorb_after(LiquidControl& c, double dt, bool now, int steps_between)
 {
-    c.thirst += dt;
-    if (!now && ++c.thirsty_steps < steps_between) return false;
-    c.drink_dt = c.thirst;
-    c.thirst = 0;
-    c.thirsty_steps = 0;
+    c.since_absorbed += dt;
+    if (!now && ++c.steps_since_absorbed < steps_between) return false;
+    c.absorb_dt = c.since_absorbed;
+    c.since_absorbed = 0;
+    c.steps_since_absorbed = 0;
     return true;
 }
 
@@ -166,7 +167,7 @@ HL_FN bool drink_after(LiquidControl& c, double dt, bool now, int steps_between)
 HL_FN void decide_next(LiquidControl& c, const LiquidRules& rules)
 {
     const bool flows = c.time < c.sync_time && c.count > 0;
-    const bool drains = flows && c.asleep && drink_after(c, c.sync_time - c.time, true, 1);
+    const bool drains = flows && c.asleep && absorb_after(c, c.sync_time - c.time, true, 1);
     const bool goes = flows && !c.asleep && c.budget > 0;
     if (goes) plan_step(c, rules);
     c.drains.on = drains;
@@ -264,8 +265,8 @@ struct EndRound {
     }
 };
 
-/// After yarns have drunk from particles, which have become smaller: what comes next.
-struct EndDrinking {
+/// After yarns have absorbed from particles, which have become smaller: what comes next.
+struct EndAbsorbing {
     LiquidControl* control;
     LiquidRules rules;
     HL_FN void operator()(int) const
@@ -277,11 +278,11 @@ struct EndDrinking {
 };
 
 /// After particles were moved: capillary, advective and viscous limits of the next step; whether the liquid has come to rest: it falls
-/// asleep, takes no steps and only drains; whether yarns drink now, and if not, what comes next.
+/// asleep, takes no steps and only drains; whether yarns absorb now, and if not, what comes next.
 struct EndStep {
     LiquidControl* control;
     LiquidRules rules;
-    bool drinks; ///< whether any yarn does
+    bool absorbs; ///< whether any yarn does
     HL_FN void operator()(int) const
     {
         LiquidControl& c = *control;
@@ -293,8 +294,8 @@ struct EndStep {
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
         if (rules.settle_share > 0 && c.count > 0) watch(c);
-        c.drinks.on = drinks && drink_after(c, c.dt, c.last, rules.steps_between_drinks);
-        if (!c.drinks.on) decide_next(c, rules);
+        c.absorbs.on = absorbs && absorb_after(c, c.dt, c.last, rules.steps_between_drinks);
+        if (!c.absorbs.on) decide_next(c, rules);
     }
 
 private:
@@ -311,7 +312,7 @@ private:
                            c.largest_square > fastest_resting_speed * fastest_resting_speed * unit;
         c.asleep = !moves && c.time - c.roused >= c.settling;
         if (c.asleep) {
-            c.drunk = 0;
+            c.absorbed = 0;
             c.fell_asleep = c.time;
             c.hurry = 1;
         }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/solver/order.h"
+#include "core/solver/steps/absorption.h"
 #include "core/solver/steps/cloth_field.h"
 #include "core/solver/steps/contact.h"
 #include "core/solver/steps/liquid.h"
@@ -25,7 +26,7 @@ struct LiquidFlow {
     Real wall_reach = 0; ///< m, how far walls are felt
     Room room;           ///< about the sample
     double density_tolerance = 0;
-    bool drinks = false;  ///< whether any yarn takes up liquid from drops
+    bool absorbs = false; ///< whether any yarn takes up liquid from drops
     int* reach = nullptr; ///< see Reach
     int* order = nullptr; ///< of particles, for sorting
     int* key = nullptr;   ///< the cell of each
@@ -36,7 +37,7 @@ struct LiquidFlow {
         int side = 0;
         executor.for_each("begin flow", 1, BeginFlow{control, rules});
         executor.loop(&control->goes, [&] { step(executor, side); });
-        if (drinks) executor.when(&control->drains, [&] { give_to_segments(executor, on(side), Nothing{}); });
+        if (absorbs) executor.when(&control->drains, [&] { give_to_segments(executor, on(side), Nothing{}); });
     }
 
 private:
@@ -65,8 +66,8 @@ private:
                                  meet,
                                  {p, &control->squares, &control->largest},
                                  {p, kept_pressure, control->moved, &control->dead}},
-                          EndStep{control, rules, drinks});
-        if (drinks) executor.when(&control->drinks, [&] { give_to_segments(executor, p, EndDrinking{control, rules}); });
+                          EndStep{control, rules, absorbs});
+        if (absorbs) executor.when(&control->absorbs, [&] { give_to_segments(executor, p, EndAbsorbing{control, rules}); });
     }
     /// Lists neighbours and brings particles into the order of cells, unless what is listed still holds.
     template <typename Executor> HL_FN void list_neighbours(Executor& executor, int& side) const
@@ -104,7 +105,7 @@ private:
     {
         executor.for_each("touch", all_particles(), TouchSegments{p, textile, segments.contact});
         executor.for_each("give", all_particles(),
-                          GiveToSegments{p, textile, segments, rules.density, &control->drink_dt, {reach}, &control->drunk});
+                          GiveToSegments{p, textile, segments, rules.density, &control->absorb_dt, {reach}, &control->absorbed});
         executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact}, next);
     }
 };

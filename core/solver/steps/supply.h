@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/portable.h"
-#include "core/solver/steps/yarn_exchange.h"
+#include "core/solver/steps/yarn_lines.h"
 
 namespace hygroloom::inline HL_PRECISION {
 

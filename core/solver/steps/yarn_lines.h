@@ -5,7 +5,7 @@
 
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
-#include "core/solver/state.h"
+#include "core/solver/segments.h"
 #include "core/solver/team.h"
 
 namespace hygroloom::inline HL_PRECISION {
@@ -19,7 +19,7 @@ struct WickAlongYarn {
     double dt;
     double gravity_along_warp; ///< m/s2 towards the line's start
     double gravity_along_weft;
-    double* there_was = nullptr; ///< kg, takes the liquid as it is before; null: nobody asks
+    double* there_was = nullptr; ///< kg, takes the liquid as it is before; null: not wanted
 
     /// A line, and what its places share.
     struct Line {
@@ -337,7 +337,7 @@ struct ForeseeVapour {
 };
 
 /// Vapour along each yarn, in its pores and beside it, and out of its ends; wet segments feed it from their liquid, and take the heat for
-/// it. What the exchange that follows will take is foreseen, so that it goes as far as it does. Leaves the concentrations foreseen in
+/// it. What the exchange that follows will take is foreseen, so that vapour goes exactly as far. Leaves the concentrations foreseen in
 /// work2, the pivots in work1.
 struct DiffuseVapourAlongYarn {
     Segments s;

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The free liquid: its particles, the drops that release them, and its steps up to the time at which it meets the yarns.
+#pragma once
+
+#include "core/solver/droplet.h"
+#include "core/solver/host_cloth.h"
+#include "core/solver/liquid_start.h"
+#include "core/solver/state_archive.h"
+#include "core/solver/steps/liquid_flow.h"
+#include "core/solver/stock.h"
+#include "core/solver/yarn_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace hygroloom::inline HL_PRECISION {
+
+constexpr int most_flow_steps = 1000; // without a look at the clock
+
+/// The scene must outlive it. What it gives to the yarns and takes back from them passes as WaterAbsorbed and WaterGivenBack.
+template <typename Executor> class FreeLiquid {
+public:
+    template <typename T> using Buffer = typename Executor::template Buffer<T>;
+
+    explicit FreeLiquid(Executor& executor) : exec_(executor) {}
+
+    void load(const Scene& scene);
+    int count() const { return flow_.count; }
+    std::int64_t steps() const { return flow_.steps; }
+    std::int64_t pressure_rounds() const { return flow_.rounds; }
+    /// How often neighbours have been listed.
+    std::int64_t listings() const { return flow_.listings; }
+    /// Whether there is none or it sleeps.
+    bool rests() const { return flow_.count == 0 || flow_.asleep; }
+    /// Whether it may soon come to the yarns: not while it sleeps on cloth that does not absorb it.
+    bool is_about() const { return flow_.count > 0 && !(flow_.asleep && !absorbed_); }
+
+    /// When the next drop is released, s.
+    double next_drop() const
+    {
+        return next_droplet_ < scene_->supply.droplets.size() ? scene_->supply.droplets[next_droplet_].time
+                                                              : std::numeric_limits<double>::infinity();
+    }
+    /// The next drop; returns its water, kg.
+    double release_drop();
+
+    /// Takes the liquid from a time (s), which it brings up to date, towards the time when it meets the yarns, for about the given wall
+    /// time; whether it is there.
+    bool flow(double& time, double sync_time, double wall_seconds, const WaterAbsorbed& absorbed);
+
+    /// Of what swollen yarns give back, by how many particles at most and from what surplus (kg) on.
+    double least_given_back() const
+    {
+        constexpr double least_part = 0.25; // of a particle
+        return least_part * static_cast<double>(start_.mass);
+    }
+    std::size_t room_for_given_back() const;
+    /// Returns whether it wakes the liquid.
+    bool take_back(const WaterGivenBack& given, const Segments& segments, double time);
+
+    void take_stock(Stock& stock);
+    template <typename LookAt> void show(const LookAt& look_at, Stock& stock);
+
+    template <typename Archive> void pass_state(Archive& archive);
+
+private:
+    std::size_t count_of(ParticleCount count) const;
+    void make_room();
+    void load_cloth();
+    void load_standing();
+    void add_particles(const std::vector<Vec3>& places, const std::vector<Vec3>& velocities, const std::vector<std::int64_t>& contents);
+    std::vector<Vec3> living();
+    LiquidFlow liquid_flow(const WaterAbsorbed& absorbed);
+    /// What sorting brought to the other side is where particles are from then on.
+    void change_sides()
+    {
+        SortedParticles::each([](const auto&, auto& here, auto& there) { here.swap(there); }, particles_, sorted_);
+    }
+    Particles particle_views();
+    TextileShape shape(const Segments& segments);
+
+    Executor& exec_;
+    const Scene* scene_ = nullptr;
+    LiquidStart start_;
+    LiquidRules rules_;
+    Room about_sample_;
+    LiquidControl flow_;            ///< as it was when last looked at
+    Buffer<LiquidControl> control_; ///< where stages change it
+    bool absorbed_ = false;         ///< whether any yarn absorbs liquid from drops
+    std::size_t next_droplet_ = 0;
+    double wall_per_step_ = 0; ///< s
+    double stress_since_ = 0;  ///< s, when the stresses began to be summed
+
+    ParticleFields<Buffer> particles_;
+    SortedFields<Buffer> sorted_;
+    Buffer<int> key_, order_, cell_start_;
+    Buffer<int> from_; ///< segments that give back liquid
+
+    TextileShape textile_; ///< its numbers; the pointers come with shape()
+    Buffer<YarnShape> shapes_;
+    Buffer<Quad> profiles_, paths_;
+    Buffer<float> shift_;
+    Beads beads_; ///< their counts; the pointers come with liquid_flow()
+    Buffer<Quad> bead_;
+    Buffer<BeadType> bead_types_;
+};
+
+template <typename Executor> std::size_t FreeLiquid<Executor>::count_of(ParticleCount count) const
+{
+    const auto room = static_cast<std::size_t>(start_.room);
+    const std::size_t lists = (room + elements_beside - 1) / elements_beside * elements_beside;
+    switch (count) {
+    case ParticleCount::packs: return room + lanes;
+    case ParticleCount::near_slots: return lists * most_near;
+    case ParticleCount::distant_slots: return lists * most_distant;
+    case ParticleCount::vessel_particles: return scene_->liquid.vessel ? room : 0;
+    case ParticleCount::shown_pressures: return scene_->rules.shows_pressure ? room : 0;
+    case ParticleCount::particles: break;
+    }
+    return room;
+}
+
+template <typename Executor> void FreeLiquid<Executor>::load(const Scene& scene)
+{
+    scene_ = &scene;
+    next_droplet_ = 0;
+    flow_ = {};
+    rules_ = {};
+    start_ = liquid_start(scene);
+    if (start_.room == 0) return;
+    rules_ = liquid_rules(scene, start_);
+    about_sample_ = room_about_sample(scene);
+    flow_.longest_dt = rules_.longest_step();
+    absorbed_ =
+        std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
+    load_cloth();
+    make_room();
+    if (!scene.liquid.places.empty()) load_standing();
+}
+
+template <typename Executor> void FreeLiquid<Executor>::load_cloth()
+{
+    const ClothShape cloth(*scene_);
+    textile_ = cloth.numbers;
+    shapes_.upload(cloth.shapes);
+    profiles_.upload(cloth.profiles);
+    paths_.upload(cloth.paths);
+    shift_.upload(cloth.shift);
+    const HostBeads beads =
+        make_beads(*scene_, start_.lattice_spacing, static_cast<double>(start_.support), static_cast<double>(start_.reach));
+    beads_ = beads.view;
+    bead_.upload(beads.beads);
+    bead_types_.upload(beads.types);
+}
+
+template <typename Executor> void FreeLiquid<Executor>::make_room()
+{
+    const auto resize = [&](const auto& field, auto& buffer) {
+        buffer.resize(count_of(field.count));
+        if constexpr (requires { buffer.fill(far_away()); }) buffer.fill(far_away());
+    };
+    Particles::each(resize, particles_);
+    SortedParticles::each(resize, sorted_);
+    particles_.mirrored.fill(0);
+    particles_.stress.fill(0);
+    stress_since_ = 0;
+    const auto room = static_cast<std::size_t>(start_.room);
+    key_.resize(room);
+    order_.resize(room);
+    const int most = std::max(most_cells, 2 * start_.room);
+    cell_start_.resize(static_cast<std::size_t>(most) + 3);
+    flow_.grid = grid_about(*scene_, start_);
+    flow_.grid.key = key_.data();
+    flow_.grid.start = cell_start_.data();
+    exec_.prepare_sort(start_.room, most);
+    control_.resize(1);
+}
+
+/// The liquid that is there from the start.
+template <typename Executor> void FreeLiquid<Executor>::load_standing()
+{
+    const FreeLiquidStart& liquid = scene_->liquid;
+    const std::int64_t content = std::llround(liquid.particle_volume * scene_->climate.density / water_quantum);
+    add_particles(rounded(liquid.places), rounded(liquid.velocities), std::vector<std::int64_t>(liquid.places.size(), content));
+    flow_.landing = std::numeric_limits<double>::infinity(); // what begins as it is may be about to move
+    double fastest = 0;
+    for (const Vec3d& v : liquid.velocities) fastest = std::max(fastest, length(v));
+    flow_.longest_dt = std::min(rules_.longest_step(), rules_.advective_step(fastest));
+}
+
+template <typename Executor>
+void FreeLiquid<Executor>::add_particles(const std::vector<Vec3>& places, const std::vector<Vec3>& velocities,
+                                         const std::vector<std::int64_t>& contents)
+{
+    const auto at = static_cast<std::size_t>(flow_.count);
+    const std::size_t n = places.size();
+    particles_.position.write_range(at, places);
+    particles_.velocity.write_range(at, velocities);
+    particles_.wall_normal.write_range(at, std::vector<Vec3>(n));
+    particles_.wall_distance.write_range(at, std::vector<Real>(n, Real(0))); // not looked for yet
+    particles_.wall_segment.write_range(at, std::vector<int>(n, no_wall));
+    particles_.cloth_from.write_range(at, std::vector<ClothExpansion>(n));
+    particles_.content.write_range(at, contents);
+    particles_.place.write_range(at, std::vector<Quad>(n));
+    particles_.alive.write_range(at, std::vector<std::uint8_t>(n, 1));
+    flow_.count += static_cast<int>(n);
+    flow_.listed_for = 0;
+}
+
+/// Where particles are that no yarn has absorbed; the last step's dead are still among the count.
+template <typename Executor> std::vector<Vec3> FreeLiquid<Executor>::living()
+{
+    std::vector<Vec3> found;
+    if (flow_.count == 0) return found;
+    const std::vector<Vec3> places = particles_.position.download();
+    const std::vector<std::uint8_t> lives = particles_.alive.download();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(flow_.count); ++i)
+        if (lives[i]) found.push_back(places[i]);
+    return found;
+}
+
+template <typename Executor> double FreeLiquid<Executor>::release_drop()
+{
+    SceneDroplet drop = scene_->supply.droplets[next_droplet_++];
+    const auto spacing = static_cast<double>(start_.spacing);
+    const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
+    drop.centre.z = height_clear_of(living(), drop.centre, radius, spacing);
+    std::vector<Vec3d> places = droplet_lattice(static_cast<int>(start_.particles_of(drop.volume)), spacing);
+    for (Vec3d& place : places) place = drop.centre + place;
+    // The drop's own water, shared out to the last quantum.
+    const std::size_t n = places.size();
+    const std::int64_t water = std::llround(drop.volume * scene_->climate.density / water_quantum), parts = static_cast<std::int64_t>(n);
+    std::vector<std::int64_t> content(n, water / parts);
+    content.back() += water % parts;
+    add_particles(rounded(places), std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}), content);
+
+    const double fall = drop.centre.z - radius - scene_->cloth.half_thickness;
+    const double landed =
+        (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
+    flow_.landing = std::max(flow_.landing, drop.time + landed);
+    flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
+    flow_.asleep = 0;
+    flow_.hurry = 1;
+    flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.longest_step() : flow_.longest_dt, rules_.advective_step(drop.speed));
+    return static_cast<double>(water) * water_quantum;
+}
+
+template <typename Executor>
+bool FreeLiquid<Executor>::flow(double& time, double sync_time, double wall_seconds, const WaterAbsorbed& absorbed)
+{
+    if (flow_.count == 0 || time >= sync_time) return true;
+    flow_.time = time;
+    flow_.sync_time = sync_time;
+    const double budget = 0.25 * wall_seconds / std::max(1e-9, wall_per_step_);
+    flow_.budget = wall_per_step_ > 0 ? static_cast<int>(std::clamp(budget, 1.0, double(most_flow_steps))) : 1;
+    const std::int64_t steps = flow_.steps;
+    control_.write(0, flow_);
+    const double seconds = exec_.go_through(liquid_flow(absorbed), start_.room);
+    flow_ = control_.read(0);
+    if (flow_.side == 1) change_sides();
+    time = flow_.time;
+    if (flow_.steps > steps) wall_per_step_ = seconds / static_cast<double>(flow_.steps - steps);
+    return time >= sync_time || flow_.count == 0 || flow_.drains.on;
+}
+
+template <typename Executor> LiquidFlow FreeLiquid<Executor>::liquid_flow(const WaterAbsorbed& absorbed)
+{
+    LiquidFlow flow;
+    flow.control = control_.data();
+    flow.rules = rules_;
+    flow.particles = particle_views();
+    change_sides();
+    flow.sorted = SortedParticles{particle_views()};
+    change_sides();
+    flow.textile = shape(absorbed.segments);
+    flow.beads = beads_;
+    flow.beads.bead = bead_.data();
+    flow.beads.types = bead_types_.data();
+    flow.liquid = liquid_parameters(*scene_, start_);
+    flow.liquid.step = &control_.data()->step;
+    flow.segments = absorbed.segments;
+    flow.wall_reach = scene_->liquid.vessel ? start_.reach : 2 * start_.spacing;
+    flow.room = about_sample_;
+    flow.density_tolerance = scene_->rules.density_tolerance;
+    flow.absorbs = absorbed_;
+    flow.reach = absorbed.reach;
+    flow.order = order_.data();
+    flow.key = key_.data();
+    flow.start = cell_start_.data();
+    return flow;
+}
+
+template <typename Executor> std::size_t FreeLiquid<Executor>::room_for_given_back() const
+{
+    std::size_t kept = 0; // for drops to come
+    for (std::size_t k = next_droplet_; k < scene_->supply.droplets.size(); ++k)
+        kept += start_.particles_of(scene_->supply.droplets[k].volume);
+    return start_.room == 0 ? 0 : static_cast<std::size_t>(start_.room - flow_.count) - kept;
+}
+
+template <typename Executor> bool FreeLiquid<Executor>::take_back(const WaterGivenBack& given, const Segments& segments, double time)
+{
+    const auto count = static_cast<int>(given.segments.size());
+    if (count == 0) return false;
+    from_.upload(given.segments);
+    exec_.for_each("give back", count,
+                   GiveBack{particle_views(), shape(segments), segments, scene_->climate.density, from_.data(), flow_.count,
+                            Real(1.1) * touching_in_spacings * start_.spacing});
+    const bool wakes = rests();
+    flow_.count += count;
+    flow_.listed_for = 0;
+    flow_.asleep = 0;
+    flow_.roused = time;
+    const double settling = rules_.capillary_time(static_cast<double>(count) * std::pow(static_cast<double>(start_.spacing), 3));
+    flow_.settling = wakes ? settling : std::max(flow_.settling, settling);
+    flow_.longest_dt = std::min(flow_.longest_dt, rules_.longest_step());
+    return wakes;
+}
+
+template <typename Executor> Particles FreeLiquid<Executor>::particle_views()
+{
+    Particles p;
+    p.room = start_.room;
+    p.mass = start_.mass;
+    p.per_quantum = static_cast<Real>(water_quantum / static_cast<double>(start_.mass));
+    p.support = start_.support;
+    p.reach = start_.reach;
+    p.spacing = start_.spacing;
+    Particles::each([](const auto&, auto& buffer, auto& pointer) { pointer = buffer.size() > 0 ? buffer.data() : nullptr; }, particles_, p);
+    return p;
+}
+
+template <typename Executor> TextileShape FreeLiquid<Executor>::shape(const Segments& segments)
+{
+    TextileShape t = textile_;
+    static_cast<Yarns&>(t) = segments;
+    t.shapes = shapes_.data();
+    t.profiles = profiles_.data();
+    t.paths = paths_.data();
+    t.warp_up = segments.warp_up;
+    t.shift = shift_.data();
+    return t;
+}
+
+template <typename Executor> void FreeLiquid<Executor>::take_stock(Stock& stock)
+{
+    stock.dripped += static_cast<double>(flow_.dripped) * water_quantum;
+    if (!scene_->rules.shows_pressure) return;
+    stock.stress = particles_.stress.download();
+    stock.stressed = stock.time - stress_since_;
+    particles_.stress.fill(0);
+    stress_since_ = stock.time;
+}
+
+template <typename Executor> template <typename LookAt> void FreeLiquid<Executor>::show(const LookAt& look_at, Stock& stock)
+{
+    const auto count = static_cast<std::size_t>(flow_.count);
+    Particles::each([&](const auto& field, const auto& buffer, auto& shown) { shown = look_at(buffer, field.shown ? count : 0); },
+                    particles_, stock.particles);
+}
+
+template <typename Executor> template <typename Archive> void FreeLiquid<Executor>::pass_state(Archive& archive)
+{
+    archive.value(next_droplet_);
+    archive.value(stress_since_);
+    LiquidControl flow = flow_;
+    archive.value(flow);
+    if constexpr (Archive::reads) flow_ = moved_to(flow, flow_);
+    Particles::each(
+        [&](const auto& field, auto& buffer) {
+            if (field.saved) archive.buffer(buffer);
+        },
+        particles_);
+}
+
+} // namespace hygroloom::inline HL_PRECISION

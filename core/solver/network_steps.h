@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How long the yarns' next step and their next exchange with fibres and air may be: from errors, and from changes of saturation.
+#pragma once
+
+#include "core/solver/steps/ordered_bits.h"
+#include "core/solver/steps/supply.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom::inline HL_PRECISION {
+
+constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
+constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
+constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are counted; see ManyQuanta
+
+/// kg/s on all of the sample's face.
+inline double sweat_rate(const Scene& scene)
+{
+    return scene.supply.sweat * scene.cloth.cell_area * scene.cloth.crossings() * scene.climate.density;
+}
+/// Whether fibres or air exchange anything with the pores.
+inline bool exchanges(const Scene& scene) { return scene.rules.sorption || scene.rules.vapour; }
+
+/// Water (kg) and heat (J) that an error of a step is compared with.
+struct AtStake {
+    double water = 0;
+    double heat = 0;
+};
+
+/// What the length of the network's next step follows from.
+struct StepSigns {
+    bool error; ///< of the last one
+    bool pools; ///< that stand: the change of saturation counts, too
+
+    bool change() const { return !error || pools; }
+};
+
+/// How changes compare with those of the step before.
+struct RateWatch {
+    double dt = 0;      ///< s, of the step before
+    bool known = false; ///< whether there was one
+};
+
+/// drops_about: whether free liquid may soon come to the yarns, which keeps steps short.
+class NetworkSteps {
+public:
+    void load(const Scene& scene, const AtStake& at_stake)
+    {
+        scene_ = &scene;
+        at_stake_ = at_stake;
+        forget_rates();
+    }
+    double longest() const { return std::min(network_dt_, exchange_dt_); }
+    bool exchange_is_due(double since_last) const { return since_last >= 0.999 * exchange_dt_; }
+    const RateWatch& wicking() const { return wicking_; }
+    const RateWatch& exchange() const { return exchange_; }
+    void forget_rates() { wicking_ = exchange_ = {}; }
+
+    /// Short steps again: something sudden has happened.
+    void begin_anew(bool drops_about)
+    {
+        network_dt_ = std::min(first_step, step_limit(drops_about));
+        exchange_dt_ = scene_->rules.step_error > 0 ? std::min(first_step, exchange_limit(drops_about)) : exchange_limit(drops_about);
+    }
+
+    /// After a step of length dt, in which the water delivered (kg) came to that of the start: from its error, and from the change of
+    /// saturation while drops or pools are about.
+    void choose_network_step(double dt, const StepSigns& signs, const YarnTotals& found, bool drops_about, double delivered)
+    {
+        wicking_ = {dt, signs.error};
+        double grow = 1.5;
+        if (signs.error && scene_->rules.wicking)
+            grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake(delivered));
+        if (signs.change()) {
+            const auto change = static_cast<double>(from_ordered_bits(found.largest_change));
+            const double wanted = 0.8 * scene_->rules.saturation_change / std::max(1e-9, change);
+            grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
+        }
+        network_dt_ = std::clamp(network_dt_ * grow, std::min(1e-4, scene_->rules.network_step), step_limit(drops_about));
+    }
+
+    /// After an exchange over dt, from its error.
+    void choose_exchange_step(double dt, const YarnTotals& found, bool drops_about, double delivered)
+    {
+        const bool any = exchanges(*scene_);
+        if (!any) exchange_dt_ = exchange_limit(drops_about); // nothing is exchanged that steps would have to follow
+        if (dt <= 0 || !any || scene_->rules.step_error <= 0) return;
+        const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake(delivered);
+        const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, at_stake_.heat);
+        exchange_ = {dt, true};
+        exchange_dt_ = std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)),
+                                  std::min(1e-4, scene_->rules.network_step), exchange_limit(drops_about));
+    }
+
+    template <typename Archive> void pass_state(Archive& archive)
+    {
+        archive.value(network_dt_);
+        archive.value(exchange_dt_);
+        archive.value(wicking_);
+        archive.value(exchange_);
+    }
+
+private:
+    bool takes_short_steps(bool drops_about) const { return drops_about || scene_->rules.calm_network_step <= 0; }
+    double step_limit(bool drops_about) const
+    {
+        const double longest = takes_short_steps(drops_about) ? scene_->rules.network_step : scene_->rules.calm_network_step;
+        return scene_->supply.sweat > 0 ? std::min(longest, most_sweat / sweat_rate(*scene_)) : longest;
+    }
+    double exchange_limit(bool drops_about) const
+    {
+        return takes_short_steps(drops_about) ? exchange_steps * scene_->rules.network_step : scene_->rules.calm_network_step;
+    }
+    double growth(double error) const { return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_->rules.step_error)), 0.3, 1.5); }
+    double water_at_stake(double delivered) const { return std::max(1e-30, at_stake_.water + delivered); }
+
+    const Scene* scene_ = nullptr;
+    AtStake at_stake_;
+    double network_dt_ = 0, exchange_dt_ = 0; ///< s
+    RateWatch wicking_, exchange_;
+};
+
+} // namespace hygroloom::inline HL_PRECISION

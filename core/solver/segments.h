@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The yarns of a running scene, cut into segments: which there are, which of them a step visits, and the table of their arrays.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/solver/fields.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
+struct Unvisited {
+    int ends_before = 0, ends_after = 0;
+    int picks_before = 0, picks_after = 0;
+
+    HL_FN bool any() const { return ends_before + ends_after + picks_before + picks_after > 0; }
+};
+
+/// One yarn's segments that a step visits: first to last - 1.
+struct YarnLine {
+    const YarnParameters& yarn;
+    int first;
+    int last;
+    bool is_warp;
+    bool starts, stops; ///< whether the yarn's own start and end are among them
+};
+
+struct Crossing {
+    int end, pick;
+};
+
+/// The cloth's yarns: lines of segments, all ends, then all picks. A yarn is of one type along its whole length.
+/// Stages go through the visited lines, crossings and segments by an index of their own.
+struct Yarns {
+    int ends = 0;
+    int picks = 0;
+    int warp_types = 1;
+    int weft_types = 1;
+    const std::uint8_t* type = nullptr;           ///< of each line
+    const YarnParameters* parameters = nullptr;   ///< per type: the warp's, then the weft's
+    const CrossingParameters* crossing = nullptr; ///< warp type x weft_types + weft type
+    Unvisited unvisited;
+
+    HL_FN int crossings() const { return ends * picks; }
+    HL_FN int visited_ends() const { return ends - unvisited.ends_before - unvisited.ends_after; }
+    HL_FN int visited_picks() const { return picks - unvisited.picks_before - unvisited.picks_after; }
+    HL_FN int visited_lines() const { return visited_ends() + visited_picks(); }
+    HL_FN int visited_crossings() const { return visited_ends() * visited_picks(); }
+    HL_FN int visited_segments() const { return 2 * visited_crossings(); }
+    HL_FN bool is_warp(int segment) const { return segment < crossings(); }
+    HL_FN int line_of(int segment) const { return is_warp(segment) ? segment / picks : ends + (segment - crossings()) / ends; }
+    HL_FN int type_of_end(int end) const { return type[end]; }
+    HL_FN int type_of_pick(int pick) const { return type[ends + pick]; }
+    HL_FN const YarnParameters& yarn_of(int segment) const { return parameters[type[line_of(segment)]]; }
+    HL_FN const CrossingParameters& crossing_at(int end, int pick) const
+    {
+        return crossing[type_of_end(end) * weft_types + type_of_pick(pick) - warp_types];
+    }
+    HL_FN YarnLine visited_line(int index) const
+    {
+        const Unvisited& out = unvisited;
+        if (index < visited_ends()) {
+            const int end = out.ends_before + index, first = end * picks;
+            return {parameters[type[end]], first + out.picks_before, first + picks - out.picks_after, true,
+                    out.picks_before == 0, out.picks_after == 0};
+        }
+        const int pick = out.picks_before + index - visited_ends(), first = crossings() + pick * ends;
+        return {parameters[type[ends + pick]], first + out.ends_before, first + ends - out.ends_after, false,
+                out.ends_before == 0,          out.ends_after == 0};
+    }
+    /// Crossings are visited in strips of some ends, so that those side by side in the order lie side by side along picks, too.
+    HL_FN Crossing visited_place(int index) const
+    {
+        constexpr int strip = 8;
+        const int height = visited_picks(), first = index / (strip * height) * strip;
+        const int width = visited_ends() - first < strip ? visited_ends() - first : strip, place = index - first * height;
+        return {unvisited.ends_before + first + place % width, unvisited.picks_before + place / width};
+    }
+    HL_FN int visited_crossing(int index) const
+    {
+        if (!unvisited.any()) return index;
+        return (unvisited.ends_before + index / visited_picks()) * picks + unvisited.picks_before + index % visited_picks();
+    }
+    HL_FN int visited_segment(int index) const
+    {
+        if (!unvisited.any()) return index;
+        if (index < visited_crossings()) return visited_crossing(index);
+        const int weft = index - visited_crossings();
+        return crossings() + (unvisited.picks_before + weft / visited_ends()) * ends + unvisited.ends_before + weft % visited_ends();
+    }
+};
+
+/// Those of a scene, on the host.
+inline Yarns yarns_of(const Scene& scene)
+{
+    return {scene.cloth.ends,        scene.cloth.picks,        scene.cloth.warp_types,      scene.cloth.weft_types(),
+            scene.cloth.type.data(), scene.cloth.yarns.data(), scene.cloth.crossing.data(), {}};
+}
+
+/// How many elements an array of the segments has.
+enum class SegmentCount {
+    segments,
+    shells,           ///< those of each segment's fibres, from the middle outwards
+    crossings,        ///< end x picks + pick
+    bundle_crossings, ///< the same where the cloth goes in bundles of yarns, else none
+    fed_segments,     ///< all, where any hangs in liquid, else none
+    watched_segments  ///< all, where errors of steps are watched, else none
+};
+
+/// The segments' arrays. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
+template <template <typename> typename Array> struct SegmentFields {
+    Array<const double> length{};
+    Array<const std::uint8_t> warp_up{}; ///< whether the end is up
+    Array<const float> warp_up_share{};  ///< of the crossings that each stands for
+    Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
+    Array<double> pores{};               ///< volume; swelling narrows them
+    Array<double> supplied{};            ///< liquid since the start by hanging in it
+    Array<double> liquid{};
+    Array<double> vapour{};
+    Array<double> warmth{}; ///< over the climate's temperature
+    Array<double> regain{};
+    Array<double> bound{};                      ///< water in the fibres: see bound_water(); who changes regain keeps it up to date
+    Array<std::int64_t> absorbed{};             ///< quanta taken from particles and pools since the last network step
+    Array<int> contact{};                       ///< note of the particle that touches, or none: see note_of()
+    Array<double> uptake{};                     ///< how much more water fibres took in the last exchange per kg/m3 more of pore vapour
+    Array<double> evaporated{};                 ///< to the air since the start
+    Array<double> released{};                   ///< by phase change since the start
+    Array<double> lost{};                       ///< to the air since the start
+    Array<double> work0{}, work1{}, work2{};    ///< scratch of what goes along lines
+    Array<double> flux{};                       ///< that crossed to the next segment along the yarn in this step
+    Array<double> liquid_before{};              ///< at the start of this step
+    Array<double> liquid_rate{};                ///< of change by wicking, in the step before
+    Array<double> bound_before{}, bound_rate{}; ///< at the last exchange, and the rate of change in it
+    Array<double> heat_before{}, heat_rate{};   ///< the same of the heat
+
+    /// The table: visit(field, the field's array of each state).
+    template <typename Visit, typename... States> static constexpr void each(const Visit& visit, States&... of)
+    {
+        using Row = Field<SegmentCount>;
+        using Count = SegmentCount;
+        constexpr bool saved = true, shown = true;
+        visit(Row{"length", "m", Count::segments}, of.length...);
+        visit(Row{"warp_up", "1", Count::crossings}, of.warp_up...);
+        visit(Row{"warp_up_share", "1", Count::bundle_crossings}, of.warp_up_share...);
+        visit(Row{"fed", "1", Count::fed_segments}, of.fed...);
+        visit(Row{"pores", "m3", Count::segments, saved, shown}, of.pores...);
+        visit(Row{"supplied", "kg", Count::fed_segments, saved, shown}, of.supplied...);
+        visit(Row{"liquid", "kg", Count::segments, saved, shown}, of.liquid...);
+        visit(Row{"vapour", "kg", Count::segments, saved, shown}, of.vapour...);
+        visit(Row{"warmth", "K", Count::segments, saved, shown}, of.warmth...);
+        visit(Row{"regain", "kg/kg", Count::shells, saved, shown}, of.regain...);
+        visit(Row{"bound", "kg", Count::segments, saved, shown}, of.bound...);
+        visit(Row{"absorbed", "2^-64 kg", Count::segments, saved}, of.absorbed...);
+        visit(Row{"contact", "1", Count::segments}, of.contact...);
+        visit(Row{"uptake", "m3", Count::segments, saved}, of.uptake...);
+        visit(Row{"evaporated", "kg", Count::segments, saved, shown}, of.evaporated...);
+        visit(Row{"released", "J", Count::segments, saved, shown}, of.released...);
+        visit(Row{"lost", "J", Count::segments, saved, shown}, of.lost...);
+        visit(Row{"work0", "1", Count::segments}, of.work0...);
+        visit(Row{"work1", "1", Count::segments}, of.work1...);
+        visit(Row{"work2", "1", Count::segments}, of.work2...);
+        visit(Row{"flux", "kg", Count::segments}, of.flux...);
+        visit(Row{"liquid_before", "kg", Count::segments, saved}, of.liquid_before...);
+        visit(Row{"liquid_rate", "kg/s", Count::watched_segments, saved}, of.liquid_rate...);
+        visit(Row{"bound_before", "kg", Count::watched_segments, saved}, of.bound_before...);
+        visit(Row{"bound_rate", "kg/s", Count::watched_segments, saved}, of.bound_rate...);
+        visit(Row{"heat_before", "J", Count::watched_segments, saved}, of.heat_before...);
+        visit(Row{"heat_rate", "W", Count::watched_segments, saved}, of.heat_rate...);
+    }
+};
+
+/// The segments as stages see them; arrays that the scene does not have are null.
+struct Segments : Yarns, SegmentFields<Pointer> {
+    int shells = 0; ///< of each segment's fibres
+
+    HL_FN int warp_of(int end, int pick) const { return end * picks + pick; }
+    HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
+    HL_FN int crossing_of(int segment) const
+    {
+        if (segment < crossings()) return segment;
+        const int weft = segment - crossings();
+        return (weft % ends) * picks + weft / ends;
+    }
+};
+
+/// How far something happens: its largest end, its largest pick, and both counted from the sample's other side.
+struct Reach {
+    int* farthest;
+
+    HL_FN void include(const Yarns& yarns, int crossing) const
+    {
+        const int end = crossing / yarns.picks, pick = crossing % yarns.picks;
+        atomic_max(farthest, end);
+        atomic_max(farthest + 1, pick);
+        atomic_max(farthest + 2, yarns.ends - 1 - end);
+        atomic_max(farthest + 3, yarns.picks - 1 - pick);
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Small stages of a segment of its own: it takes what was absorbed, and sums up what it stores.
+#pragma once
+
+#include "core/solver/steps/yarn_lines.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Liquid that particles gave since the last step joins the yarn, at the climate's temperature.
+struct TakeAbsorbed {
+    Segments s;
+
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        if (s.absorbed[i] == 0) return;
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double added = static_cast<double>(s.absorbed[i]) * water_quantum;
+        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]);
+        s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
+        s.liquid[i] += added;
+        s.absorbed[i] = 0;
+    }
+};
+
+/// What heat each segment stores, for those who sum up.
+struct TakeStock {
+    Segments s;
+    double* stored; ///< J over the climate's temperature
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+    }
+};
+
+/// Sums up what the shells of each segment's fibres hold.
+struct SumShells {
+    Segments s;
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        s.bound[i] = bound_water(s, s.yarn_of(i), i);
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

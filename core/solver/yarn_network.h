@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form.
+#pragma once
+
+#include "core/solver/state_archive.h"
+#include "core/solver/steps/segment_exchange.h"
+#include "core/solver/steps/segment_sums.h"
+#include "core/solver/steps/track_change.h"
+#include "core/solver/stock.h"
+#include "core/solver/visited_region.h"
+#include "core/solver/yarn_start.h"
+
+#include <limits>
+#include <numeric>
+#include <type_traits>
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Where the free liquid leaves the water that yarns absorb from it: quanta in the segments, and how far they lie.
+struct WaterAbsorbed {
+    Segments segments;
+    int* reach = nullptr; ///< see Reach
+};
+
+/// Water that swollen yarns have no room for: a particle's from each of these segments, its surplus in work0.
+struct WaterGivenBack {
+    std::vector<int> segments;
+};
+
+/// Liquid that comes without drops, in quanta.
+struct PoolWater {
+    std::vector<std::int64_t> standing; ///< in each pool
+    ManyQuanta pumped;                  ///< into pools and as sweat
+    ManyQuanta ran_off;                 ///< of sweat that found no room
+
+    bool any_stands() const
+    {
+        return std::any_of(standing.begin(), standing.end(), [](std::int64_t quanta) { return quanta > 0; });
+    }
+};
+
+/// One step of the network, on its way.
+struct NetworkStep {
+    double time = 0;        ///< s, at its end
+    double dt = 0;          ///< s
+    double exchange_dt = 0; ///< s since the last exchange
+    bool exchange_is_due = false;
+    StepSigns signs{};
+};
+
+/// The scene must outlive it. Whether drops are about: see FreeLiquid::is_about().
+template <typename Executor> class YarnNetwork {
+public:
+    template <typename T> using Buffer = typename Executor::template Buffer<std::remove_const_t<T>>;
+
+    explicit YarnNetwork(Executor& executor) : exec_(executor) {}
+
+    void load(const Scene& scene);
+    Segments segments();
+    int visited_segments() { return yarns().visited_segments(); }
+    double longest_step() const { return steps_.longest(); }
+    /// The next time after this at which something begins or ends; steps end there.
+    double next_event(double time) const;
+    void begin_anew(bool drops_about) { steps_.begin_anew(drops_about); }
+
+    /// From now on, until the next step, free liquid may come to the yarns.
+    void expect_liquid() { may_have_absorbed_ = true; }
+    WaterAbsorbed absorbed() { return {segments(), reach_.data()}; }
+
+    // A step, in this order; between the first two swell() may give water back.
+    NetworkStep begin_step(double time, double dt, bool frame_due, bool drops_about);
+    void exchange(const NetworkStep& step);
+    void end_step(const NetworkStep& step, bool drops_about, bool wakes, double delivered);
+
+    bool swells(const NetworkStep& step) const { return step.exchange_is_due && exchanges_in(step) && scene_->cloth.swelling > 0; }
+    /// From at most this many segments, each with the least surplus (kg) or more.
+    WaterGivenBack swell(double least, std::size_t most);
+
+    /// Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
+    void take_stock(Stock& stock);
+    template <typename LookAt> void show(const LookAt& look_at, Stock& stock);
+
+    template <typename Archive> void pass_state(Archive& archive);
+    /// Goes on with other parts of the physics than before.
+    void change_parts(bool drops_about)
+    {
+        steps_.forget_rates();
+        steps_.begin_anew(drops_about);
+    }
+
+private:
+    template <typename Stage> void each_segment(const char* name, const Stage& stage)
+    {
+        exec_.for_each(name, yarns().visited_segments(), stage);
+    }
+    template <typename Stage> void each_crossing(const char* name, const Stage& stage)
+    {
+        exec_.for_each(name, yarns().visited_crossings(), stage);
+    }
+    template <typename Stage> void each_line(const char* name, const Stage& stage)
+    {
+        exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()), stage);
+    }
+    Yarns yarns()
+    {
+        return {scene_->cloth.ends, scene_->cloth.picks, scene_->cloth.warp_types, scene_->cloth.weft_types(),
+                type_.data(),       yarns_.data(),       crossing_.data(),         region_.unvisited()};
+    }
+    std::size_t count_of(SegmentCount count) const;
+    void load_start();
+    void set_climate(double time);
+    void include_absorbed();
+    void supply(double time, double dt);
+    void feed_from_pools(double time, double dt);
+    void sweat(double dt);
+    void move_liquid_and_heat(double dt, const StepSigns& signs);
+    bool exchanges_in(const NetworkStep& step) const { return step.exchange_dt > 0 && exchanges(*scene_); }
+    template <typename Archive> void pass_regain(Archive& archive);
+
+    Executor& exec_;
+    const Scene* scene_ = nullptr;
+    ClimateParameters climate_; ///< of now
+    NetworkSteps steps_;
+    VisitedRegion region_;
+    PoolWater pools_;
+    double exchange_time_ = 0;       ///< s, of the last one
+    bool may_have_absorbed_ = false; ///< some segment, from particles or a pool, since the last step
+
+    SegmentFields<Buffer> fields_;
+    Buffer<std::uint8_t> type_;
+    Buffer<YarnParameters> yarns_;
+    Buffer<CrossingParameters> crossing_;
+    Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
+    Buffer<YarnTotals> totals_; ///< one, of this step
+};
+
+template <typename Executor> Segments YarnNetwork<Executor>::segments()
+{
+    Segments s;
+    static_cast<Yarns&>(s) = yarns();
+    s.shells = scene_->rules.fibre_shells;
+    Segments::each([](const auto&, auto& buffer, auto& pointer) { pointer = buffer.size() > 0 ? buffer.data() : nullptr; }, fields_, s);
+    return s;
+}
+
+template <typename Executor> std::size_t YarnNetwork<Executor>::count_of(SegmentCount count) const
+{
+    const auto segments = static_cast<std::size_t>(scene_->cloth.segments());
+    switch (count) {
+    case SegmentCount::shells: return segments * static_cast<std::size_t>(scene_->rules.fibre_shells);
+    case SegmentCount::crossings: return segments / 2;
+    case SegmentCount::bundle_crossings: return scene_->cloth.warp_up_share.size();
+    case SegmentCount::fed_segments: return scene_->supply.fed.size();
+    case SegmentCount::watched_segments: return scene_->rules.step_error > 0 ? segments : 0;
+    case SegmentCount::segments: break;
+    }
+    return segments;
+}
+
+template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene)
+{
+    scene_ = &scene;
+    climate_ = scene.climate;
+    exchange_time_ = 0;
+    may_have_absorbed_ = false;
+    pools_ = {std::vector<std::int64_t>(scene.supply.pools.size(), 0), {}, {}};
+    region_.load(scene);
+    Segments::each(
+        [&](const auto& field, auto& buffer) {
+            buffer.resize(count_of(field.count));
+            buffer.fill({});
+        },
+        fields_);
+    fields_.length.upload(scene.cloth.length);
+    fields_.warp_up.upload(scene.cloth.warp_up);
+    fields_.warp_up_share.upload(scene.cloth.warp_up_share);
+    fields_.fed.upload(scene.supply.fed);
+    fields_.contact.fill(no_particle);
+    type_.upload(scene.cloth.type);
+    yarns_.upload(scene.cloth.yarns);
+    crossing_.upload(scene.cloth.crossing);
+    totals_.resize(1);
+    reach_.resize(4);
+    reach_.fill(-1);
+    load_start();
+}
+
+template <typename Executor> void YarnNetwork<Executor>::load_start()
+{
+    YarnStart start = yarn_start(*scene_);
+    fields_.pores.upload(start.pores);
+    fields_.vapour.upload(start.vapour);
+    fields_.regain.upload(start.regain);
+    fields_.warmth.fill(scene_->cloth.start.warmth);
+    if (!scene_->cloth.start.liquid.empty()) fields_.liquid.upload(scene_->cloth.start.liquid);
+    Segments all = segments();
+    all.unvisited = {};
+    exec_.for_each("sum shells", all.visited_segments(), SumShells{all});
+    steps_.load(*scene_, start.at_stake);
+    if (scene_->rules.step_error <= 0) return;
+    const FibreStart fibres = fibre_start(*scene_, start.regain, fields_.liquid.download());
+    fields_.bound_before.upload(fibres.bound);
+    fields_.heat_before.upload(fibres.heat);
+}
+
+template <typename Executor> double YarnNetwork<Executor>::next_event(double time) const
+{
+    double next = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double event) {
+        if (event > time) next = std::min(next, event);
+    };
+    for (const ScenePool& pool : scene_->supply.pools) {
+        consider(pool.start);
+        consider(pool.end);
+    }
+    for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
+    return next;
+}
+
+template <typename Executor> void YarnNetwork<Executor>::set_climate(double time)
+{
+    if (scene_->climate.course.empty()) return;
+    climate_ = climate_at(*scene_, time);
+    yarns_.upload(yarns_in(*scene_, climate_));
+}
+
+/// Takes in the segments that particles have given liquid to.
+template <typename Executor> void YarnNetwork<Executor>::include_absorbed()
+{
+    if (!may_have_absorbed_ || !region_.unvisited().any()) return;
+    region_.include_reached(reach_.download());
+    reach_.fill(-1);
+}
+
+/// Liquid that came without drops in the last dt.
+template <typename Executor> void YarnNetwork<Executor>::supply(double time, double dt)
+{
+    if (!scene_->supply.fed.empty()) each_segment("keep fed", KeepFed{segments(), climate_.density});
+    feed_from_pools(time, dt);
+    if (scene_->supply.sweat > 0) sweat(dt);
+    may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0;
+}
+
+/// Pools fill, and the yarns under them absorb: a pool lies within the circle of a half ball of its volume.
+template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double time, double dt)
+{
+    const double density = climate_.density;
+    for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
+        const ScenePool& pool = scene_->supply.pools[k];
+        std::int64_t& standing = pools_.standing[k];
+        const double running = std::clamp(time, pool.start, pool.end) - std::clamp(time - dt, pool.start, pool.end);
+        const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
+        standing += came;
+        pools_.pumped.add(came);
+        if (standing <= 0) continue;
+        const double volume = static_cast<double>(standing) * water_quantum / density;
+        const int threads = scene_->cloth.threads_per_cell;
+        const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
+        const double radius = std::max(std::cbrt(1.5 * volume / pi), cell / threads);
+        region_.include_middle(threads > 1 ? radius + cell : radius); // a cell may be covered in part
+        totals_.write(0, {});
+        const FedFace face{pool.top, radius, scene_->cloth.warp_pitch, scene_->cloth.weft_pitch, threads};
+        const AskPool ask{segments(), face, density, dt, -1.0, &totals_.data()->asked};
+        each_segment("ask pool", ask);
+        each_segment("take from pool", TakeFromPool{ask, standing, &totals_.data()->given});
+        standing -= totals_.read(0).given;
+    }
+}
+
+/// Each segment of the face gets its share; what finds no room runs off.
+template <typename Executor> void YarnNetwork<Executor>::sweat(double dt)
+{
+    const double each = scene_->supply.sweat * scene_->cloth.cell_area * climate_.density * dt;
+    const std::int64_t offered = static_cast<std::int64_t>(each / water_quantum) * scene_->cloth.crossings();
+    totals_.write(0, {});
+    const AskPool ask{segments(), {scene_->supply.sweat_on_top, -1.0, 0, 0}, climate_.density, dt, each, &totals_.data()->asked};
+    each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
+    pools_.pumped.add(offered);
+    pools_.ran_off.add(offered - totals_.read(0).given);
+}
+
+template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(double time, double dt, bool frame_due, bool drops_about)
+{
+    set_climate(time);
+    include_absorbed();
+    supply(time, dt);
+    totals_.write(0, {});
+    const double exchange_dt = time - exchange_time_;
+    const NetworkStep step{time,
+                           dt,
+                           exchange_dt,
+                           frame_due || steps_.exchange_is_due(exchange_dt),
+                           {scene_->rules.step_error > 0 && !drops_about, pools_.any_stands()}};
+    move_liquid_and_heat(dt, step.signs);
+    return step;
+}
+
+/// Along yarns and where they cross, with what has come since the last step.
+template <typename Executor> void YarnNetwork<Executor>::move_liquid_and_heat(double dt, const StepSigns& signs)
+{
+    const bool wicking = scene_->rules.wicking, heat = scene_->rules.heat, moves = wicking || heat;
+    double* const before = fields_.liquid_before.data();
+    const TrackChange track{segments(), climate_.density, before, &totals_.data()->largest_change};
+    if (!wicking) {
+        const TrackChange remember{segments(), climate_.density, before, moves ? nullptr : track.largest};
+        each_segment("take absorbed", InTurn<TakeAbsorbed, TrackChange>{{segments()}, remember});
+    } else if (may_have_absorbed_)
+        each_segment("take absorbed", TakeAbsorbed{segments()});
+    may_have_absorbed_ = false;
+    if (!moves) return;
+    if (wicking)
+        each_line("wick",
+                  WickAlongYarn{segments(), climate_, dt, scene_->cloth.gravity_along_warp, scene_->cloth.gravity_along_weft, before});
+    if (heat) each_line("conduct", ConductAlongYarn{segments(), climate_, dt, scene_->cloth.face_only});
+    const ExchangeAtCrossing cross{segments(), climate_, dt, wicking, heat};
+    if (!signs.error) { // then the change of saturation counts alone
+        each_crossing("cross", ExchangeAndTrack{cross, track});
+        return;
+    }
+    each_crossing("cross", cross);
+    if (wicking)
+        each_line("wicking error", EstimateWicking{segments(),
+                                                   {fields_.liquid_rate.data(), dt, steps_.wicking().dt, steps_.wicking().known},
+                                                   before,
+                                                   &totals_.data()->wicking_error});
+    if (signs.pools) each_segment("change", track);
+}
+
+template <typename Executor> WaterGivenBack YarnNetwork<Executor>::swell(double least, std::size_t most)
+{
+    WaterGivenBack given;
+    each_segment("swell", Swell{segments(), climate_.density, scene_->cloth.swelling, least, &totals_.data()->swollen});
+    if (most == 0 || totals_.read(0).swollen == 0) return given;
+    const std::vector<double> surplus = fields_.work0.download();
+    const Yarns all = yarns();
+    for (int k = 0; k < all.visited_segments() && given.segments.size() < most; ++k)
+        if (const int i = all.visited_segment(k); surplus[static_cast<std::size_t>(i)] >= least) given.segments.push_back(i);
+    return given;
+}
+
+/// With fibres and air.
+template <typename Executor> void YarnNetwork<Executor>::exchange(const NetworkStep& step)
+{
+    if (!step.exchange_is_due) return;
+    exchange_time_ = step.time;
+    if (!exchanges_in(step)) return;
+    const double dt = step.exchange_dt;
+    if (scene_->rules.vapour) {
+        each_line("vapour",
+                  DiffuseVapourAlongYarn{segments(), climate_, dt, scene_->cloth.cell_area, scene_->rules.heat, scene_->cloth.face_only});
+        each_crossing("cross vapour", DiffuseAtCrossing{segments(), dt});
+    }
+    each_segment("exchange", ExchangeInSegment{segments(), climate_, scene_->cloth.cell_area, dt, scene_->rules.sorption,
+                                               scene_->rules.vapour, scene_->rules.heat});
+    if (scene_->rules.step_error <= 0) return;
+    const RateWatch& watch = steps_.exchange();
+    each_line("exchange error", EstimateExchange{segments(),
+                                                 {fields_.bound_rate.data(), dt, watch.dt, watch.known},
+                                                 {fields_.heat_rate.data(), dt, watch.dt, watch.known},
+                                                 fields_.bound_before.data(),
+                                                 fields_.heat_before.data(),
+                                                 totals_.data()});
+}
+
+/// The host waits for the yarns here alone, unless particles or pools are about.
+template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkStep& step, bool drops_about, bool wakes, double delivered)
+{
+    if (region_.unvisited().any())
+        each_segment("find reach",
+                     FindReach{segments(), climate_, scene_->rules.rest_tolerance, region_.threads_at_border(), {totals_.data()->reach}});
+    const YarnTotals found = totals_.read(0);
+    steps_.choose_network_step(step.dt, step.signs, found, drops_about, delivered);
+    if (wakes) steps_.begin_anew(drops_about);
+    if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
+    region_.include_reached(found.reach);
+    const auto changes_now = [&](const ScenePool& pool) { return pool.start == step.time || pool.end == step.time; };
+    const bool changes =
+        std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now); // courses of climate have no jumps
+    if (changes) steps_.begin_anew(drops_about);
+}
+
+template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock)
+{
+    each_segment("take stock", TakeStock{segments(), fields_.work1.data()});
+    stock.delivered += pools_.pumped.mass();
+    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), std::int64_t(0));
+    stock.dripped += pools_.ran_off.mass();
+    stock.unvisited = region_.unvisited();
+}
+
+template <typename Executor> template <typename LookAt> void YarnNetwork<Executor>::show(const LookAt& look_at, Stock& stock)
+{
+    Segments::each(
+        [&](const auto& field, const auto& buffer, auto& shown) {
+            const bool wanted = field.shown && (field.count != SegmentCount::shells || scene_->rules.shows_shells);
+            shown = look_at(buffer, wanted ? buffer.size() : 0);
+        },
+        fields_, stock.segments);
+    stock.stored = look_at(fields_.work1, fields_.work1.size());
+}
+
+template <typename Executor> template <typename Archive> void YarnNetwork<Executor>::pass_state(Archive& archive)
+{
+    steps_.pass_state(archive);
+    archive.value(exchange_time_);
+    archive.value(pools_.pumped);
+    archive.value(pools_.ran_off);
+    archive.values(pools_.standing);
+    archive.value(region_.unvisited());
+    archive.buffer(reach_);
+    pass_regain(archive);
+    Segments::each(
+        [&](const auto& field, auto& buffer) {
+            if (field.saved && field.count != SegmentCount::shells) archive.buffer(buffer);
+        },
+        fields_);
+}
+
+/// Fibres that took part in nothing have one shell. Where they go on with more, all of a segment's begin with what the one holds.
+template <typename Executor> template <typename Archive> void YarnNetwork<Executor>::pass_regain(Archive& archive)
+{
+    const auto own = static_cast<std::size_t>(scene_->rules.fibre_shells);
+    auto shells = own;
+    archive.value(shells);
+    if (shells == own || shells != 1) {
+        archive.buffer(fields_.regain);
+        return;
+    }
+    std::vector<double> one(fields_.regain.size() / own), all(fields_.regain.size());
+    archive.values(one);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = one[i / own];
+    fields_.regain.upload(all);
+}
+
+} // namespace hygroloom::inline HL_PRECISION

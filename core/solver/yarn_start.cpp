@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/solver/yarn_start.h"
+
+#include <numeric>
+
+namespace hygroloom::inline HL_PRECISION {
+namespace {
+
+/// How far a yarn's regain is from what the air of any time asks for.
+double largest_change(const Scene& scene, const YarnParameters& yarn)
+{
+    double change = std::abs(yarn.initial_regain - yarn.resting_regain);
+    for (const AirMoment& moment : scene.climate.course)
+        change = std::max(change, std::abs(yarn.initial_regain - equilibrium_regain(yarn.isotherm, moment.humidity,
+                                                                                    scene.climate.temperature + moment.air_warmth)));
+    return change;
+}
+
+/// Adds water that is still to come, or the first drops would have to be followed exactly. pores: m3, of all segments.
+void add_water_to_come(double& water, const Scene& scene, double pores)
+{
+    constexpr double filled = 0.2; // of the pores, by a bath
+    if (!scene.supply.fed.empty()) water += filled * scene.climate.density * pores;
+    for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
+    water += sweat_rate(scene) * scene.rules.calm_network_step;
+}
+
+/// kg/m3 in the pores.
+double pore_vapour(const Scene& scene)
+{
+    const ClimateParameters& climate = scene.climate;
+    const double humidity = scene.cloth.start.humidity < 0 ? climate.humidity : scene.cloth.start.humidity;
+    const double begins =
+        scene.rules.vapour ? humidity : std::min(1.0, humidity); // more than saturated air condenses in the first exchange
+    return begins * saturation_concentration(climate.temperature + scene.cloth.start.warmth);
+}
+
+} // namespace
+
+YarnStart yarn_start(const Scene& scene)
+{
+    const auto n = static_cast<std::size_t>(scene.cloth.segments()), shells = static_cast<std::size_t>(scene.rules.fibre_shells);
+    YarnStart start{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n * shells), {}};
+    const double density = scene.climate.density, vapour = pore_vapour(scene);
+    const Yarns yarns = yarns_of(scene);
+    constexpr double least_change = 1e-3;       // of regain: where nothing is to change, nothing is to be followed more closely
+    constexpr double temperature_change = 50.0; // K: temperatures settle at once, so errors of steps do not add up
+    for (std::size_t i = 0; i < n; ++i) {
+        const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
+        const double liquid = scene.cloth.start.liquid.empty() ? 0.0 : scene.cloth.start.liquid[i];
+        const double fibres = scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double dry = scene.cloth.pores.empty() ? yarn.pore_area * scene.cloth.length[i] : scene.cloth.pores[i];
+        start.pores[i] = std::max({0.05 * dry, liquid / density, dry - scene.cloth.swelling * yarn.initial_regain * fibres});
+        start.vapour[i] = vapour * pore_air(start.pores[i], liquid, density);
+        std::fill_n(start.regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
+        if (scene.rules.sorption) start.at_stake.water += fibres * std::max(least_change, largest_change(scene, yarn));
+        start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.length[i], liquid);
+    }
+    add_water_to_come(start.at_stake.water, scene, std::accumulate(start.pores.begin(), start.pores.end(), 0.0));
+    return start;
+}
+
+FibreStart fibre_start(const Scene& scene, std::vector<double>& regain, const std::vector<double>& liquid)
+{
+    Segments s; // of the segments' arrays only these are there
+    static_cast<Yarns&>(s) = yarns_of(scene);
+    s.shells = scene.rules.fibre_shells;
+    s.length = scene.cloth.length.data();
+    s.regain = regain.data();
+    FibreStart start{std::vector<double>(liquid.size()), std::vector<double>(liquid.size())};
+    for (std::size_t i = 0; i < liquid.size(); ++i) {
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
+        start.bound[i] = bound_water(s, yarn, static_cast<int>(i));
+        start.heat[i] = heat_capacity(yarn, s.length[i], liquid[i] + start.bound[i]) * scene.cloth.start.warmth;
+    }
+    return start;
+}
+
+ClimateParameters climate_at(const Scene& scene, double time)
+{
+    ClimateParameters climate = scene.climate;
+    if (scene.climate.course.empty()) return climate;
+    const AirMoment now = air_at(scene.climate, time);
+    climate.air_warmth = now.air_warmth;
+    climate.humidity = now.humidity;
+    climate.vapour = now.humidity * saturation_concentration(climate.temperature + now.air_warmth);
+    climate.heat_transfer = now.heat_transfer;
+    climate.mass_transfer = now.mass_transfer;
+    return climate;
+}
+
+std::vector<YarnParameters> yarns_in(const Scene& scene, const ClimateParameters& climate)
+{
+    std::vector<YarnParameters> yarns = scene.cloth.yarns;
+    for (YarnParameters& yarn : yarns)
+        yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature + climate.air_warmth);
+    return yarns;
+}
+
+} // namespace hygroloom::inline HL_PRECISION
