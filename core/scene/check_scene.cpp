@@ -34,7 +34,7 @@ void check(const Cloth& cloth)
     demand(cloth.type.size() == static_cast<std::size_t>(cloth.ends + cloth.picks), "its cloth does not have a type for each end and pick");
     demand(std::all_of(cloth.type.begin(), cloth.type.end(), [&](std::uint8_t type) { return type < cloth.yarns.size(); }),
            "an end or a pick is of a type that does not exist");
-    demand(cloth.cell_area > 0 && cloth.warp_pitch > 0 && cloth.weft_pitch > 0, "its cloth has no area");
+    demand(cloth.cell_area >= 0 && cloth.warp_pitch > 0 && cloth.weft_pitch > 0, "its cloth has no area");
 }
 
 void check(const SceneClimate& climate)
@@ -65,7 +65,6 @@ void check(const StepRules& rules)
 {
     demand(rules.network_step > 0, "its yarns have no step");
     demand(rules.fibre_shells >= 1 && rules.fibre_shells <= largest_shell_count, "its fibres have too many shells or none");
-    demand(rules.liquid_step_factor > 0, "its free liquid has no step");
 }
 
 void check(const Scene& scene)
@@ -75,11 +74,11 @@ void check(const Scene& scene)
     check(scene.supply);
     check(scene.liquid);
     check(scene.rules);
-    const bool drops = !scene.supply.droplets.empty();
+    const bool drops = !scene.supply.droplets.empty(), has_free_liquid = drops || !scene.liquid.places.empty();
+    demand(!has_free_liquid || scene.rules.liquid_step_factor > 0, "its free liquid has no step");
     demand(!drops || !scene.liquid.places.empty() || scene.rules.particles_per_droplet > 0, "its drops have no particles");
     demand(empty_or(scene.supply.fed.size(), scene.cloth.segments()), "it does not say of each segment whether it hangs in liquid");
-    demand(scene.cloth.shapes.size() == scene.cloth.yarns.size() || (!drops && scene.liquid.places.empty()),
-           "its yarns have no shape that liquid could meet");
+    demand(scene.cloth.shapes.size() == scene.cloth.yarns.size() || !has_free_liquid, "its yarns have no shape that liquid could meet");
 }
 
 } // namespace hygroloom
