@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// hygroloom-cli: one verb per arrow of the pipeline. Results go to stdout, everything else to stderr.
+// hygroloom-cli: one verb per task. Results go to stdout, everything else to stderr.
 #include "app/cli.h"
 
 #include "core/project/project_file.h"
@@ -18,22 +18,21 @@ namespace hygroloom {
 void add_common_options(CLI::App& verb, CommonOptions& options)
 {
     verb.add_flag("--json", options.json, "Print one JSON object on stdout");
-    verb.add_flag("-q,--quiet", options.quiet, "No progress bar and no notes");
+    verb.add_flag("-q,--quiet", options.quiet, "No progress bar, no notes");
 }
 
 void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_experiment)
 {
     verb.add_option("project", options.project, "Project file (.hygro)")->required();
-    verb.add_option("--fabric", options.fabric, "Name of the fabric; may be left out when there is only one");
-    if (with_experiment)
-        verb.add_option("--experiment", options.experiment, "Name of the experiment; may be left out when there is only one");
-    verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60")
+    verb.add_option("--fabric", options.fabric, "Fabric by name; needed when the project has several");
+    if (with_experiment) verb.add_option("--experiment", options.experiment, "Experiment by name; needed when the project has several");
+    verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60. May be given several times")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     add_common_options(verb, options);
 }
 
-CLI::Validator moment()
+CLI::Validator time_validator()
 {
     return CLI::Validator(
         [](std::string& text) {
@@ -41,23 +40,22 @@ CLI::Validator moment()
             const char* const end = text.data() + text.size();
             const auto [last, failure] = std::from_chars(text.data(), end, seconds);
             const bool number = failure == std::errc() && last == end && std::isfinite(seconds);
-            return number && seconds >= 0 ? std::string() : "Must be a number of seconds from 0; given is \"" + text + "\".";
+            return number && seconds >= 0 ? std::string() : "This must be a time in seconds, 0 or more; given is \"" + text + "\".";
         },
         "SECONDS");
 }
 
-int frame_at(const Recording& recording, const std::string& file, double moment)
+int frame_at(const Recording& recording, const std::string& file, double time)
 {
     const std::vector<Ledger>& ledgers = recording.ledgers();
     const auto last = static_cast<std::size_t>(recording.frames() - 1);
-    if (moment < 0) return static_cast<int>(last);
+    if (time < 0) return static_cast<int>(last);
     const double end = ledgers[last].time, interval = last > 0 ? end - ledgers[last - 1].time : 0;
-    if (moment > end + interval)
-        fmt::print(stderr, "{}: warning: The recording ends at {:.4g} s, before the {:.4g} s asked for; its last frame is taken.\n", file,
-                   end, moment);
+    if (time > end + interval)
+        fmt::print(stderr, "{}: warning: The recording ends at {:.4g} s, before {:.4g} s; its last frame is used.\n", file, end, time);
     std::size_t nearest = 0;
     for (std::size_t i = 1; i <= last; ++i)
-        if (std::abs(ledgers[i].time - moment) < std::abs(ledgers[nearest].time - moment)) nearest = i;
+        if (std::abs(ledgers[i].time - time) < std::abs(ledgers[nearest].time - time)) nearest = i;
     return static_cast<int>(nearest);
 }
 
@@ -69,7 +67,7 @@ constexpr std::string_view knob_prefix = "fidelity.";
 std::pair<std::string, std::string> path_and_value(const std::string& set)
 {
     const std::size_t sign = set.find('=');
-    if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a path, =, and a value.");
+    if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Write it as path=value.");
     return {set.substr(0, sign), set.substr(sign + 1)};
 }
 
@@ -87,7 +85,9 @@ Design load_project(const ProjectOptions& options)
         const auto [path, value] = path_and_value(set);
         if (path.starts_with(knob_prefix)) {
             if (options.takes_knobs) continue;
-            throw Stop(exit_usage, "--set " + set + ": This verb runs nothing, so it has no fidelity. Set a knob with plan or simulate.");
+            throw Stop(exit_usage,
+                       "--set " + set +
+                           ": This verb runs no simulation and has no knobs. Set knobs with plan, simulate, compare or tradeoff.");
         }
         try {
             design = with_value(design, path, value);
@@ -116,7 +116,7 @@ KnobSettings knob_settings(const ProjectOptions& options)
 std::string knob_help()
 {
     const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), reference = knobs_of(Fidelity::reference);
-    std::string text = "Knobs behind --fidelity, set one by one with --set fidelity.<knob>=value (draft, standard, reference):\n";
+    std::string text = "Knobs that --fidelity sets; change one with --set fidelity.<knob>=value (draft, standard, reference):\n";
     for (const KnobInfo& knob : knob_table())
         text += fmt::format("  {:<22} {:g}, {:g}, {:g}{}{}; {}\n", knob.name, draft.*knob.value, standard.*knob.value,
                             reference.*knob.value, *knob.unit ? " " : "", knob.unit, knob.meaning);
@@ -136,15 +136,15 @@ void print_in_short(const std::string& file, const std::vector<Issue>& issues, b
         if (issue.severity == Severity::error) print_issue(file, issue);
         if (issue.severity == Severity::warning) ++warnings;
     }
-    if (warnings == 1 && !quiet) fmt::print(stderr, "1 warning; hygroloom-cli check {} shows it.\n", file);
-    if (warnings > 1 && !quiet) fmt::print(stderr, "{} warnings; hygroloom-cli check {} shows them.\n", warnings, file);
+    if (warnings == 1 && !quiet) fmt::print(stderr, "1 warning; see hygroloom-cli check {}.\n", file);
+    if (warnings > 1 && !quiet) fmt::print(stderr, "{} warnings; see hygroloom-cli check {}.\n", warnings, file);
 }
 
 void require_valid(const Design& design, const ProjectOptions& options)
 {
     const std::vector<Issue> issues = validate(design);
     print_in_short(options.project, issues, options.quiet);
-    if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was done.");
+    if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was computed.");
 }
 
 namespace {
@@ -157,8 +157,8 @@ template <typename Item> const Item& chosen(const std::vector<Item>& items, cons
         names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
     }
     if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}.", what));
-    if (name.empty()) throw Stop(exit_usage, fmt::format("The project has more than one {}; name one with --{}: {}.", what, what, names));
-    throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"; there are: {}.", what, name, names));
+    if (name.empty()) throw Stop(exit_usage, fmt::format("The project has several {}s; choose one with --{}: {}.", what, what, names));
+    throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"; it has {}.", what, name, names));
 }
 
 struct DevicesOptions : CommonOptions {};
@@ -181,7 +181,7 @@ int devices(const DevicesOptions& options)
     return exit_ok;
 }
 
-/// "--set a=1 b=2" becomes "--set=a=1 --set=b=2", so that a project's name after it is not taken for a value.
+/// "--set a=1 b=2" becomes "--set=a=1 --set=b=2", so that the project's name after it is not read as a value.
 std::vector<std::string> arguments(int count, char** values)
 {
     std::vector<std::string> given;
@@ -198,7 +198,7 @@ std::vector<std::string> arguments(int count, char** values)
     return given;
 }
 
-int told(bool json, ExitCode code, const std::string& sentence)
+int report_failure(bool json, ExitCode code, const std::string& sentence)
 {
     if (json)
         fmt::print("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(
@@ -209,10 +209,10 @@ int told(bool json, ExitCode code, const std::string& sentence)
 
 int run(int count, char** values)
 {
-    CLI::App app("Simulates how woven fabric takes up water.", "hygroloom-cli");
+    CLI::App app("Simulates how woven fabric absorbs, spreads and loses water.", "hygroloom-cli");
     app.require_subcommand(1);
     app.set_version_flag("--version", "Hygroloom " HYGROLOOM_VERSION);
-    app.footer("Example: hygroloom-cli simulate cloth.hygro -o cloth.hygrorec\nEvery verb explains itself: hygroloom-cli simulate --help");
+    app.footer("Example: hygroloom-cli simulate cloth.hygro -o cloth.hygrorec\nHelp on a verb: hygroloom-cli simulate --help");
     app.option_defaults()->always_capture_default();
     Verb verb;
     add_check(app, verb);
@@ -226,6 +226,7 @@ int run(int count, char** values)
     add_compare(app, verb);
     add_tradeoff(app, verb);
     add_verify(app, verb);
+    add_reference(app, verb);
 
     std::vector<std::string> given = arguments(count, values);
     const bool json = std::find(given.begin(), given.end(), "--json") != given.end();
@@ -233,17 +234,17 @@ int run(int count, char** values)
     try {
         app.parse(given);
     } catch (const CLI::ParseError& error) {
-        if (json && error.get_exit_code() != 0) return told(json, exit_usage, error.what());
+        if (json && error.get_exit_code() != 0) return report_failure(json, exit_usage, error.what());
         return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
     }
     try {
         return verb();
     } catch (const Stop& stop) {
-        return told(json, stop.code, stop.what());
+        return report_failure(json, stop.code, stop.what());
     } catch (const std::bad_alloc&) {
-        return told(json, exit_failed, "The memory does not suffice; take a smaller sample or a lower fidelity.");
+        return report_failure(json, exit_failed, "Out of memory; use a smaller sample or a lower fidelity.");
     } catch (const std::exception& error) {
-        return told(json, exit_failed, error.what());
+        return report_failure(json, exit_failed, error.what());
     }
 }
 
@@ -262,7 +263,7 @@ const Experiment& chosen_experiment(const Design& design, const ProjectOptions& 
 void add_devices(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<DevicesOptions>();
-    CLI::App& devices_verb = *app.add_subcommand("devices", "Backends and GPUs found, and why one cannot be used");
+    CLI::App& devices_verb = *app.add_subcommand("devices", "List the backends and GPUs, and why one cannot be used");
     devices_verb.footer("Example: hygroloom-cli devices --json");
     add_common_options(devices_verb, *options);
     devices_verb.callback([&verb, options] { verb = [options] { return devices(*options); }; });

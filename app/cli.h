@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What the verbs of hygroloom-cli share: options, exit codes, how a project is loaded and problems are told.
+// What the verbs of hygroloom-cli share: options, exit codes, loading a project and reporting problems.
 #pragma once
 
 #include "core/base/error.h"
@@ -37,7 +37,7 @@ struct ProjectOptions : CommonOptions {
     bool takes_knobs = false;      ///< whether a path may be fidelity.<knob>
 };
 
-/// A verb fills this in when the command line names it.
+/// What the verb of the command line does; returns the exit code.
 using Verb = std::function<int()>;
 
 void add_common_options(CLI::App& verb, CommonOptions& options);
@@ -45,32 +45,32 @@ void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_expe
 
 /// Reads the project and applies --set, but for the knobs. Throws Stop.
 Design load_project(const ProjectOptions& options);
-/// What --set fidelity.<knob>=value says. Throws Stop.
+/// The knobs set with --set fidelity.<knob>=value. Throws Stop.
 KnobSettings knob_settings(const ProjectOptions& options);
-/// For --help: each knob with its values and what it means.
+/// For --help: each knob with its values and its meaning.
 std::string knob_help();
 
 /// On stderr as "file: path: severity: sentence".
 void print_issue(const std::string& file, const Issue& issue);
-/// Errors on stderr, and unless quiet how many warnings there are, which check shows.
+/// Errors on stderr and, unless quiet, the number of warnings.
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet);
 /// Prints the design's issues in short. Throws Stop when one is an error.
 void require_valid(const Design& design, const ProjectOptions& options);
 
-/// The one named, or the only one when no name is given. Throws Stop with the names there are.
+/// The one of that name, or the only one without a name. Throws Stop with the names of the project.
 const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options);
 const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options);
 
 /// The chosen fabric as a WIF file, for export.
 int export_wif(const ProjectOptions& options, const std::string& output);
 
-/// The frame nearest to a moment, the last one when it is negative. Says on stderr when the recording ends well before the moment.
-int frame_at(const Recording& recording, const std::string& file, double moment);
+/// The frame nearest to a time (s), the last one when it is negative. Warns on stderr when the recording ends well before the time.
+int frame_at(const Recording& recording, const std::string& file, double time);
 
 /// Accepts a time: a number of seconds, not negative.
-CLI::Validator moment();
+CLI::Validator time_validator();
 
-/// Each adds its verb to the program; when the command line names it, chosen is set.
+/// Each adds its verb to the program. chosen is set when the command line names the verb.
 void add_check(CLI::App& app, Verb& chosen);
 void add_plan(CLI::App& app, Verb& chosen);
 void add_simulate(CLI::App& app, Verb& chosen);
@@ -82,5 +82,7 @@ void add_devices(CLI::App& app, Verb& chosen);
 void add_compare(CLI::App& app, Verb& chosen);
 void add_tradeoff(CLI::App& app, Verb& chosen);
 void add_verify(CLI::App& app, Verb& chosen);
+/// After all others.
+void add_reference(CLI::App& app, Verb& chosen);
 
 } // namespace hygroloom

@@ -25,8 +25,8 @@ public:
         if (shown_) fmt::print(stderr, "\r\033[K");
         shown_ = false;
     }
-    /// The share that is done; drawn ten times a second at most.
-    void tell(double share)
+    /// The finished share; drawn ten times a second at most.
+    void show(double share)
     {
         if (!shown_ || seconds() < drawn_ + 0.1) return;
         drawn_ = seconds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// check: what is wrong with a project, and the numbers that follow from it beside those a laboratory measured.
+// check: issues of a project, and the calculated properties of its fabrics beside those a laboratory measured.
 #include "app/cli.h"
 #include "app/cli_weave.h"
 
@@ -83,7 +83,7 @@ Json geometry_json(const MeasuredGeometry& m)
             {"permeability_m2", permeability_json(m.permeability)}};
 }
 
-/// What the formulas say of permeability and braiding angle, beside what was measured on the geometry.
+/// Permeability and braiding angle by formula, beside those of the geometry.
 struct Formulas {
     Permeability permeability;
     double warp_angle = 0, weft_angle = 0;
@@ -147,7 +147,7 @@ void print_stripes(const std::vector<StripeYarn>& stripes)
         const std::optional<YarnQuantities>&end = stripes[i].as_end, &pick = stripes[i].as_pick;
         const std::string name = fmt::format("extra yarn {}", i + 1);
         if (!end && !pick) {
-            fmt::print("  {}: neither order has it; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
+            fmt::print("  {}: used in neither order; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
                        text(stripes[i].free.diameter));
             continue;
         }
@@ -211,9 +211,8 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     if (fabric.measured.tortuosity) row("tortuosity", "", "", "", "", "", text(fabric.measured.tortuosity));
     print_stripes(stripes);
     if (fabric.measured != Measured{})
-        fmt::print("  Where there is a laboratory value, the cloth that is drawn and simulated has it; the columns of formula and geometry "
-                   "leave it out.\n");
-    fmt::print("  The geometry is that of {} ends and {} picks.\n", m.ends, m.picks);
+        fmt::print("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
+    fmt::print("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);
     for (const std::string& note : q.notes) fmt::print("  {}\n", note);
 }
 
@@ -221,7 +220,7 @@ int check(const ProjectOptions& options)
 {
     const Design design = load_project(options);
     const std::vector<Issue> issues = validate(design);
-    if (!options.fabric.empty()) chosen_fabric(design, options); // tells when there is none of that name
+    if (!options.fabric.empty()) chosen_fabric(design, options); // throws when there is none of that name
 
     constexpr const char* severities[] = {"note", "warning", "error"};
     Json json{{"format", "hygroloom-check"}, {"version", 1}, {"project", options.project}, {"valid", !has_error(issues)}};
@@ -236,7 +235,7 @@ int check(const ProjectOptions& options)
     }
     json["fabrics"] = Json::array();
     for (const Fabric& fabric : design.fabrics) {
-        if (has_error(issues)) break; // numbers that follow from wrong ones help nobody
+        if (has_error(issues)) break; // calculated from wrong values they would be wrong
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FabricQuantities quantities = derive_quantities(design, fabric);
         const std::vector<StripeYarn> stripes = stripe_yarns(design, fabric);
@@ -262,7 +261,7 @@ int check(const ProjectOptions& options)
 void add_check(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<ProjectOptions>();
-    CLI::App& check_verb = *app.add_subcommand("check", "What is wrong with a project, and the numbers that follow from it");
+    CLI::App& check_verb = *app.add_subcommand("check", "Check a project; print the properties calculated for its fabrics");
     check_verb.footer("Example: hygroloom-cli check cloth.hygro --json");
     add_project_options(check_verb, *options, false);
     check_verb.callback([&verb, options] { verb = [options] { return check(*options); }; });

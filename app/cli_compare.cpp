@@ -30,7 +30,7 @@ struct CandidateMaps {
 
 constexpr int crossings_per_cell = 2;
 
-/// What is in the folder after every run.
+/// Rewrites the tables after every run.
 void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
 {
     if (folder.empty()) return;
@@ -38,7 +38,7 @@ void write_numbers(const Comparison& comparison, const std::filesystem::path& fo
     write_file(folder / "comparison.csv", comparison_csv(comparison));
 }
 
-/// All with the same colours, so that they can be laid side by side.
+/// All on one colour scale, so that they can be compared.
 void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
                     const std::filesystem::path& folder)
 {
@@ -61,8 +61,7 @@ public:
     CandidateRuns(const Design& design, const std::vector<std::string>& fabrics, const RunOptions& how, const CompareOptions& options,
                   RunControl& control, Comparison& comparison)
         : design_(design), fabrics_(fabrics), how_(how), options_(options), control_(control), comparison_(comparison),
-          experiment_(comparison.experiment), criteria_(comparison.criteria), maps_(fabrics.size()), candidates_(fabrics.size()),
-          bar_(options.quiet, fabrics.size())
+          experiment_(comparison.experiment), maps_(fabrics.size()), candidates_(fabrics.size()), bar_(options.quiet, fabrics.size())
     {
     }
 
@@ -80,21 +79,23 @@ public:
     std::vector<std::optional<CandidateMaps>>& maps() { return maps_; }
 
 private:
-    /// One run, with its maps when they are wanted. What goes wrong is told of this candidate alone. Throws Cancelled.
+    /// One run, with maps when there is an output folder. An error concerns this candidate alone. Throws Cancelled.
     Candidate run_one(std::size_t i, Backend& backend, bool& device_failed)
     try {
         std::shared_ptr<const Frame> first, last;
-        const FinishedRun finished = run_with_bar(design_, fabrics_[i], experiment_, how_, backend, control_, bar_, i,
-                                                  [&](const std::shared_ptr<const Frame>& frame) {
-                                                      if (!first) first = frame;
-                                                      last = frame;
-                                                  });
+        FinishedRun finished = run_with_bar(design_, fabrics_[i], experiment_, how_, backend, control_, bar_, i,
+                                            [&](const std::shared_ptr<const Frame>& frame) {
+                                                if (!first) first = frame;
+                                                last = frame;
+                                            });
         if (!options_.output.empty()) {
             const Frame start = start_of_maps(finished.run, *first);
             maps_[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
                         map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
         }
-        Candidate candidate = candidate_of(finished.run, finished.metrics, criteria_);
+        finished.run.textile = {}; // the comparison needs the numbers alone
+        Candidate candidate = candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
+                                           std::make_shared<const Metrics>(std::move(finished.metrics)));
         device_failed = !finished.device_failure.empty();
         if (device_failed) candidate.notes.push_back(finished.device_failure);
         return candidate;
@@ -127,7 +128,6 @@ private:
     RunControl& control_;
     Comparison& comparison_;
     const std::string experiment_;
-    const std::vector<Criterion> criteria_;
     std::vector<std::optional<CandidateMaps>> maps_; // each thread writes its own
     std::mutex one_on_cpu_;
     std::mutex mutex_; // of what follows, and of the comparison
@@ -144,17 +144,17 @@ int compare(const CompareOptions& options)
     require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
-    if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two fabrics or more; simulate runs one.");
+    if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two or more fabrics; use simulate for one.");
     announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
     const FidelityChoice choice = chosen_fidelity(options, design, fabrics, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     Comparison comparison;
     comparison.experiment = experiment.name;
-    comparison.criteria = criteria_of(experiment.type);
+    comparison.criteria = compared_by(experiment.type);
     comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
     make_folder(options.output);
-    write_numbers(comparison, options.output); // a folder that cannot be written to is told before the first run
+    write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
     const auto backends =
         open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
 
@@ -169,7 +169,7 @@ int compare(const CompareOptions& options)
         fmt::print("{}{}", comparison_table(comparison), fidelity_text(choice));
     if (!options.output.empty() && some) {
         write_pictures(runs.maps(), fabrics, options.output);
-        if (!options.quiet) fmt::print(stderr, "Table, numbers and maps are in {}.\n", options.output);
+        if (!options.quiet) fmt::print(stderr, "Table and maps: {}\n", options.output);
     }
     if (!comparison.complete) {
         fmt::print(stderr, "Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
@@ -185,24 +185,23 @@ int compare(const CompareOptions& options)
 void add_compare(CLI::App& app, Verb& chosen)
 {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App& verb = *app.add_subcommand("compare", "Several fabrics on the same experiment, ranked");
+    CLI::App& verb = *app.add_subcommand("compare", "Run several fabrics on the same experiment and rank them");
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Textile E,Textile F\" -o compared\n"
-        "The folder gets comparison.json, comparison.csv and a water map of each face of each fabric, all with one scale of colours.\n"
-        "Ctrl-C keeps what has been run until then.\n\n" +
+        "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
+        "Ctrl-C keeps the finished runs.\n\n" +
         knob_help());
     add_project_options(verb, *options, true);
     verb.remove_option(verb.get_option("--fabric"));
     options->takes_knobs = true;
-    verb.add_option("--fabrics", options->fabrics, "Names of two or more, with commas between; all of the project when left out")
+    verb.add_option("--fabrics", options->fabrics, "Two or more fabrics, separated by commas; all of the project when left out")
         ->allow_extra_args(false);
-    verb.add_option("--by", options->by,
-                    "Number to rank by, a key of the metrics such as absorbency_time_s; the first of the table when left out");
-    add_fidelity_options(verb, *options, ", for all of them together");
+    verb.add_option("--by", options->by, "Metric to rank by, such as absorbency_time_s; the first of the table when left out");
+    add_fidelity_options(verb, *options, ", for all runs together");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);
-    verb.add_option("-o,--output", options->output, "Folder to write the table and the maps to");
+    verb.add_option("-o,--output", options->output, "Folder for the table and the maps");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }
 

@@ -51,7 +51,7 @@ MeshDetail detail_from(const ExportVerbOptions& options)
     if (options.detail == "centreline") return MeshDetail::centreline;
     if (options.detail == "yarn") return MeshDetail::yarn;
     if (options.detail == "fibre") return MeshDetail::fibre;
-    throw Stop(exit_usage, "--detail: Must be centreline, yarn or fibre; given is \"" + options.detail + "\".");
+    throw Stop(exit_usage, "--detail: This must be centreline, yarn or fibre; given is \"" + options.detail + "\".");
 }
 
 MeshRequest request_from(const ExportVerbOptions& options, const Textile& textile, MeshDetail detail)
@@ -75,10 +75,10 @@ struct Piece {
 Piece wet_piece(const ExportVerbOptions& options)
 {
     if (!options.size.empty() || !options.repeats.empty())
-        throw Stop(exit_usage, "--water: The piece is the one that was simulated; leave --size-mm and --repeats out.");
+        throw Stop(exit_usage, "--water exports the simulated piece; leave out --size-mm and --repeats.");
     try {
         const Recording recording(options.water);
-        if (recording.frames() == 0) throw Stop(exit_invalid, options.water + ": The recording has no frame.");
+        if (recording.frames() == 0) throw Stop(exit_invalid, options.water + ": The recording has no frames.");
         const RunRecord& run = recording.run();
         ExportVerbOptions own = options;
         if (own.fabric.empty()) own.fabric = run.fabric;
@@ -88,13 +88,15 @@ Piece wet_piece(const ExportVerbOptions& options)
         const auto recorded =
             std::find_if(run.design.fabrics.begin(), run.design.fabrics.end(), [&](const Fabric& f) { return f.name == run.fabric; });
         if (recorded == run.design.fabrics.end() || !(*recorded == piece.fabric))
-            throw Stop(exit_invalid,
-                       fmt::format("{}: The recording is of the fabric \"{}\" as it was then, and the project's \"{}\" differs. Run "
-                                   "the simulation again, or give the project it was made with.",
-                                   options.water, run.fabric, piece.fabric.name));
+            throw Stop(
+                exit_invalid,
+                fmt::format(
+                    "{}: The fabric \"{}\" of the recording differs from \"{}\" of the project. Run the simulation again, or give the "
+                    "project of the recording.",
+                    options.water, run.fabric, piece.fabric.name));
         const Frame frame = recording.frame(frame_at(recording, options.water, options.time));
         piece.saturation = frame.saturation;
-        if (!options.quiet) fmt::print(stderr, "The water at {:.4g} s.\n", frame.time);
+        if (!options.quiet) fmt::print(stderr, "Water at {:.4g} s.\n", frame.time);
         return piece;
     } catch (const FileError& error) {
         throw Stop(exit_invalid, error.what());
@@ -103,13 +105,15 @@ Piece wet_piece(const ExportVerbOptions& options)
 
 Piece dry_piece(const ExportVerbOptions& options)
 {
-    if (options.time >= 0) throw Stop(exit_usage, "--time: Is a moment of a recording; give the recording with --water.");
-    if (!options.size.empty() && !options.repeats.empty()) throw Stop(exit_usage, "--size-mm and --repeats: Give one of the two.");
+    if (options.time >= 0) throw Stop(exit_usage, "--time is a time in a recording; give the recording with --water.");
+    if (!options.size.empty() && !options.repeats.empty()) throw Stop(exit_usage, "Give either --size-mm or --repeats.");
     std::array<double, 2> size{5, 5};
     std::array<int, 2> repeats{0, 0};
-    if (!options.size.empty()) size = pair_from(options.size, 2000.0, "--size-mm: Give width x height in mm, up to 2000, as 10x5");
+    if (!options.size.empty())
+        size = pair_from(options.size, 2000.0, "--size-mm: This must be width x height in mm, up to 2000, such as 10x5");
     if (!options.repeats.empty())
-        repeats = pair_from(options.repeats, 100000, "--repeats: Give repeats along the weft x along the warp, up to 100000, as 2x2");
+        repeats = pair_from(options.repeats, 100000,
+                            "--repeats: This must be repeats along the weft x along the warp, up to 100000, such as 2x2");
     const Design design = load_project(options);
     require_valid(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
@@ -122,11 +126,58 @@ Piece dry_piece(const ExportVerbOptions& options)
     return {fabric, build_textile(design, fabric, region), {}};
 }
 
+/// Warns of too few samples along twisted fibres.
+void warn_of_twist(const Textile& textile, const MeshRequest& mesh)
+{
+    const int smooth = smooth_samples(textile);
+    if (mesh.samples_per_crossing < smooth)
+        fmt::print(stderr, "At this twist {} samples per crossing are too coarse; use {}.\n", mesh.samples_per_crossing, smooth);
+}
+
+std::string size_text(const Textile& textile, const ExportEstimate& size)
+{
+    const bool curves = size.curves > 0;
+    return fmt::format("{} ends and {} picks, {} {}, {} {}, about {}.\n", textile.ends(), textile.picks(), size.vertices,
+                       curves ? "points" : "vertices", curves ? size.curves : size.triangles, curves ? "curves" : "triangles",
+                       bytes_text(size.bytes));
+}
+
+void print_json(const nlohmann::ordered_json& json)
+{
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+/// Writes the file and prints its name, or the JSON with what was written.
+void write_piece(const Piece& piece, const ExportOptions& how, const ExportVerbOptions& options, nlohmann::ordered_json json)
+{
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    FileBar bar(options.quiet);
+    const auto progress = [&](double share) {
+        bar.show(share);
+        return !cancel;
+    };
+    Exported exported;
+    try {
+        exported = export_textile(piece.textile, piece.fabric, how, options.output, progress);
+    } catch (const Cancelled&) {
+        throw Stop(exit_cancelled, "Cancelled. No file was written.");
+    }
+    bar.clear();
+    for (const auto& file : exported.files) {
+        json["files"].push_back(file.string());
+        if (!options.json) fmt::print("{}\n", file.string());
+    }
+    json["bytes"] = exported.bytes;
+    json["seconds"] = bar.seconds();
+    if (options.json) print_json(json);
+}
+
 int export_piece(const ExportVerbOptions& options)
 {
     if (CLI::detail::to_lower(std::filesystem::path(options.output).extension().string()) == ".wif") {
         if (options.estimate || !options.water.empty())
-            throw Stop(exit_usage, "--estimate and --water are for meshes and curves; a draft (.wif) has neither size nor water.");
+            throw Stop(exit_usage, "--estimate and --water are for meshes and curves, not for a draft (.wif).");
         return export_wif(options, options.output);
     }
     const MeshDetail detail = detail_from(options);
@@ -137,52 +188,23 @@ int export_piece(const ExportVerbOptions& options)
         throw Stop(exit_usage, std::string("-o: ") + error.what());
     }
     const Piece piece = options.water.empty() ? dry_piece(options) : wet_piece(options);
-    const ExportOptions export_options{request_from(options, piece.textile, detail), piece.saturation};
-    if (detail == MeshDetail::fibre) {
-        const int smooth = smooth_samples(piece.textile);
-        if (export_options.mesh.samples_per_crossing < smooth && !options.quiet)
-            fmt::print(stderr, "The twist turns the fibres too often for {} samples per crossing; {} draw them smoothly.\n",
-                       export_options.mesh.samples_per_crossing, smooth);
-    }
-    const ExportEstimate size = export_estimate(piece.textile, piece.fabric, export_options, format);
+    const ExportOptions how{request_from(options, piece.textile, detail), piece.saturation};
+    if (detail == MeshDetail::fibre && !options.quiet) warn_of_twist(piece.textile, how.mesh);
+    const ExportEstimate size = export_estimate(piece.textile, piece.fabric, how, format);
     if (options.estimate ? !options.json : !options.quiet)
-        fmt::print(options.estimate ? stdout : stderr, "{} ends and {} picks, {} {}, {} {}, about {}.\n", piece.textile.ends(),
-                   piece.textile.picks(), size.vertices, size.curves > 0 ? "points" : "vertices",
-                   size.curves > 0 ? size.curves : size.triangles, size.curves > 0 ? "curves" : "triangles", bytes_text(size.bytes));
+        fmt::print(options.estimate ? stdout : stderr, "{}", size_text(piece.textile, size));
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
                                 {"file", options.output},       {"detail", options.detail},
                                 {"ends", piece.textile.ends()}, {"picks", piece.textile.picks()},
                                 {"vertices", size.vertices},    {"faces", size.triangles},
                                 {"curves", size.curves}};
-    if (options.estimate) {
-        json["bytes"] = std::round(size.bytes);
-        if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (!options.estimate) {
+        write_piece(piece, how, options, json);
         return exit_ok;
     }
-
-    std::atomic<bool> cancel{false};
-    const InterruptCancels cancels(cancel);
-    FileBar bar(options.quiet);
-    const auto progress = [&](double share) {
-        bar.tell(share);
-        return !cancel;
-    };
-    Exported exported;
-    try {
-        exported = export_textile(piece.textile, piece.fabric, export_options, options.output, progress);
-    } catch (const Cancelled&) {
-        throw Stop(exit_cancelled, "Cancelled. No file was written.");
-    }
-    bar.clear();
-    if (options.json) {
-        for (const auto& file : exported.files) json["files"].push_back(file.string());
-        json["bytes"] = exported.bytes;
-        json["seconds"] = bar.seconds();
-        fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-        return exit_ok;
-    }
-    for (const auto& file : exported.files) fmt::print("{}\n", file.string());
+    json["bytes"] = std::round(size.bytes);
+    if (options.json) print_json(json);
     return exit_ok;
 }
 
@@ -191,25 +213,26 @@ int export_piece(const ExportVerbOptions& options)
 void add_export(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<ExportVerbOptions>();
-    CLI::App& export_verb = *app.add_subcommand("export", "A piece of a fabric as a mesh or as curves, or its draft (WIF)");
+    CLI::App& export_verb = *app.add_subcommand("export", "Write a piece of a fabric as a mesh or as curves, or its draft (WIF)");
     export_verb.footer("Example: hygroloom-cli export cloth.hygro --detail yarn --size-mm 5x5 -o cloth.obj\n"
                        "Meshes: .obj .ply .stl .3mf in mm; .glb .gltf .dae .x3d in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
-                       "Ctrl-C leaves no file behind.");
+                       "Ctrl-C leaves no file.");
     add_project_options(export_verb, *options, false);
-    export_verb.add_option("--detail", options->detail, "centreline, yarn (as without it) or fibre");
-    export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp; 5x5 without it");
-    export_verb.add_option("--repeats", options->repeats, "Repeats of the fabric along the weft x along the warp, in place of a size");
-    export_verb.add_option("--samples", options->samples, "Rings per crossing; without it 12, of fibres 8 or what the twist needs")
+    export_verb.add_option("--detail", options->detail, "centreline, yarn or fibre");
+    export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp, mm; 5x5 when left out");
+    export_verb.add_option("--repeats", options->repeats, "Repeats along the weft x along the warp, instead of a size");
+    export_verb
+        .add_option("--samples", options->samples, "Rings per crossing; 0: 12 for yarns, 8 or as many as the twist needs for fibres")
         ->check(CLI::Range(1, most_samples));
-    export_verb.add_option("--sides", options->sides, "Sides of a yarn or a fibre; 12, of fibres 6 without it")
+    export_verb.add_option("--sides", options->sides, "Sides of the cross-section; 0: 12 for yarns, 6 for fibres")
         ->check(CLI::Range(3, most_sides));
-    export_verb.add_flag("--open-ends", options->open_ends, "No caps on the ends of yarns or fibres");
-    export_verb.add_flag("--no-flyaways", options->no_flyaways, "Fibres without loops and hairs");
-    export_verb.add_option("--seed", options->seed, "Seed of the fibres' random numbers");
-    export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours the piece that was simulated");
-    export_verb.add_option("--time", options->time, "Moment of the recording, s; the last without it")->check(moment());
-    export_verb.add_flag("--estimate", options->estimate, "Only say how large it would be");
-    export_verb.add_option("-o,--output", options->output, "The file; its ending says the format")->required();
+    export_verb.add_flag("--open-ends", options->open_ends, "Leave the ends of yarns or fibres open");
+    export_verb.add_flag("--no-flyaways", options->no_flyaways, "Leave out loops and hairs");
+    export_verb.add_option("--seed", options->seed, "Seed of the random numbers of the fibres");
+    export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours its own piece of cloth");
+    export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")->check(time_validator());
+    export_verb.add_flag("--estimate", options->estimate, "Print the size and write nothing");
+    export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format")->required();
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });
 }
 

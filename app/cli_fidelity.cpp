@@ -12,15 +12,15 @@
 namespace hygroloom {
 namespace {
 
-/// Whether the fidelity is to be chosen, and by what; throws Stop when the options do not go together.
+/// What --fidelity auto must keep; none for a named fidelity. Throws Stop when the options do not go together.
 std::optional<FidelityTarget> target_of(const FidelityOptions& options)
 {
     const bool error = !options.error.empty(), time = !options.time.empty();
     if (options.fidelity != "auto") {
-        if (error || time) throw Stop(exit_usage, "--error and --time go with --fidelity auto.");
+        if (error || time) throw Stop(exit_usage, "--error and --time work with --fidelity auto.");
         return std::nullopt;
     }
-    if (error == time) throw Stop(exit_usage, "--fidelity auto needs one of --error 5% and --time 10s.");
+    if (error == time) throw Stop(exit_usage, "--fidelity auto needs either --error (e.g. 5%) or --time (e.g. 10s).");
     FidelityTarget target;
     if (error) target.error = as_usage([&] { return parse_error_target(options.error); });
     if (time) target.seconds = as_usage([&] { return parse_time_target(options.time); });
@@ -31,18 +31,16 @@ Fidelity named(const std::string& name)
 try {
     return fidelity_from_name(name);
 } catch (const Error&) {
-    throw Stop(exit_usage, fmt::format("--fidelity: It must be draft, standard, reference or auto; \"{}\" was given.", name));
+    throw Stop(exit_usage, fmt::format("--fidelity: This must be draft, standard, reference or auto; given is \"{}\".", name));
 }
 
 } // namespace
 
 void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose)
 {
-    verb.add_option("--fidelity", options.fidelity, "draft, standard, reference, or auto with --error or --time");
-    verb.add_option("--error", options.error,
-                    "With --fidelity auto: the cheapest that is expected to stay this near to the reference, e.g. 5%" + whose);
-    verb.add_option("--time", options.time,
-                    "With --fidelity auto: the finest that is expected to take no longer, e.g. 10s or 2min" + whose);
+    verb.add_option("--fidelity", options.fidelity, "Resolution: draft, standard or reference, or auto with --error or --time");
+    verb.add_option("--error", options.error, "With --fidelity auto: the fastest fidelity within this error, e.g. 5%" + whose);
+    verb.add_option("--time", options.time, "With --fidelity auto: the finest fidelity within this time, e.g. 10s or 2min" + whose);
 }
 
 void check_fidelity(const FidelityOptions& options)
@@ -72,7 +70,7 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
             for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
         } catch (const Stop&) {
             throw;
-        } catch (const Error&) { // comparing tells of it
+        } catch (const Error&) { // its own run will report it
             if (fabrics.size() == 1) throw;
         }
     }
@@ -84,7 +82,7 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
 
 std::string fidelity_text(const FidelityChoice& choice)
 {
-    return choice.reason.empty() ? "" : fmt::format("  {} fidelity was taken. {}\n", name_of(choice.fidelity), choice.reason);
+    return choice.reason.empty() ? "" : fmt::format("  fidelity {}: {}\n", name_of(choice.fidelity), choice.reason);
 }
 
 } // namespace hygroloom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// --fidelity of the verbs that plan and run: one by name, or auto and what it has to keep.
+// --fidelity of the verbs that plan and run: a name, or auto with a limit of error or time.
 #pragma once
 
 #include "app/cli_run.h"
@@ -13,22 +13,22 @@ struct FidelityOptions : RunVerbOptions {
     std::string error, time; ///< of --fidelity auto
 };
 
-/// --fidelity, --error and --time; whose: what auto's error and time are of, if not of one run, to end the help's sentences.
+/// --fidelity, --error and --time. whose ends the help of the last two: empty, or ", for all runs together".
 void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose);
 
-/// Refuses a wrong word, and options that do not go together, before the project is read. Throws Stop.
+/// Refuses an unknown fidelity and options that do not go together, before the project is read. Throws Stop.
 void check_fidelity(const FidelityOptions& options);
 
-/// With what is expected of the machine that the run would go to.
+/// With the expected time, memory and error on the backend of the options.
 ModelPlan planned(const FidelityOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
                   const KnobSettings& knobs);
 
-/// As named, or the one that keeps what auto was told of the fabrics together: see expected_of_all(). A fabric that the experiment cannot
-/// be run on is left aside where there are others; its own run will say so. Throws Error and Stop.
+/// The named fidelity, or the one that auto chooses for all fabrics together: see expected_of_all(). Among several fabrics, one that the
+/// experiment cannot run on is skipped; its own run reports the reason. Throws Error and Stop.
 FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<std::string>& fabrics,
                                const ForcedParts& forced, const KnobSettings& knobs);
 
-/// Which one auto took and why, a line for people; empty where the user named it.
+/// The fidelity that auto chose and why, as a line; empty where the user named it.
 std::string fidelity_text(const FidelityChoice& choice);
 
 } // namespace hygroloom

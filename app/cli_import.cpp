@@ -18,7 +18,7 @@ struct ImportOptions : CommonOptions {
     std::string draft;
     std::string output;
     std::string name;
-    bool use_suggestions = false; ///< as without it; it was once needed
+    bool use_suggestions = false; ///< the default; older versions needed it
     bool no_suggestions = false;
 };
 
@@ -119,15 +119,16 @@ void add_import(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<ImportOptions>();
     CLI::App& import_verb =
-        *app.add_subcommand("import", "A weaving draft (WIF), a drawing of 0 and 1, or a picture (PNG, BMP) as a fabric");
+        *app.add_subcommand("import", "Read a weaving draft (WIF), a drawing of 0 and 1, or a picture (PNG, BMP) as a fabric");
     import_verb.footer("Example: hygroloom-cli import draft.wif -o cloth.hygro\n"
-                       "It prints what was understood and what was repaired. An existing project gets one fabric more.");
-    import_verb.add_option("draft", options->draft, "The file")->required();
-    import_verb.add_option("-o,--output", options->output, "The project to write, or to add the fabric to");
-    import_verb.add_option("--name", options->name, "Name of the fabric; without it, the draft's title");
+                       "Prints what was understood and what was repaired. The fabric is added to an existing project.");
+    import_verb.add_option("draft", options->draft, "File to read")->required();
+    import_verb.add_option("-o,--output", options->output, "Project to write or to add to");
+    import_verb.add_option("--name", options->name, "Name of the fabric; the draft's title when left out");
     import_verb.add_flag("--no-suggestions", options->no_suggestions,
-                         "Leave the draft's sett and thickness, which are taken where plausible");
-    import_verb.add_flag("--use-suggestions", options->use_suggestions, "Take them, as without this option")->excludes("--no-suggestions");
+                         "Ignore the sett and the yarn thickness of the draft, which are used where plausible");
+    import_verb.add_flag("--use-suggestions", options->use_suggestions, "Use them where plausible (the default)")
+        ->excludes("--no-suggestions");
     add_common_options(import_verb, *options);
     import_verb.callback([&verb, options] { verb = [options] { return import_file(*options); }; });
 }

@@ -58,7 +58,7 @@ int presets(const PresetOptions& options)
     if (options.finishes) return list_finishes(options);
     std::vector<Preset> all = shipped_presets();
     if (!options.library.empty()) {
-        if (!std::filesystem::exists(options.library)) throw Stop(exit_invalid, "There is no library " + options.library + ".");
+        if (!std::filesystem::exists(options.library)) throw Stop(exit_invalid, options.library + ": There is no such library.");
         try {
             all = read_library(options.library);
         } catch (const FileError& error) {
@@ -71,7 +71,7 @@ int presets(const PresetOptions& options)
                 throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text));
     if (options.names.empty() && options.output.empty()) return list_presets(options, all);
     if (options.names.empty() || options.output.empty())
-        throw Stop(exit_usage, "Name one or more presets and give the project to write with -o, or neither to see the list.");
+        throw Stop(exit_usage, "Give both fabrics and a project (-o), or neither to list them.");
     if (std::filesystem::path(options.output).extension() != ".hygro")
         throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
     Design design;
@@ -82,11 +82,11 @@ int presets(const PresetOptions& options)
         if (found == all.end()) {
             std::string known;
             for (const Preset& preset : all) known += (known.empty() ? "" : ", ") + preset.fabric().name;
-            throw Stop(exit_usage, fmt::format("There is no preset \"{}\". There are: {}.", name, known));
+            throw Stop(exit_usage, fmt::format("The library has no fabric \"{}\". There are: {}.", name, known));
         }
         added.push_back(design.fabrics[add_preset(design, *found)].name);
         if (added.back() != name && !options.quiet)
-            fmt::print(stderr, "{}: There is a fabric \"{}\" already; this one is called \"{}\".\n", options.output, name, added.back());
+            fmt::print(stderr, "{}: The fabric \"{}\" exists already; the new one is \"{}\".\n", options.output, name, added.back());
     }
     write_project(design, options.output);
     if (options.json)
@@ -102,12 +102,12 @@ int presets(const PresetOptions& options)
 void add_presets(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<PresetOptions>();
-    CLI::App& presets_verb = *app.add_subcommand("presets", "Fabrics to begin with, listed or written into a project; finishes");
+    CLI::App& presets_verb = *app.add_subcommand("presets", "List the shipped fabrics and finishes, or add fabrics to a project");
     presets_verb.footer("Example: hygroloom-cli presets \"Denim\" \"Textile F\" -o cloth.hygro");
     add_common_options(presets_verb, *options);
-    presets_verb.add_option("NAMES", options->names, "Presets to add to the project");
-    presets_verb.add_option("-o,--output", options->output, "The project; what it holds stays");
-    presets_verb.add_option("--library", options->library, "A library of one's own (.hygrolib) instead of the shipped one");
+    presets_verb.add_option("NAMES", options->names, "Fabrics to add to the project");
+    presets_verb.add_option("-o,--output", options->output, "Project to write or to add to");
+    presets_verb.add_option("--library", options->library, "Your own library (.hygrolib) instead of the shipped one");
     presets_verb.add_flag("--finishes", options->finishes, "List the finishes and their contact angles");
     presets_verb.callback([&verb, options] { verb = [options] { return presets(*options); }; });
 }

@@ -18,7 +18,7 @@ namespace hygroloom {
 
 RunBar::RunBar(bool quiet, std::size_t runs) : shown_(!quiet && isatty(STDERR_FILENO)), runs_(runs) {}
 
-void RunBar::tell(std::size_t run, const RunProgress& progress)
+void RunBar::show(std::size_t run, const RunProgress& progress)
 {
     if (!shown_) return;
     const std::lock_guard lock(mutex_);
@@ -72,13 +72,13 @@ void RunBar::clear()
 
 void add_physics_option(CLI::App& verb, RunVerbOptions& options)
 {
-    verb.add_option("--physics", options.physics, "Force parts on or off, e.g. heat=off,vapour=on");
+    verb.add_option("--physics", options.physics, "Switch parts of the physics on or off, e.g. heat=off,vapour=on");
 }
 
 void add_machine_options(CLI::App& verb, RunVerbOptions& options)
 {
-    verb.add_option("--backend", options.backend, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
-    verb.add_option("--threads", options.threads, "CPU threads; 0 takes all. Results do not depend on it")->check(CLI::Range(0, 1024));
+    verb.add_option("--backend", options.backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
+    verb.add_option("--threads", options.threads, "CPU threads; 0: all. Results do not depend on it")->check(CLI::Range(0, 1024));
     verb.add_option("--seed", options.seed, "Seed of the random numbers");
 }
 
@@ -114,7 +114,7 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
         if (see) see(frame);
     };
     callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
-    callbacks.progress = [&](const RunProgress& progress) { bar.tell(run, progress); };
+    callbacks.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
     FinishedRun finished;
     callbacks.device_failed = [&](const std::string& sentence) {
         bar.say(fabric + ": " + sentence);
@@ -143,10 +143,10 @@ std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<
         for (const Fabric& fabric : design.fabrics) names.push_back(fabric.name);
     std::set<std::string> seen;
     for (const std::string& name : names) {
-        if (name.empty()) throw Stop(exit_usage, "--fabrics: A name is empty.");
+        if (name.empty()) throw Stop(exit_usage, "--fabrics: One of the names is empty.");
         ProjectOptions one;
         one.fabric = name;
-        chosen_fabric(design, one); // tells which there are
+        chosen_fabric(design, one); // throws with the names there are
         if (!seen.insert(name).second) throw Stop(exit_usage, fmt::format("--fabrics: \"{}\" is named twice.", name));
     }
     return names;
@@ -184,7 +184,7 @@ void make_folder(const std::string& folder)
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure || !std::filesystem::is_directory(folder))
-        throw Stop(exit_usage, folder + ": This folder cannot be made. Check that its parent exists and can be written to.");
+        throw Stop(exit_usage, folder + ": The folder cannot be created. Check that its parent exists and that you may write to it.");
 }
 
 } // namespace hygroloom

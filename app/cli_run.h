@@ -35,7 +35,7 @@ template <typename Act> auto as_usage(Act act)
 void add_physics_option(CLI::App& verb, RunVerbOptions& options);
 void add_machine_options(CLI::App& verb, RunVerbOptions& options);
 
-/// All that the options say but the fidelity. Throws Stop.
+/// The options but for the fidelity. Throws Stop.
 RunOptions run_options(const RunVerbOptions& options);
 /// Throws Stop.
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
@@ -45,12 +45,12 @@ std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& option
 /// --at-once.
 void add_at_once_option(CLI::App& verb, int& at_once);
 
-/// Those named, with commas between, all when none is. A name may hold commas when it stands alone. Throws Stop.
+/// The named fabrics, separated by commas; all for an empty list. A name that stands alone may hold commas. Throws Stop.
 std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given);
 /// The fabrics' names as names of files, no two alike.
 std::vector<std::string> file_stems(const std::vector<std::string>& fabrics);
 
-/// Tells on a terminal how far runs are that go on at the same time. Any thread may call it.
+/// Progress of runs side by side, as a bar on a terminal. Any thread may call it.
 class RunBar {
 public:
     RunBar(bool quiet, std::size_t runs);
@@ -58,10 +58,10 @@ public:
     RunBar(const RunBar&) = delete;
     RunBar& operator=(const RunBar&) = delete;
 
-    void tell(std::size_t run, const RunProgress& progress);
+    void show(std::size_t run, const RunProgress& progress);
     /// Of a run that has ended, well or not.
     void end(std::size_t run);
-    /// A sentence above the bar, which the next tell() draws again.
+    /// A sentence above the bar, which the next show() draws again.
     void say(const std::string& sentence);
     void clear();
 
@@ -75,10 +75,10 @@ private:
 struct FinishedRun {
     RunRecord run;
     Metrics metrics;
-    std::string device_failure; ///< after which it went on on the CPU, a sentence; empty: none
+    std::string device_failure; ///< a sentence, after which the run went on on the CPU; empty: none
 };
 
-/// Runs to the end and tells the bar, as that run of it. Throws Cancelled and Error.
+/// Runs to the end and shows its progress in the bar. Throws Cancelled and Error.
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});

@@ -31,14 +31,14 @@ struct SimulateOptions : FidelityOptions {
 
 std::string value_text(const KnobInfo& knob, double value) { return fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit); }
 
-/// What follows a knob that the user set: " (set by the user; standard has 8)".
+/// After a knob that the user set: " (set by the user; standard has 8)".
 std::string as_set(const ModelPlan& plan, const KnobInfo& knob)
 {
     const double usual = knobs_of(plan.fidelity).*knob.value;
     return plan.knobs.*knob.value == usual ? std::string() : fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual);
 }
 
-/// The knobs that change nothing in this scene, one after the other, by why they do not.
+/// The knobs without effect in this scene, by the reason.
 std::map<std::string, std::string> idle_by_reason(const ModelPlan& plan)
 {
     std::map<std::string, std::string> knobs;
@@ -93,12 +93,12 @@ int plan(const SimulateOptions& options)
     return exit_ok;
 }
 
-/// Where the wall time went, stage by stage; beside the metrics, or on stderr when stdout is for JSON alone.
+/// The wall time of each stage; on stderr when stdout is for JSON alone.
 void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
 {
     std::FILE* const out = json ? stderr : stdout;
     if (stages.empty()) {
-        fmt::print(out, "This backend does not time its stages.\n");
+        fmt::print(out, "This backend does not measure the time of its stages.\n");
         return;
     }
     double rest = wall;
@@ -107,10 +107,10 @@ void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
         rest -= stage.seconds;
         fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall);
     }
-    fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "between the stages", "", rest, 100 * rest / wall);
+    fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "outside the stages", "", rest, 100 * rest / wall);
 }
 
-/// What the plan did otherwise than expected stands in the summary, and on stderr where stdout is for JSON alone.
+/// The plan's notes stand in the summary, and on stderr when stdout is for JSON alone.
 void print_run(const FinishedRun& finished, const CommonOptions& options)
 {
     print_metrics(finished.run, finished.metrics, options.json);
@@ -138,15 +138,15 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
         RunBar bar(options.quiet, 1);
         finished = run_with_bar(design, fabric.name, experiment, how, *backend, control, bar, 0);
     } catch (const Cancelled&) {
-        throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far is in " + options.output + ".");
+        throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
     }
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recording is in {}.\n", options.output);
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "Recording: {}\n", options.output);
     return exit_ok;
 }
 
-/// As simulate_one() with each, side by side; what is wrong with one is told of it alone.
+/// As simulate_one() with each, side by side; an error concerns its fabric alone.
 int simulate_several(const SimulateOptions& options, const Design& design, RunOptions how)
 {
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics), stems = file_stems(fabrics);
@@ -156,7 +156,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, RunOp
     std::vector<FidelityChoice> choices;
     for (const std::string& fabric : fabrics) choices.push_back(chosen_fidelity(options, design, {fabric}, how.forced, how.knobs));
     how.fidelity = Fidelity::draft;
-    for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // takes most memory
+    for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // needs the most memory
     const auto backends =
         open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
 
@@ -198,7 +198,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, RunOp
     if (control.cancel)
         throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.{}", ended, fabrics.size(),
                                                options.output.empty() ? "" : " The recordings so far are in " + options.output + "."));
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "The recordings are in {}.\n", options.output);
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "Recordings: {}\n", options.output);
     return failed > 0 ? exit_failed : exit_ok;
 }
 
@@ -206,9 +206,9 @@ int simulate(const SimulateOptions& options)
 {
     check_fidelity(options);
     const bool several = !options.fabrics.empty();
-    if (several && !options.fabric.empty()) throw Stop(exit_usage, "--fabric and --fabrics do not go together.");
-    if (several && options.profile) throw Stop(exit_usage, "--profile goes with one fabric.");
-    if (!several && options.at_once > 0) throw Stop(exit_usage, "--at-once goes with --fabrics.");
+    if (several && !options.fabric.empty()) throw Stop(exit_usage, "Give either --fabric or --fabrics.");
+    if (several && options.profile) throw Stop(exit_usage, "--profile works with one fabric.");
+    if (!several && options.at_once > 0) throw Stop(exit_usage, "--at-once works with --fabrics.");
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
@@ -229,11 +229,11 @@ void add_run_options(CLI::App& verb, SimulateOptions& options)
 void add_plan(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<SimulateOptions>();
-    CLI::App& plan_verb = *app.add_subcommand("plan", "What a run would compute and why, and what it would cost");
+    CLI::App& plan_verb = *app.add_subcommand("plan", "Show what a run would compute and why, its expected time, memory and error");
     plan_verb.footer("Example: hygroloom-cli plan cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft\n\n" +
                      knob_help());
     add_run_options(plan_verb, *options);
-    plan_verb.add_option("--backend", options->backend, "auto, cpu or cuda: the machine whose cost is told, which need not be there")
+    plan_verb.add_option("--backend", options->backend, "Backend to estimate for: auto, cpu or cuda; it need not be installed")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     plan_verb.callback([&verb, options] { verb = [options] { return plan(*options); }; });
 }
@@ -241,20 +241,19 @@ void add_plan(CLI::App& app, Verb& verb)
 void add_simulate(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<SimulateOptions>();
-    CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run one experiment on one fabric or on several, then print the metrics");
+    CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run an experiment on one or several fabrics and print the metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C, or a kill, stops the run; the recording so far stays readable.\n\n" +
+        "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
         knob_help());
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);
-    simulate_verb.add_flag("--profile", options->profile, "Also print where the time went, stage by stage");
+    simulate_verb.add_flag("--profile", options->profile, "Also print the time of each stage");
     simulate_verb
-        .add_option("--fabrics", options->fabrics,
-                    "Names of several, with commas between, which run side by side; --json then gives a list")
+        .add_option("--fabrics", options->fabrics, "Several fabrics, separated by commas, that run side by side; --json then prints a list")
         ->allow_extra_args(false);
     add_at_once_option(simulate_verb, options->at_once);
-    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder for one of each");
+    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
 }
 

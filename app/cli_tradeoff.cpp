@@ -28,7 +28,7 @@ struct TradeoffOptions : RunVerbOptions {
     std::string output;
 };
 
-/// The ladder without the fidelities that were not asked for.
+/// Keeps the fidelities of the list.
 void keep_asked(std::vector<TradeoffVariant>& variants, const std::string& list)
 {
     std::vector<std::string> asked;
@@ -70,7 +70,7 @@ public:
     {
     }
 
-    /// Leaves out what would only run the same again.
+    /// Leaves out a variant whose run would be the same as another's.
     void add(const TradeoffVariant& variant)
     {
         TradeoffPoint point;
@@ -130,7 +130,7 @@ private:
         point.switched_on = outcome.switched_on;
         point.stages.clear();
         for (const StageTime& stage : outcome.stages) point.stages[stage.name] = 100 * stage.seconds / outcome.wall;
-        if (result_.backend.empty()) { // particles in double precision may have gone to a CPU
+        if (result_.backend.empty()) { // particles in double precision may run on a CPU
             result_.backend = outcome.backend;
             result_.device = outcome.device;
         }
@@ -181,20 +181,20 @@ void print_table(const Tradeoff& t)
                    p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
                    p.errors ? percent(p.errors->overlap) : "-");
         for (const MetricError& m : p.closed_forms)
-            fmt::print("    {}: {:.5g}, by a closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
-        for (const std::string& name : p.stands_for) fmt::print("    the same run: {}\n", name);
+            fmt::print("    {}: {:.5g}, closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
+        for (const std::string& name : p.stands_for) fmt::print("    same run as {}\n", name);
     }
     for (const ConvergenceStep& step : t.convergence)
         fmt::print("  from {} to {}: error {}, map {}\n", step.coarse, step.fine, percent(step.errors.largest), percent(step.errors.map));
-    fmt::print("* nothing is faster and more accurate. Time: of a process of its own, one at a time. Memory: that process's largest\n"
-               "resident set. Error: the largest of all metrics, contents and 1 - overlap, against the reference; map: relative L2.\n");
+    fmt::print("* no other variant is both faster and more accurate. Time and memory (largest resident set): one process per run, one run\n"
+               "at a time. Error against the reference: the largest of all metrics, water contents and 1 - overlap. Map: relative L2.\n");
     for (const TradeoffPoint& p : t.points) {
         if (p.variant.name != "standard" || p.stages.empty()) continue;
         std::vector<std::pair<double, std::string>> stages;
         for (const auto& [name, share] : p.stages) stages.emplace_back(share, name);
         std::sort(stages.rbegin(), stages.rend());
         stages.resize(std::min<std::size_t>(stages.size(), 5));
-        fmt::print("Most of standard's time:");
+        fmt::print("Slowest stages of standard:");
         for (const auto& [share, name] : stages) fmt::print(" {} {:.0f} %", name, share);
         fmt::print("\n");
     }
@@ -232,7 +232,7 @@ int tradeoff(const TradeoffOptions& options)
         fmt::print("{}", tradeoff_json(result));
     else
         print_table(result);
-    const std::string where = options.output.empty() ? "" : fmt::format(" What was measured is in {}.", options.output);
+    const std::string where = options.output.empty() ? "" : fmt::format(" Measurements: {}", options.output);
     if (cancelled) {
         fmt::print(stderr, "Cancelled.{}\n", where);
         return exit_cancelled;
@@ -241,11 +241,11 @@ int tradeoff(const TradeoffOptions& options)
     return exit_ok;
 }
 
-/// For --help: what the shipped scenes took, fidelity by fidelity.
+/// For --help: times of the shipped scenes at each fidelity.
 std::string measured_help()
 {
     std::string text =
-        "Measured on the scenes that ship (error: the largest of all numbers, all contents and 1 - overlap, against the reference):\n";
+        "Measured on the shipped scenes (error against the reference: the largest of all metrics, water contents and 1 - overlap):\n";
     for (const char* backend : {"cpu", "cuda"})
         for (const MeasuredScene& scene : shipped_measurements(backend)) {
             text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
@@ -262,24 +262,24 @@ std::string measured_help()
 void add_tradeoff(CLI::App& app, Verb& chosen)
 {
     auto options = std::make_shared<TradeoffOptions>();
-    CLI::App& verb =
-        *app.add_subcommand("tradeoff", "Speed against accuracy of one scene, measured: every fidelity, and one knob at a time");
+    CLI::App& verb = *app.add_subcommand("tradeoff", "Measure speed against accuracy of one scene: every fidelity, and one knob at a time");
     verb.footer([] {
         return "Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
-               "Runs the reference as well, which may take long; plan says how long. The folder gets tradeoff.json, .csv and .svg after\n"
-               "every run; Ctrl-C leaves what was measured until then. The machine should do nothing else meanwhile.\n\n" +
+               "The reference runs as well, which may take long; see plan. The folder receives tradeoff.json, .csv and .svg after every "
+               "run;\n"
+               "Ctrl-C keeps the measurements so far. Run nothing else on the machine meanwhile.\n\n" +
                measured_help() + "\n" + knob_help();
     });
     add_project_options(verb, *options, true);
     options->takes_knobs = true;
-    verb.add_option("--fidelities", options->fidelities, "Points of the ladder to run, with commas between; errors need the reference");
-    verb.add_option("--knobs", options->knobs, "Knobs to vary, with commas between; all when left out, none for the ladder alone");
+    verb.add_option("--fidelities", options->fidelities, "Fidelities to run, separated by commas; errors need the reference");
+    verb.add_option("--knobs", options->knobs, "Knobs to vary, separated by commas; all when left out; none: fidelities only");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
-    verb.add_option("--repeats", options->repeats, "Runs of every variant; the time is their median")->check(CLI::Range(1, 99));
+    verb.add_option("--repeats", options->repeats, "Runs of every variant; the median time counts")->check(CLI::Range(1, 99));
     verb.add_flag("--convergence", options->convergence,
-                  "Also run the reference half and a quarter as fine, which shows how far it can be trusted");
-    verb.add_option("-o,--output", options->output, "Folder to write the results to");
+                  "Also run the reference at half and a quarter of its resolution, to see whether it has converged");
+    verb.add_option("-o,--output", options->output, "Folder for the results");
     verb.callback([&chosen, options] { chosen = [options] { return tradeoff(*options); }; });
 }
 

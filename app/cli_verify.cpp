@@ -70,7 +70,7 @@ void print_parts(const VerifyReport& report, const VerifyResult& r)
 void print_report(const VerifyReport& report)
 {
     fmt::print("{} ({:.2f} s)\n", report.name, report.wall);
-    if (!report.source.empty()) fmt::print("  measured (compared, not a proof): {}\n", report.source);
+    if (!report.source.empty()) fmt::print("  compared with a measurement: {}\n", report.source);
     if (!report.not_applicable.empty()) fmt::print("  not applicable: {}\n", report.not_applicable);
     for (const VerifyResult& r : report.results) {
         if (!r.parts.empty()) {
@@ -81,11 +81,11 @@ void print_report(const VerifyReport& report)
         fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
                    r.expected, r.tolerance);
         if (!r.known_miss.empty())
-            fmt::print("       {}{}\n", r.pass() ? "holds now, although noted as a miss: " : "known miss: ", r.known_miss);
+            fmt::print("       {}{}\n", r.pass() ? "holds now, but is listed as a miss: " : "known miss: ", r.known_miss);
     }
 }
 
-/// What many reports come to, in a line each.
+/// One line for all cases with known answers, one for all comparisons.
 void print_summary(const std::vector<VerifyReport>& reports)
 {
     int known = 0, passed = 0, compared = 0, held = 0, left_out = 0;
@@ -101,8 +101,8 @@ void print_summary(const std::vector<VerifyReport>& reports)
             if (!r.pass())
                 misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
     }
-    if (known > 0) fmt::print("{} of {} cases with known answers pass in full.\n", passed, known);
-    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold in full; {} cannot be made.\n", held, compared, left_out);
+    if (known > 0) fmt::print("{} of {} cases with known answers pass.\n", passed, known);
+    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold; {} do not apply.\n", held, compared, left_out);
     if (!misses.empty()) fmt::print("Misses:{}\n", misses);
 }
 
@@ -126,7 +126,7 @@ int verify(const VerifyOptions& options)
     std::map<std::string, std::string> changes;
     for (const std::string& set : options.sets) {
         const std::size_t sign = set.find('=');
-        if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Give a name, =, and a value.");
+        if (sign == std::string::npos || sign == 0) throw Stop(exit_usage, "--set " + set + ": Write it as name=value.");
         changes[set.substr(0, sign)] = set.substr(sign + 1);
     }
     std::unique_ptr<Backend> backend;
@@ -141,7 +141,7 @@ int verify(const VerifyOptions& options)
 
     const std::vector<std::string> names = verify_names(options.name);
     const bool several = names.size() > 1;
-    if (several && !changes.empty()) throw Stop(exit_usage, "--set needs the name of one case.");
+    if (several && !changes.empty()) throw Stop(exit_usage, "--set works with one case; name it.");
     std::vector<VerifyReport> reports;
     for (const std::string& name : names) {
         try {
@@ -169,15 +169,16 @@ int verify(const VerifyOptions& options)
 void add_verify(CLI::App& app, Verb& chosen)
 {
     auto options = std::make_shared<VerifyOptions>();
-    CLI::App& verb = *app.add_subcommand("verify", "Physics cases with known answers: computed, expected, tolerance, pass or fail");
+    CLI::App& verb = *app.add_subcommand("verify", "Run physics cases with known answers: computed, expected, tolerance, pass or fail");
     verb.footer("Example: hygroloom-cli verify washburn --set radius_um=20 --set contact_angle_deg=45 --json");
-    verb.add_option("case", options->name, "Name of one case, or measured for all comparisons with measurements; everything when left out");
-    verb.add_flag("--list", options->list, "Only list the cases");
+    verb.add_option("case", options->name,
+                    "One case by name, or \"measured\" for all comparisons with measurements; all cases when left out");
+    verb.add_flag("--list", options->list, "List the cases");
     verb.add_option("--set", options->sets, "Change a parameter of the case, e.g. radius_um=20")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    verb.add_option("--backend", options->backend, "auto, cpu or cuda");
-    verb.add_option("--threads", options->threads, "Threads of the CPU; 0 for all")->check(CLI::Range(0, 1024));
+    verb.add_option("--backend", options->backend, "Backend: auto, cpu or cuda");
+    verb.add_option("--threads", options->threads, "CPU threads; 0: all")->check(CLI::Range(0, 1024));
     add_common_options(verb, *options);
     verb.callback([&chosen, options] { chosen = [options] { return verify(*options); }; });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison.h"
 
+#include "core/analysis/metrics_json.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr bool most = true, least = false;
-
 std::string one_line(std::string text)
 {
     std::replace_if(
@@ -35,70 +34,45 @@ std::string csv_field(const std::string& text)
     return '"' + inside + '"';
 }
 
-const char* order_words(const Criterion& criterion) { return criterion.most_first ? "the most first" : "the least first"; }
+bool most_first(const OutcomeInfo& criterion) { return criterion.better != Better::less; }
+const char* order_words(const OutcomeInfo& criterion) { return most_first(criterion) ? "largest first" : "smallest first"; }
 
 } // namespace
 
-std::vector<Criterion> criteria_of(ExperimentType type)
+OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& key)
 {
-    const Criterion radius_top{"maximum_wetted_radius_top_mm", "wetted radius, top", "mm", most};
-    const Criterion radius_bottom{"maximum_wetted_radius_bottom_mm", "wetted radius, bottom", "mm", most};
-    const Criterion absorbency{"absorbency_time_s", "absorbency time", "s", least};
-    switch (type) {
-    case ExperimentType::droplet: return {radius_top, radius_bottom, absorbency};
-    case ExperimentType::horizontal_wicking: return {{"wick_rate_mm2_s", "wicking rate", "mm2/s", most}, radius_top, absorbency};
-    case ExperimentType::moisture_management:
-        return {{"ommc", "overall capability (OMMC)", "", most},
-                {"one_way_transport_pct", "one-way transport", "%", most},
-                {"spreading_speed_bottom_mm_s", "spreading speed, bottom", "mm/s", most},
-                {"absorption_rate_bottom_pct_s", "absorption rate, bottom", "%/s", most},
-                {"wetting_time_top_s", "wetting time, top", "s", least}};
-    case ExperimentType::vertical_wicking:
-        return {{"wick_height_mm", "height", "mm", most}, {"wick_rate_mm_s05", "wicking rate", "mm/s^0.5", most}};
-    case ExperimentType::drying:
-        return {{"time_to_dry_s", "time to dry", "s", least},
-                {"drying_rate_g_m2_h", "steady drying rate", "g/(m2 h)", most},
-                {"surface_temperature_steady_c", "steady temperature", "C", least}};
-    case ExperimentType::conditioning:
-        return {{"regain_half_time_s", "half of the change after", "s", least},
-                {"regain_end", "regain at the end", "", most},
-                {"temperature_peak_rise_c", "warmer than the air by", "K", least}};
-    case ExperimentType::sweat: return {radius_bottom, radius_top};
+    std::string keys;
+    for (const OutcomeInfo& criterion : criteria) {
+        if (criterion.key == key || key.empty()) return criterion;
+        keys += (keys.empty() ? "" : ", ") + criterion.key;
     }
-    return {};
+    throw Error(fmt::format("This experiment has no number \"{}\" to rank by; it has {}.", key, keys));
 }
 
-Criterion criterion_named(const std::vector<Criterion>& criteria, const std::string& name)
+Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<const Metrics> metrics)
 {
-    std::string names;
-    for (const Criterion& criterion : criteria) {
-        if (criterion.name == name || name.empty()) return criterion;
-        names += (names.empty() ? "" : ", ") + criterion.name;
-    }
-    throw Error(fmt::format("This experiment has no number \"{}\" to rank by; there are: {}.", name, names));
-}
-
-Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::vector<Criterion>& criteria)
-{
-    Candidate candidate{run.fabric, metrics_json(run, metrics), {}, {}, metrics.notes, run.wall};
-    const Json all = Json::parse(candidate.metrics).at("metrics");
-    for (const Criterion& criterion : criteria)
-        if (const auto found = all.find(criterion.name); found != all.end() && found->is_number())
-            candidate.numbers[criterion.name] = *found;
-    for (std::string& note : notes_of(run.plan)) candidate.notes.push_back(std::move(note));
-    if (const std::optional<double>& error = run.plan.expected_error; error && *error > 0)
-        candidate.notes.push_back(fmt::format("The error to be expected is {} %.", rounded_text(100 * *error, 2)));
+    Candidate candidate;
+    candidate.fabric = run->fabric;
+    candidate.notes = metrics->notes;
+    candidate.wall = run->wall;
+    for (const Outcome& outcome : outcomes_of(*run, *metrics))
+        if (outcome.rank > 0 && outcome.value) candidate.numbers[outcome.key] = *outcome.value;
+    for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
+    if (const std::optional<double>& error = run->plan.expected_error; error && *error > 0)
+        candidate.notes.push_back(fmt::format("The expected error is {} %.", rounded_text(100 * *error, 2)));
+    candidate.run = std::move(run);
+    candidate.metrics = std::move(metrics);
     return candidate;
 }
 
 void rank(Comparison& comparison)
 {
-    const Criterion& by = comparison.ranked_by;
+    const OutcomeInfo& by = comparison.ranked_by;
     const auto place = [&](const Candidate& candidate) { // the lower, the better
         if (!candidate.failure.empty()) return std::numeric_limits<double>::infinity();
-        const auto found = candidate.numbers.find(by.name);
+        const auto found = candidate.numbers.find(by.key);
         if (found == candidate.numbers.end()) return std::numeric_limits<double>::max();
-        return by.most_first ? -found->second : found->second;
+        return most_first(by) ? -found->second : found->second;
     };
     std::stable_sort(comparison.candidates.begin(), comparison.candidates.end(),
                      [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
@@ -107,20 +81,20 @@ void rank(Comparison& comparison)
 std::string comparison_table(const Comparison& comparison)
 {
     std::string text =
-        fmt::format("{}: ranked by {} ({})\n", comparison.experiment, comparison.ranked_by.title, order_words(comparison.ranked_by));
+        fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
     std::size_t widest = 6;
     for (const Candidate& c : comparison.candidates) widest = std::max(widest, c.fabric.size());
     std::vector<std::size_t> widths;
-    for (const Criterion& criterion : comparison.criteria) widths.push_back(std::max(criterion.title.size(), std::size_t{9}));
+    for (const OutcomeInfo& criterion : comparison.criteria) widths.push_back(std::max(full_title(criterion).size(), std::size_t{9}));
     const auto row = [&](const std::string& rank, const std::string& fabric, const auto& cell, const std::string& run_time) {
         text += fmt::format("{:>2}  {:<{}}", rank, fabric, widest);
         for (std::size_t i = 0; i < widths.size(); ++i) text += fmt::format("  {:>{}}", cell(comparison.criteria[i]), widths[i]);
         text += fmt::format("  {:>8}\n", run_time);
     };
     row(
-        "", "fabric", [](const Criterion& criterion) { return criterion.title; }, "run time");
+        "", "fabric", [](const OutcomeInfo& criterion) { return full_title(criterion); }, "run time");
     row(
-        "", "", [](const Criterion& criterion) { return criterion.unit; }, "s");
+        "", "", [](const OutcomeInfo& criterion) { return shown(criterion, 0).unit; }, "s");
     int rank = 0;
     for (const Candidate& c : comparison.candidates) {
         ++rank;
@@ -128,9 +102,9 @@ std::string comparison_table(const Comparison& comparison)
             text += fmt::format("{:>2}  {:<{}}  {}\n", rank, c.fabric, widest, c.failure);
             continue;
         }
-        const auto number = [&](const Criterion& criterion) {
-            const auto found = c.numbers.find(criterion.name);
-            return found == c.numbers.end() ? std::string("-") : fmt::format("{:.4g}", found->second);
+        const auto number = [&](const OutcomeInfo& criterion) {
+            const auto found = c.numbers.find(criterion.key);
+            return found == c.numbers.end() ? std::string("-") : fmt::format("{:.4g}", shown(criterion, found->second).value);
         };
         row(std::to_string(rank), c.fabric, number, fmt::format("{:.3g}", c.wall));
     }
@@ -144,8 +118,8 @@ std::string comparison_json(const Comparison& comparison)
     Json candidates = Json::array();
     for (const Candidate& c : comparison.candidates) {
         Json candidate{{"rank", candidates.size() + 1}, {"fabric", c.fabric}};
-        if (c.failure.empty())
-            candidate["run"] = Json::parse(c.metrics);
+        if (c.run && c.metrics)
+            candidate["run"] = metrics_value(*c.run, *c.metrics);
         else
             candidate["failure"] = c.failure;
         candidates.push_back(std::move(candidate));
@@ -153,8 +127,8 @@ std::string comparison_json(const Comparison& comparison)
     return Json{{"format", "hygroloom-comparison"},
                 {"version", 1},
                 {"experiment", comparison.experiment},
-                {"ranked_by", comparison.ranked_by.name},
-                {"first", comparison.ranked_by.most_first ? "most" : "least"},
+                {"ranked_by", comparison.ranked_by.key},
+                {"first", most_first(comparison.ranked_by) ? "most" : "least"},
                 {"complete", comparison.complete},
                 {"candidates", candidates}}
                .dump(2) +
@@ -163,16 +137,15 @@ std::string comparison_json(const Comparison& comparison)
 
 std::string comparison_csv(const Comparison& comparison)
 {
-    std::string text =
-        fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
-                    comparison.ranked_by.name + ", " + order_words(comparison.ranked_by), comparison.complete ? "yes" : "no");
-    for (const Criterion& criterion : comparison.criteria) text += "," + criterion.name;
+    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
+                                   comparison.ranked_by.key + ", " + order_words(comparison.ranked_by), comparison.complete ? "yes" : "no");
+    for (const OutcomeInfo& criterion : comparison.criteria) text += "," + criterion.key;
     text += ",wall_s,notes\n";
     int rank = 0;
     for (const Candidate& c : comparison.candidates) {
         text += fmt::format("{},{}", ++rank, csv_field(c.fabric));
-        for (const Criterion& criterion : comparison.criteria) {
-            const auto found = c.numbers.find(criterion.name);
+        for (const OutcomeInfo& criterion : comparison.criteria) {
+            const auto found = c.numbers.find(criterion.key);
             text += found == c.numbers.end() ? "," : fmt::format(",{:.6g}", found->second);
         }
         std::string notes = c.failure;

@@ -1,52 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Candidates on the same experiment, ranked by one of the numbers that its type reports.
+// Fabrics on the same experiment, ranked by one of the numbers that its type reports.
 #pragma once
 
-#include "core/analysis/metrics.h"
+#include "core/analysis/outcomes.h"
 
 #include <map>
+#include <memory>
 
 namespace hygroloom {
-
-/// A number of the metrics file by which candidates are compared.
-struct Criterion {
-    std::string name;       ///< its key, with the unit
-    std::string title;      ///< for people
-    std::string unit;       ///< empty for a plain number
-    bool most_first = true; ///< otherwise the least comes first
-};
-
-/// Those of a type of experiment. The first ranks unless another is asked for.
-std::vector<Criterion> criteria_of(ExperimentType type);
 
 /// A fabric and what its run gave.
 struct Candidate {
     std::string fabric;
-    std::string metrics;                   ///< the metrics file; empty: the run failed
+    std::shared_ptr<const RunRecord> run; ///< none: the run failed
+    std::shared_ptr<const Metrics> metrics;
     std::string failure;                   ///< why, in a sentence
-    std::map<std::string, double> numbers; ///< of the criteria; one that could not be determined is absent
+    std::map<std::string, double> numbers; ///< by key; those that could not be determined are absent
     std::vector<std::string> notes;        ///< what limits them, in sentences
     double wall = 0;                       ///< s
 };
 
 struct Comparison {
     std::string experiment;
-    std::vector<Criterion> criteria; ///< of the experiment's type
-    Criterion ranked_by;
+    std::vector<OutcomeInfo> criteria; ///< see compared_by()
+    OutcomeInfo ranked_by;
     std::vector<Candidate> candidates;
-    bool complete = false; ///< whether all that were asked for are among them
+    bool complete = false; ///< whether all fabrics of the comparison are among them
 };
 
-/// The named criterion, the first for an empty name. Throws Error naming those there are.
-Criterion criterion_named(const std::vector<Criterion>& criteria, const std::string& name);
+/// The criterion of that key, the first for an empty key. Throws Error naming those there are.
+OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& key);
 
-/// What a finished run gave of the criteria.
-Candidate candidate_of(const RunRecord& run, const Metrics& metrics, const std::vector<Criterion>& criteria);
+/// What a finished run gave.
+Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<const Metrics> metrics);
 
-/// Best first; those without the number after them, those that failed last, equal ones as they stand.
+/// Best first; those without the number after them, those that failed last, equal ones in their order.
 void rank(Comparison& comparison);
 
-/// The comparison as people read it, with a line for each candidate below one of titles and one of units.
+/// A table for people: a line for each candidate below the titles and the units.
 std::string comparison_table(const Comparison& comparison);
 /// With the metrics file of each.
 std::string comparison_json(const Comparison& comparison);

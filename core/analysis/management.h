@@ -45,6 +45,22 @@ struct ManagementGrades {
 };
 ManagementGrades management_grades(const ManagementIndices& indices);
 
+/// The grades by their names in the metrics file.
+struct GradeName {
+    const char* key;
+    int ManagementGrades::*grade;
+};
+constexpr GradeName grade_names[] = {{"wetting_time_top", &ManagementGrades::wetting_time_top},
+                                     {"wetting_time_bottom", &ManagementGrades::wetting_time_bottom},
+                                     {"absorption_rate_top", &ManagementGrades::absorption_rate_top},
+                                     {"absorption_rate_bottom", &ManagementGrades::absorption_rate_bottom},
+                                     {"maximum_wetted_radius_top", &ManagementGrades::maximum_wetted_radius_top},
+                                     {"maximum_wetted_radius_bottom", &ManagementGrades::maximum_wetted_radius_bottom},
+                                     {"spreading_speed_top", &ManagementGrades::spreading_speed_top},
+                                     {"spreading_speed_bottom", &ManagementGrades::spreading_speed_bottom},
+                                     {"one_way_transport", &ManagementGrades::one_way_transport},
+                                     {"ommc", &ManagementGrades::ommc}};
+
 /// "fast-absorbing quick-drying" and so on. The classes are Yao et al.'s, the thresholds between them our own reading of their words.
 const char* fabric_class(const ManagementIndices& indices);
 

@@ -62,15 +62,13 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
 /// Whether water has come to where the sample ends: to any edge from a drop or a feed in its middle, to the upper end of a hanging strip.
 bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment& experiment)
 {
-    if (experiment.type == ExperimentType::drying || experiment.type == ExperimentType::conditioning ||
-        experiment.type == ExperimentType::sweat)
-        return false;
+    if (changes_everywhere(experiment.type)) return false;
     const int last_end = textile.ends() - 1, last_pick = textile.picks() - 1;
     const auto wet = [&](int end, int pick) {
         return std::max(frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))],
                         frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick))]) >= wet_saturation;
     };
-    const bool strip = experiment.type == ExperimentType::vertical_wicking;
+    const bool strip = is_strip(experiment.type);
     for (int pick = 0; pick <= last_pick && (!strip || experiment.along_weft); ++pick)
         if ((!strip && wet(0, pick)) || wet(last_end, pick)) return true;
     for (int end = 0; end <= last_end && (!strip || !experiment.along_weft); ++end)
@@ -98,11 +96,11 @@ std::array<double, 2> contents(const Textile& textile, const Frame& frame, const
     return water;
 }
 
-/// What the fibres of both faces have drunk of a drying test's water when it begins, kg: frames count from there.
-std::array<double, 2> drunk_before(const RunRecord& run, const Experiment& experiment)
+/// Water of a drying test that the fibres of each face absorbed before the first frame, kg; frames count from there.
+std::array<double, 2> absorbed_before(const RunRecord& run, const Experiment& experiment)
 {
     std::array<double, 2> water{0, 0};
-    if (experiment.type != ExperimentType::drying) return water;
+    if (!starts_wet(experiment.type)) return water;
     const Scene scene = build_scene(run.design, run.textile, experiment, run.plan, run.seed);
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < run.textile.ends(); ++end)
@@ -116,22 +114,53 @@ std::array<double, 2> drunk_before(const RunRecord& run, const Experiment& exper
     return water;
 }
 
-/// Water of a face, or none where that is less than the frames, which are floats, can tell of what the fibres hold.
+/// Water of a face, or 0 below the rounding error of the frames, which are floats, in the water that the fibres hold.
 double water_of_face(double water, const Frame& frame)
 {
-    constexpr double told = 2e-7;
-    return std::abs(water) > told * frame.ledger.water_bound ? water : 0.0;
+    constexpr double rounding = 2e-7;
+    return std::abs(water) > rounding * frame.ledger.water_bound ? water : 0.0;
 }
 
+/// Fills in what the type of experiment reports beyond the stain. area: of the sample, m2.
+using Compute = void (*)(Metrics& m, const Experiment& experiment, double area);
+
+void compute_management(Metrics& m, const Experiment& experiment, double)
+{
+    const Series& s = m.series;
+    m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment.feed_s);
+}
+
+void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }
+
 /// Area of the stain's ellipse over the time in which its circle grew to 95 %.
-std::optional<double> horizontal_rate(const Metrics& m)
+void compute_horizontal_rate(Metrics& m, const Experiment&, double)
 {
     const std::vector<double>& radius = m.series.radius_top;
-    if (radius.empty() || radius.back() <= 0) return std::nullopt;
+    if (radius.empty() || radius.back() <= 0) return;
     const double area = pi * m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft;
-    for (std::size_t i = 0; i < radius.size(); ++i)
-        if (radius[i] >= 0.95 * m.maximum_wetted_radius_top && m.series.time[i] > 0) return area / m.series.time[i];
-    return std::nullopt;
+    for (std::size_t i = 0; i < radius.size() && !m.horizontal_rate; ++i)
+        if (radius[i] >= 0.95 * m.maximum_wetted_radius_top && m.series.time[i] > 0) m.horizontal_rate = area / m.series.time[i];
+}
+
+void compute_drying(Metrics& m, const Experiment&, double area)
+{
+    std::vector<double> left;
+    for (double evaporated : m.series.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
+    m.drying = drying_result(m.series.time, left, m.series.temperature_mean, area);
+}
+
+void compute_conditioning(Metrics& m, const Experiment&, double)
+{
+    const Series& s = m.series;
+    m.conditioning = conditioning_result(s.time, s.regain_mean, s.temperature_mean, s.air_temperature);
+}
+
+Compute computation_of(ExperimentType type)
+{
+    /// In the order of ExperimentType.
+    constexpr std::array<Compute, experiment_types> computations{
+        nullptr, compute_management, compute_wicking, compute_horizontal_rate, compute_drying, compute_conditioning, nullptr};
+    return computations[static_cast<std::size_t>(type)];
 }
 
 } // namespace
@@ -151,7 +180,7 @@ void MetricsCollector::start(const RunRecord& run)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
     metrics_ = {};
-    drunk_before_ = drunk_before(run, experiment_);
+    absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
     edge_time_.reset();
     had_free_water_ = false;
@@ -166,8 +195,8 @@ void MetricsCollector::add(const Frame& frame)
     s.time.push_back(frame.time);
     s.radius_top.push_back(top);
     s.radius_bottom.push_back(bottom);
-    s.water_top.push_back(water_of_face(frame.water_top + drunk_before_[0], frame));
-    s.water_bottom.push_back(water_of_face(frame.water_bottom + drunk_before_[1], frame));
+    s.water_top.push_back(water_of_face(frame.water_top + absorbed_before_[0], frame));
+    s.water_bottom.push_back(water_of_face(frame.water_bottom + absorbed_before_[1], frame));
     s.free_water.push_back(frame.ledger.water_free);
     s.yarn_water.push_back(frame.ledger.water_liquid);
     s.bound_water.push_back(frame.ledger.water_bound);
@@ -184,8 +213,8 @@ void MetricsCollector::add(const Frame& frame)
     s.regain_mean.push_back(regain / n);
     s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
     if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
-    if (experiment_.type == ExperimentType::vertical_wicking) s.wick_height.push_back(wick_height(textile_, frame, experiment_));
-    if (experiment_.type == ExperimentType::moisture_management) {
+    if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_));
+    if (uses_field(experiment_.type, "feed_s")) { // sensors in the middle of both faces
         const std::array<double, 2> water = contents(textile_, frame, regain_at_start_);
         s.content_top.push_back(water[0]);
         s.content_bottom.push_back(water[1]);
@@ -199,8 +228,8 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.ledger = frame.ledger;
     if (!edge_time_ && wet_at_the_end(textile_, frame, experiment_)) edge_time_ = frame.time;
 
-    // Absorbency: the first moment with no free liquid after which none ever comes, so a later drop starts it anew.
-    constexpr double some = 1e-9; // of the water; a pool keeps the quanta that do not come out even
+    // Absorbency: the first time with no free liquid; a later drop starts it anew.
+    constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
     const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered;
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     if (free_water)
@@ -214,34 +243,17 @@ void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(
 Metrics MetricsCollector::metrics() const
 {
     Metrics m = metrics_;
-    const Series& s = m.series;
     if (edge_time_)
         m.notes.push_back(
-            experiment_.type == ExperimentType::vertical_wicking
+            is_strip(experiment_.type)
                 ? fmt::format("Water reached the upper end of the strip after {:.3g} s; the height afterwards is limited by the "
                               "strip's length.",
                               *edge_time_)
                 : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
                               "sample's size.",
                               *edge_time_));
-    switch (experiment_.type) {
-    case ExperimentType::moisture_management:
-        m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment_.feed_s);
-        break;
-    case ExperimentType::vertical_wicking: m.wicking = wicking_result(s.time, s.wick_height); break;
-    case ExperimentType::horizontal_wicking: m.horizontal_rate = horizontal_rate(m); break;
-    case ExperimentType::drying: {
-        std::vector<double> left;
-        for (double evaporated : s.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
-        m.drying = drying_result(s.time, left, s.temperature_mean, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
-        break;
-    }
-    case ExperimentType::conditioning:
-        m.conditioning = conditioning_result(s.time, s.regain_mean, s.temperature_mean, s.air_temperature);
-        break;
-    case ExperimentType::droplet:
-    case ExperimentType::sweat: break;
-    }
+    if (const Compute compute = computation_of(experiment_.type))
+        compute(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
     return m;
 }
 

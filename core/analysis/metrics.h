@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Numbers from a recording: what laboratories report of each type of experiment, and time series.
+// Numbers from the frames of a run: what laboratories report of each type of experiment, and time series.
 #pragma once
 
 #include "core/analysis/laboratory.h"
@@ -69,13 +69,10 @@ private:
     Textile textile_;
     Experiment experiment_;
     Metrics metrics_;
-    std::array<double, 2> drunk_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first moment
+    std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
     std::optional<double> edge_time_; ///< s, when water was first seen where the sample ends
     bool had_free_water_ = false;
 };
-
-/// The metrics as JSON text; keys carry their units.
-std::string metrics_json(const RunRecord& run, const Metrics& metrics);
 
 } // namespace hygroloom

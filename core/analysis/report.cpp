@@ -2,17 +2,17 @@
 #include "core/analysis/report.h"
 
 #include "core/analysis/line_chart.h"
+#include "core/analysis/outcomes.h"
+#include "core/analysis/plots.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/design/fabric_quantities.h"
-#include "core/plan/plan_json.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -29,59 +29,13 @@ pre { background: #f4f4f2; padding: .7rem; overflow-x: auto; font-size: 12px; wh
 @media print { body { margin: 0; max-width: none; } h2, figure, tr { break-inside: avoid; } h2 { break-after: avoid; } }
 )";
 
-struct Label {
-    std::string name, unit;
-    double factor = 1; ///< to the unit
-};
-
-/// Of a key that ends in its unit: "wick_height_mm" is "wick height" in mm.
-Label label_of(const std::string& key)
+std::string row(const std::string& name, const std::string& value, const std::string& unit, const std::string& remark = "")
 {
-    struct Unit {
-        const char* ending;
-        const char* name;
-        double factor = 1;
-    };
-    constexpr Unit units[] = {{"_g_m2_h", "g/(m² h)"}, {"_g_m2", "g/m²"}, {"_mm_s05", "mm/√s"}, {"_mm2_s", "mm²/s"},
-                              {"_pct_s", "%/s"},       {"_mm_s", "mm/s"}, {"_pct", "%"},        {"_mm", "mm"},
-                              {"_kg", "mg", 1e6},      {"_s", "s"},       {"_c", "°C"},         {"_j", "mJ", 1e3}};
-    Label label{key, ""};
-    for (const Unit& unit : units)
-        if (key.ends_with(unit.ending)) {
-            label = {key.substr(0, key.size() - std::string_view(unit.ending).size()), unit.name, unit.factor};
-            break;
-        }
-    if (label.name.ends_with("_rise")) label.unit = "K";
-    std::replace(label.name.begin(), label.name.end(), '_', ' ');
-    return label;
-}
-
-std::string in_words(const Json& value, double factor)
-{
-    if (value.is_null()) return "–";
-    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-    if (value.is_number_float()) return fmt::format("{:.4g}", factor * value.get<double>());
-    return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-std::string row(const std::string& name, const std::string& value, const std::string& unit)
-{
-    return fmt::format("<tr><th>{}</th><td class=\"number\">{}</td><td>{}</td></tr>\n", escaped_markup(name), escaped_markup(value),
-                       escaped_markup(unit));
+    return fmt::format("<tr><th>{}</th><td class=\"number\">{}</td><td>{}</td>{}</tr>\n", escaped_markup(name), escaped_markup(value),
+                       escaped_markup(unit), remark.empty() ? "" : "<td>" + escaped_markup(remark) + "</td>");
 }
 
 std::string table(const std::string& rows) { return rows.empty() ? "" : "<table>\n" + rows + "</table>\n"; }
-
-/// A row for each value of an object; what is inside another object or a list is left to others.
-std::string rows_of(const Json& object)
-{
-    std::string rows;
-    for (const auto& [key, value] : object.items()) {
-        const Label label = label_of(key);
-        if (!value.is_structured()) rows += row(label.name, in_words(value, label.factor), label.unit);
-    }
-    return rows;
-}
 
 std::string list(const std::vector<std::string>& sentences)
 {
@@ -92,12 +46,28 @@ std::string list(const std::vector<std::string>& sentences)
 
 std::string section(const char* title, const std::string& body) { return body.empty() ? "" : fmt::format("<h2>{}</h2>\n{}", title, body); }
 
-std::string results(const Json& metrics)
+std::string results(const RunRecord& run, const Metrics& metrics)
 {
-    std::string body = table(rows_of(metrics));
-    if (metrics.contains("grades")) body += "<p>Grades, 1 to 5:</p>\n" + table(rows_of(metrics["grades"]));
-    if (metrics.contains("notes")) body += list(metrics["notes"].get<std::vector<std::string>>());
-    return body;
+    std::string rows;
+    std::vector<std::string> notes = metrics.notes;
+    for (const Outcome& outcome : outcomes_of(run, metrics)) {
+        if (!is_shown(outcome)) continue;
+        const ShownValue value = shown(outcome, outcome.value.value_or(0));
+        const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? fmt::format("{:.4g}", value.value) : "–";
+        const std::string grade = outcome.grade ? fmt::format("grade {} of 5", *outcome.grade) : "";
+        rows += row(full_title(outcome), text, outcome.value ? value.unit : "", grade);
+        for (const std::string& note : {outcome.missing, outcome.remark})
+            if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
+    }
+    return table(rows) + list(notes);
+}
+
+std::string balance(const Ledger& ledger)
+{
+    std::string rows;
+    for (const auto& part : {water_balance(ledger), balance_check(ledger)})
+        for (const BalanceRow& of : part) rows += row(of.title, fmt::format("{:.4g}", of.value), of.unit);
+    return table(rows);
 }
 
 std::string base64(std::string_view bytes)
@@ -121,40 +91,20 @@ std::string maps(const std::vector<ReportPicture>& pictures)
     return body;
 }
 
-/// A chart of those series that are there and not all nothing; none if there are none.
-std::string chart(const Json& series, const char* title, const char* unit, double factor,
-                  const std::vector<std::pair<const char*, const char*>>& curves)
+/// Curves that are empty or all 0 are left out, and so is a plot without curves.
+std::string charts(const Metrics& metrics)
 {
-    LineChart chart{title, "time, s", unit, series["time_s"].get<std::vector<double>>(), {}};
-    for (const auto& [key, name] : curves) {
-        if (!series.contains(key)) continue;
-        std::vector<double> values;
-        for (const Json& value : series[key]) // null is what JSON has for a number that is none
-            values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : factor * value.get<double>());
-        if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; })) chart.curves.push_back({name, values});
+    std::string figures;
+    for (const Plot& plot : all_plots()) {
+        LineChart chart{plot.title, "time, s", plot.unit, metrics.series.time, {}};
+        for (const Curve& curve : plot.curves) {
+            const std::vector<double> values = plotted(plot, curve, metrics);
+            if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+                chart.curves.push_back({curve.name, values});
+        }
+        if (!chart.curves.empty() && chart.x.size() > 1) figures += "<figure>" + svg_of(chart) + "</figure>\n";
     }
-    return chart.curves.empty() || chart.x.size() < 2 ? "" : "<figure>" + svg_of(chart) + "</figure>\n";
-}
-
-std::string charts(const Json& series)
-{
-    return chart(series, "Wetted radius", "mm", 1, {{"wetted_radius_top_mm", "top"}, {"wetted_radius_bottom_mm", "bottom"}}) +
-           chart(series, "Height", "mm", 1, {{"wick_height_mm", "height"}}) +
-           chart(series, "Water content near the middle", "%", 1,
-                 {{"water_content_top_pct", "top"}, {"water_content_bottom_pct", "bottom"}}) +
-           chart(series, "Where the water is", "mg", 1e3,
-                 {{"free_water_g", "free"},
-                  {"yarn_water_g", "in pores"},
-                  {"bound_water_g", "in fibres"},
-                  {"evaporated_g", "evaporated"},
-                  {"dripped_g", "dripped"}}) +
-           chart(series, "Water on the faces, over the start", "mg", 1e3, {{"water_top_g", "top"}, {"water_bottom_g", "bottom"}}) +
-           chart(series, "Temperature", "°C", 1,
-                 {{"temperature_min_c", "lowest"},
-                  {"temperature_mean_c", "mean"},
-                  {"temperature_max_c", "highest"},
-                  {"air_temperature_c", "air"}}) +
-           chart(series, "Mean regain", "kg/kg", 1, {{"regain_mean", "regain"}});
+    return figures;
 }
 
 std::string derived(const FabricQuantities& q)
@@ -221,11 +171,11 @@ std::string parts(const RunRecord& run)
         rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>\n", escaped_markup(part.name), part.on ? "on" : "off",
                             escaped_markup(part.reason));
     std::vector<std::string> sentences;
-    for (const SwitchedPart& part : run.switched_on) sentences.push_back(hygroloom::in_words(part));
+    for (const SwitchedPart& part : run.switched_on) sentences.push_back(in_words(part));
     return table(rows) + list(sentences);
 }
 
-/// What the user set otherwise than the fidelity has it.
+/// The knobs that the user changed.
 std::string knobs(const ModelPlan& plan)
 {
     const Knobs usual = knobs_of(plan.fidelity);
@@ -233,18 +183,21 @@ std::string knobs(const ModelPlan& plan)
     for (const KnobInfo& knob : knob_table()) {
         const double value = plan.knobs.*knob.value;
         if (value != usual.*knob.value)
-            rows += row(knob.name, fmt::format("{:.6g}", value), fmt::format("{} (in place of {:.6g})", knob.unit, usual.*knob.value));
+            rows += row(knob.name, fmt::format("{:.6g}", value), fmt::format("{} (instead of {:.6g})", knob.unit, usual.*knob.value));
     }
-    return rows.empty() ? "" : "<p>Set otherwise than this fidelity has it:</p>\n" + table(rows);
+    return rows.empty() ? "" : "<p>Knobs that differ from this fidelity:</p>\n" + table(rows);
 }
 
-std::string origin(Json provenance, const RunRecord& run, bool finished)
+std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
 {
-    provenance.erase("simulated");
-    if (!finished) provenance.erase("wall_s"); // not known
-    std::string rows = rows_of(provenance);
-    if (run.plan.expected_error) rows += row("error to be expected", rounded_text(100 * *run.plan.expected_error, 2), "%");
-    if (!run.date.empty()) rows += row("began", run.date, "");
+    std::string rows = row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, "") +
+                       row("fabric", run.fabric, "") + row("experiment", run.experiment, "") + row("backend", run.backend, "") +
+                       row("device", run.device, "") + row("fidelity", name_of(run.plan.fidelity), "") +
+                       row("seed", std::to_string(run.seed), "");
+    if (finished) rows += row("run time", fmt::format("{:.4g}", run.wall), "s");
+    rows += row("simulated time", fmt::format("{:.4g}", ledger.time), "s");
+    if (run.plan.expected_error) rows += row("expected error", rounded_text(100 * *run.plan.expected_error, 2), "%");
+    if (!run.date.empty()) rows += row("started", run.date, "");
     return table(rows) + knobs(run.plan) + parts(run) + list(notes_of(run.plan));
 }
 
@@ -252,15 +205,14 @@ std::string origin(Json provenance, const RunRecord& run, bool finished)
 
 std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished)
 {
-    const Json json = Json::parse(metrics_json(run, metrics));
     const std::string title = escaped_markup(run.fabric + ", " + run.experiment);
     return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
                        "content=\"width=device-width\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"
                        "<p>Simulated, not measured.{2}</p>\n",
-                       title, style, finished ? "" : fmt::format(" The run was cut short at {:.4g} s.", metrics.ledger.time)) +
-           section("Results", results(json["metrics"])) + section("Maps", maps(pictures)) + section("Over time", charts(json["series"])) +
-           section("Balance", table(rows_of(json["ledger"]))) + section("What went in", input(run)) +
-           section("How it was computed", origin(json["provenance"], run, finished)) + "</body>\n</html>\n";
+                       title, style, finished ? "" : fmt::format(" The run was stopped at {:.4g} s.", metrics.ledger.time)) +
+           section("Results", results(run, metrics)) + section("Maps", maps(pictures)) + section("Over time", charts(metrics)) +
+           section("Balance", balance(metrics.ledger)) + section("Inputs", input(run)) +
+           section("Computation", origin(run, metrics.ledger, finished)) + "</body>\n</html>\n";
 }
 
 } // namespace hygroloom

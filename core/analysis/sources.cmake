@@ -10,6 +10,8 @@ target_sources(hygroloom_core PRIVATE
   analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
+  analysis/outcomes.cpp
+  analysis/plots.cpp
   analysis/report.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp

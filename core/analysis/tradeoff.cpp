@@ -3,11 +3,11 @@
 
 #include "core/analysis/cell_map.h"
 #include "core/analysis/closed_forms.h"
+#include "core/analysis/outcomes.h"
 #include "core/base/error.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <sys/utsname.h>
 
@@ -122,18 +122,12 @@ TradeoffMoment moment_of(const Textile& textile, const Frame& frame, const Frame
     return moment;
 }
 
-/// The numbers among what metrics_json() reports, without grades and without rings, which are the same numbers made coarse.
+/// The numbers of a run but those in rings, which are the same numbers made coarse.
 std::map<std::string, std::optional<double>> numbers_of(const RunRecord& run, const Metrics& metrics)
 {
     std::map<std::string, std::optional<double>> numbers;
-    const nlohmann::json json = nlohmann::json::parse(metrics_json(run, metrics));
-    for (const auto& [name, value] : json.at("metrics").items()) {
-        if (name.ends_with("_ring_mm")) continue;
-        if (value.is_number())
-            numbers[name] = value.get<double>();
-        else if (value.is_null())
-            numbers[name] = std::nullopt;
-    }
+    for (const Outcome& outcome : outcomes_of(run, metrics))
+        if (!outcome.in_rings && outcome.text.empty()) numbers[outcome.key] = outcome.value;
     return numbers;
 }
 

@@ -41,7 +41,7 @@ struct TradeoffMoment {
 
 /// What is kept of one run. Moments at a quarter, a half, three quarters and the end of it.
 struct TradeoffOutcome {
-    std::map<std::string, std::optional<double>> metrics; ///< as metrics_json() names them; none: could not be determined
+    std::map<std::string, std::optional<double>> metrics; ///< by key, see outcomes_of(); none: could not be determined
     std::map<std::string, double> closed_forms;           ///< of metrics: see closed_forms(); none of a sample that still changed
     std::vector<TradeoffMoment> moments;
     double air_temperature_c = 0; ///< at the end

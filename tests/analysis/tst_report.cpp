@@ -192,12 +192,12 @@ private Q_SLOTS:
         run.plan.parts = {{"heat", false, true, "It was switched off by the user.", {}, false}};
         Image image{2, 1, {255, 0, 0, 0, 0, 255}};
         const QString html = QString::fromStdString(report_html(run, metrics, {{"Top face", image}}, true));
-        for (const char* part : {"maximum wetted radius top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;",
+        for (const char* part : {"wetted radius, top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;",
                                  "data:image/png;base64,iVBORw0KGgo", "water imbalance", "cover factor", "fibre_radius_um", "volume_ul",
                                  "surface_tension", "fidelity", "<svg", ">123<", "It was switched off by the user."})
             QVERIFY2(html.contains(part), part);
-        QVERIFY(!html.contains("cut short"));
-        QVERIFY(report_html(run, metrics, {}, false).find("cut short at 0.3 s") != std::string::npos);
+        QVERIFY(!html.contains("was stopped"));
+        QVERIFY(report_html(run, metrics, {}, false).find("was stopped at 0.3 s") != std::string::npos);
         const auto from = html.indexOf("base64,") + 7;
         const QByteArray png =
             QByteArray::fromBase64(html.mid(from, html.indexOf('"', from) - from).toLatin1(), QByteArray::AbortOnBase64DecodingErrors);

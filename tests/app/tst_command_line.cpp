@@ -28,6 +28,14 @@ private Q_SLOTS:
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);
         }
     }
+    void referenceListsEveryVerbAndOption()
+    {
+        const QString text = run_cli({"reference"}).out;
+        for (const char* part :
+             {"## simulate\n", "## verify\n", "| `-o`, `--output` |", "| `PROJECT` |", "| required |", "| `fibre_shells` |"})
+            QVERIFY2(text.contains(part), part);
+        QVERIFY(!run_cli({"--help"}).out.contains("reference  "));
+    }
     void wrongUsageIsTwo_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -129,7 +137,7 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"presets", "Denim", "Textile F", "-o", project}).code, 0);
         const Answer again = run_cli({"presets", "Denim", "-o", project});
         QCOMPARE(again.code, 0);
-        QVERIFY2(again.err.contains("is called \"Denim 2\"."), again.err);
+        QVERIFY2(again.err.contains("the new one is \"Denim 2\"."), again.err);
         const Answer check = run_cli({"check", project, "--fabric", "Denim 2"});
         QCOMPARE(check.code, 0);
         QVERIFY(check.out.contains("laboratory"));
@@ -240,9 +248,9 @@ private Q_SLOTS:
         for (const char* verb : {"plan", "simulate", "compare"}) {
             const Answer answer = run_cli({verb, project, "--fidelity", "best"});
             QCOMPARE(answer.code, 2);
-            QVERIFY2(answer.err.contains("draft, standard, reference or auto; \"best\""), answer.err);
+            QVERIFY2(answer.err.contains("draft, standard, reference or auto; given is \"best\""), answer.err);
         }
-        QVERIFY(run_cli({"compare", project, "--fidelity", "auto"}).err.contains("needs one of"));
+        QVERIFY(run_cli({"compare", project, "--fidelity", "auto"}).err.contains("needs either"));
         const Answer ladder = run_cli({"tradeoff", example("textile-F.hygro"), "--fidelities", "draft,auto"}); // where auto is none
         QVERIFY2(ladder.err.contains("draft, standard or reference; \"auto\""), ladder.err);
     }
@@ -353,7 +361,7 @@ private Q_SLOTS:
             "--set", "fabrics[0].warp_order=[{\"yarn\":0,\"count\":4},{\"yarn\":1,\"count\":2}]"};
         const Answer text = run_cli(call);
         QCOMPARE(text.code, 0);
-        QVERIFY2(text.out.contains("extra yarn 1") && text.out.contains("extra yarn 2: neither order has it"), text.out + text.err);
+        QVERIFY2(text.out.contains("extra yarn 1") && text.out.contains("extra yarn 2: used in neither order"), text.out + text.err);
         const QJsonArray yarns =
             run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject()["derived"].toObject()["extra_yarns"].toArray();
         QCOMPARE(yarns.size(), 2);

@@ -69,7 +69,7 @@ private Q_SLOTS:
         const Answer measured = run_cli({"measure", recording, "--json"});
         QCOMPARE(measured.code, 0);
         QCOMPARE(measured.json()["metrics"], json["metrics"]);
-        QVERIFY(run_cli({"measure", recording}).out.contains("maximum wetted radius, top"));
+        QVERIFY(run_cli({"measure", recording}).out.contains("wetted radius, top"));
     }
     void aPartThatComesOnIsToldByRunAndRecording()
     {
@@ -154,7 +154,7 @@ private Q_SLOTS:
         const Answer json = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile"
                                                                                   << "--json",
                                     300);
-        QVERIFY(json.err.contains("between the stages") && json.json().contains("metrics"));
+        QVERIFY(json.err.contains("outside the stages") && json.json().contains("metrics"));
     }
     void aTradeoffComparesVariantsWithTheReference()
     {
@@ -228,8 +228,8 @@ private Q_SLOTS:
             const QString recording = folder + "/" + QString(names[i]).replace(' ', '-') + ".hygrorec";
             QCOMPARE(run_cli({"measure", recording, "--json"}).json()["metrics"], alone.json()["metrics"]);
         }
-        QVERIFY(run_cli({"simulate", project, "--fabric", names[0], "--fabrics", names[1]}).err.contains("do not go together"));
-        QVERIFY(run_cli({"simulate", project, "--fabrics", names[1], "--profile"}).err.contains("goes with one fabric"));
+        QVERIFY(run_cli({"simulate", project, "--fabric", names[0], "--fabrics", names[1]}).err.contains("either --fabric or --fabrics"));
+        QVERIFY(run_cli({"simulate", project, "--fabrics", names[1], "--profile"}).err.contains("works with one fabric"));
         QCOMPARE(run_cli({"simulate", project, "--fabric", names[0], "--at-once", "2"}).code, 2);
     }
     void candidatesAreRankedOnOneExperiment()
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QVERIFY(run_cli(compare + scene + QStringList{"--by", "ommc"}).err.contains("no number \"ommc\""));
         const Answer least =
             run_cli(compare + scene + QStringList{"--by", "absorbency_time_s", "--fabrics", "Hemp plain, Cotton plain"}, 300);
-        QVERIFY2(least.code == 0 && least.out.contains("ranked by absorbency time (the least first)"), least.err);
+        QVERIFY2(least.code == 0 && least.out.contains("ranked by absorbency time (smallest first)"), least.err);
         QVERIFY2(least.out.contains("wetted radius, top  wetted radius, bottom  absorbency time  run time\n"), least.out);
         QVERIFY(!least.out.contains("_mm") && !least.out.contains("_s"));
         QVERIFY(least.out.contains("Hemp plain") && !least.out.contains("Cotton twill"));
@@ -271,13 +271,13 @@ private Q_SLOTS:
                                                    "heat=off,vapour=off", "--fidelity", "auto", "--time", "0.001s"} +
                                            scene,
                                        300);
-        QVERIFY2(hurried.out.contains("draft fidelity was taken. No fidelity is expected to take at most 0.001 s"), hurried.out);
+        QVERIFY2(hurried.out.contains("fidelity draft: No fidelity is expected to take at most 0.001 s"), hurried.out);
         QVERIFY2(hurried.out.contains("of 3 runs"), hurried.out);
         const QString first = candidates[0].toObject()["fabric"].toString();
-        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two fabrics or more"));
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two or more fabrics"));
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + "," + first}).err.contains("named twice"));
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",no such"}).err.contains("no fabric \"no such\""));
-        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",,"}).err.contains("A name is empty"));
+        QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first + ",,"}).err.contains("One of the names is empty"));
     }
     void mapsAreWrittenAsPictureAndTable()
     {
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QCOMPARE(run_cli(short_run(recording), 300).code, 0);
         const Answer answer = run_cli({"export", project, "--water", recording, "--time", "0.02", "--json", "-o", file});
         QCOMPARE(answer.code, 0);
-        QVERIFY2(answer.err.contains("The water at 0.0"), answer.err);
+        QVERIFY2(answer.err.contains("Water at 0.0"), answer.err);
         QFile ply(file);
         QVERIFY(ply.open(QIODevice::ReadOnly) && ply.read(1000).contains("property float saturation"));
         QCOMPARE(run_cli({"export", project, "--water", recording, "--size-mm", "2x2", "-o", file}).code, 2);
@@ -345,10 +345,10 @@ private Q_SLOTS:
         QVERIFY(process.waitForFinished(10000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 130);
-        QVERIFY(process.readAllStandardError().contains("The recording so far is in " + recording.toUtf8()));
+        QVERIFY(process.readAllStandardError().contains("The recording so far: " + recording.toUtf8()));
         const Answer measured = run_cli({"measure", recording, "--json"});
         QCOMPARE(measured.code, 0);
-        QVERIFY(measured.err.contains("cut short"));
+        QVERIFY(measured.err.contains("was stopped"));
         QVERIFY(!measured.json()["series"].toObject()["time_s"].toArray().isEmpty());
     }
     void interruptedRunsSideBySideLeaveReadableRecordings()
@@ -366,7 +366,7 @@ private Q_SLOTS:
         QCOMPARE(process.exitCode(), 130);
         const QByteArray err = process.readAllStandardError();
         QVERIFY2(err.contains("Cancelled after 0 of 2 fabrics. The recordings so far are in " + folder.toUtf8() + "."), err);
-        QVERIFY(run_cli({"measure", first}).err.contains("cut short"));
+        QVERIFY(run_cli({"measure", first}).err.contains("was stopped"));
     }
     void anInterruptedComparisonKeepsWhatWasRun()
     {

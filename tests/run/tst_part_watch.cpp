@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Parts that a plan left out come on while running when the cloth gets wetter than the plan's estimate took for granted, and only then.
 #include "core/analysis/metrics.h"
+#include "core/analysis/metrics_json.h"
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
 #include "core/plan/expectation.h"

@@ -212,7 +212,7 @@ private Q_SLOTS:
         const auto told = [&view] {
             const auto labels = view.findChildren<QLabel*>();
             return std::any_of(labels.begin(), labels.end(),
-                               [](const QLabel* label) { return label->isVisible() && label->text().contains("another run by now"); });
+                               [](const QLabel* label) { return label->isVisible() && label->text().contains("holds another run now"); });
         };
         QTRY_VERIFY_WITH_TIMEOUT(told(), 10000);
         history.forget(replaced.path);

@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY2(line.contains(QRegularExpression("^Draft, expected error [0-9.]+ %, on ")) && line.contains(", took "), qPrintable(line));
         const QString text = results().text();
         QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. From ")), qPrintable(text));
-        QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nBegun: "), qPrintable(text));
+        QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nStarted: "), qPrintable(text));
         RunRecord other = *run;
         other.wall = 0;
         other.date.clear();
@@ -163,13 +163,13 @@ private Q_SLOTS:
         other.plan.expected_error.reset();
         QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, expected error not known, on "));
         QVERIFY(originOf(other, true).endsWith(", running"));
-        QVERIFY(originOf(other, false).endsWith(", cut short"));
+        QVERIFY(originOf(other, false).endsWith(", stopped"));
         other.plan.expected_error = 0;
         QVERIFY(originOf(other, false).contains("the reference for errors"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false)
                     .join('\n')
-                    .contains(QRegularExpression("^heat (modelled|left out), as was asked$", QRegularExpression::MultilineOption)));
+                    .contains(QRegularExpression("^heat switched (on|off) by the user$", QRegularExpression::MultilineOption)));
     }
 
     void plansSayWhichRunTheyAreOf()

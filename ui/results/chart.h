@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Curves of a run over time, with the shown moment as an upright line.
+// Curves of a run over time, with the shown time as a vertical line.
 #pragma once
 
 #include "ui/results/playback.h"
@@ -14,15 +14,15 @@ namespace hygroloom {
 
 class CurveLegend;
 class TimeChartView;
-struct PlotContent;
+struct Plot;
 
-/// Where the water is on the left, what the type of experiment is about on the right. A click shows that moment.
+/// Where the water is on the left, what the type of experiment measures on the right. A click shows that time.
 class Chart : public QWidget {
     Q_OBJECT
 public:
     explicit Chart(Playback& playback, QWidget* parent = nullptr);
 
-    /// Points of the curve of free water, for those who want to know that there are any.
+    /// Points of the first curve.
     int points() const;
     /// Names of the curves in the plot on the left.
     QStringList waterCurves() const;
@@ -34,7 +34,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct Plot {
+    struct PlotView {
         TimeChartView* view = nullptr;
         CurveLegend* legend = nullptr;
         QChart* chart = nullptr;
@@ -42,15 +42,16 @@ private:
         QValueAxis* value = nullptr;
         std::vector<QLineSeries*> lines;
     };
-    Plot addPlot();
+    PlotView addPlot();
     void refresh();
-    void fill(Plot& plot, const PlotContent& content);
-    static void refreshLegend(Plot& plot);
+    void fill(PlotView& view, const Plot& plot);
+    void setRanges(PlotView& view, bool fromZero, double lowest, double highest) const;
+    static void refreshLegend(PlotView& plot);
     void applyPalette();
 
     Playback& playback_;
-    Plot water_;
-    Plot subject_;
+    PlotView water_;
+    PlotView subject_;
 };
 
 } // namespace hygroloom

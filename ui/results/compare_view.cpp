@@ -5,20 +5,17 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/project/atomic_file.h"
-#include "core/run/recording.h"
 #include "ui/basics/quantity.h"
+#include "ui/results/compare_maps.h"
 #include "ui/results/results_panel.h"
 
-#include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QTableWidget>
@@ -32,75 +29,33 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int legend_width = 92;
-constexpr int moments = 200; // of the slider
-constexpr int crossings_per_cell = 2;
-
-/// Criteria give their units in plain letters, as files have them.
-QString shownUnit(const std::string& unit)
-{
-    static const std::pair<const char*, QString> spelled[] = {
-        {"mm2/s", "mm²/s"}, {"mm/s^0.5", "mm/√s"}, {"g/(m2 h)", "g/(m² h)"}, {"C", "°C"}};
-    for (const auto& [plain, shown] : spelled) {
-        if (unit == plain) { return shown; }
-    }
-    return QString::fromStdString(unit);
-}
-
 QString fabricOf(const KeptRun& run) { return QString::fromStdString(run.run->fabric); }
 
-double durationOf(const KeptRun& run)
-{
-    const Experiment* experiment = find_experiment(run.run->design, run.run->experiment);
-    return experiment ? experiment->duration_s : 0;
-}
-
-bool isSameRun(const RunRecord& one, const RunRecord& other)
-{
-    return one.fabric == other.fabric && one.experiment == other.experiment && one.date == other.date &&
-           one.textile.ends() == other.textile.ends() && one.textile.picks() == other.textile.picks();
-}
-
-/// At the last recorded moment not after a time. Throws Error where the file at the run's path is of another run by now.
-FaceMap mapOf(const KeptRun& run, double time, MapSide side)
-{
-    const Recording recording(run.path.toStdString());
-    const RunRecord& recorded = recording.run();
-    if (recording.frames() == 0 || !isSameRun(recorded, *run.run)) {
-        throw Error(
-            CompareView::tr("The recording %1 is of another run by now. Open it again to compare that one.").arg(run.path).toStdString());
-    }
-    const auto& ledgers = recording.ledgers();
-    const auto after = std::find_if(ledgers.begin(), ledgers.end(), [time](const Ledger& l) { return l.time > time + 1e-9; });
-    const int index = std::clamp(static_cast<int>(after - ledgers.begin()) - 1, 0, recording.frames() - 1);
-    return faceMap(recorded, recording.frame(index), recording.frame(0), side, crossings_per_cell);
-}
-
 /// The best of the candidates by a criterion, where one is better than another.
-std::optional<double> bestOf(const Comparison& comparison, const Criterion& criterion)
+std::optional<double> bestOf(const Comparison& comparison, const OutcomeInfo& criterion)
 {
     std::vector<double> numbers;
     for (const Candidate& candidate : comparison.candidates) {
-        if (const auto found = candidate.numbers.find(criterion.name); found != candidate.numbers.end()) {
+        if (const auto found = candidate.numbers.find(criterion.key); found != candidate.numbers.end()) {
             numbers.push_back(found->second);
         }
     }
     if (numbers.size() < 2) { return {}; }
     const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
-    return *least == *most ? std::optional<double>() : criterion.most_first ? *most : *least;
+    return *least == *most ? std::optional<double>() : criterion.better == Better::less ? *least : *most;
 }
 
-QTableWidgetItem* cellOf(const Candidate& candidate, const Criterion& criterion, const std::optional<double>& best)
+QTableWidgetItem* cellOf(const Candidate& candidate, const OutcomeInfo& criterion, const std::optional<double>& best)
 {
-    const auto found = candidate.numbers.find(criterion.name);
+    const auto found = candidate.numbers.find(criterion.key);
     auto* item = new QTableWidgetItem;
     if (found == candidate.numbers.end()) {
         item->setText(QStringLiteral("–"));
-        item->setToolTip(CompareView::tr("This run does not tell."));
+        item->setToolTip(CompareView::tr("This run does not give this number."));
         return item;
     }
-    const QString number = shownNumber(found->second, decimals_for(found->second, 3));
-    const QString unit = shownUnit(criterion.unit);
+    const ShownValue value = shown(criterion, found->second);
+    const QString number = shownNumber(value.value, decimals_for(value.value, 3)), unit = QString::fromStdString(value.unit);
     const QString text = unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
     item->setText(text);
     if (best && found->second == *best) {
@@ -108,7 +63,7 @@ QTableWidgetItem* cellOf(const Candidate& candidate, const Criterion& criterion,
         QFont font = item->font();
         font.setBold(true);
         item->setFont(font);
-        item->setToolTip(criterion.most_first ? CompareView::tr("The most counts as best.") : CompareView::tr("The least counts as best."));
+        item->setToolTip(criterion.better == Better::less ? CompareView::tr("Smaller is better.") : CompareView::tr("Larger is better."));
     }
     return item;
 }
@@ -116,9 +71,8 @@ QTableWidgetItem* cellOf(const Candidate& candidate, const Criterion& criterion,
 } // namespace
 
 CompareView::CompareView(RunHistory& history, QWidget* parent)
-    : QWidget(parent), history_(history), list_(new QTreeWidget), table_(new QTableWidget), empty_(new QLabel), origin_(new QLabel),
-      save_(new QPushButton(tr("Save &Table…"))), side_by_side_(new QWidget), legend_(new QWidget), face_(new QComboBox),
-      time_(new QSlider(Qt::Horizontal)), shown_time_(new QLabel), value_(new QLabel), problem_(new QLabel)
+    : QWidget(parent), history_(history), list_(new QTreeWidget), table_(new QTableWidget), maps_(new CompareMaps), origin_(new QLabel),
+      save_(new QPushButton(tr("Save &Table…")))
 {
     auto* numbers = new QWidget;
     auto* column = new QVBoxLayout(numbers);
@@ -148,11 +102,12 @@ CompareView::CompareView(RunHistory& history, QWidget* parent)
     auto* parts = new QSplitter(Qt::Vertical);
     parts->setChildrenCollapsible(false);
     parts->addWidget(upper);
-    parts->addWidget(buildMaps());
+    parts->addWidget(maps_);
     parts->setSizes({260, 440});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(parts);
+    connect(maps_, &CompareMaps::mapsChanged, this, &CompareView::mapsChanged);
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
     refresh();
 }
@@ -165,60 +120,17 @@ QWidget* CompareView::buildList()
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 120);
     list_->header()->setStretchLastSection(false);
-    list_->setToolTip(tr("Tick two to four runs of the same experiment. Double-click one to look at it alone."));
+    list_->setToolTip(tr("Tick two to four runs of the same experiment. Double-click one to open it."));
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         const QString path = item->data(0, Qt::UserRole).toString();
         const bool on = item->checkState(0) == Qt::Checked;
-        // The list is built anew, which an item must not see that is just being changed.
+        // The list is rebuilt, but not while one of its items is being changed.
         QMetaObject::invokeMethod(
             this, [this, path, on] { choose(path, on); }, Qt::QueuedConnection);
     });
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* item) { Q_EMIT runRequested(item->data(0, Qt::UserRole).toString()); });
     return list_;
-}
-
-QWidget* CompareView::buildMaps()
-{
-    row_ = new QHBoxLayout(side_by_side_);
-    row_->setContentsMargins(0, 4, 0, 0);
-    row_->setSpacing(0);
-    legend_->setFixedWidth(legend_width);
-    row_->addWidget(legend_);
-    face_->addItems({tr("Top face"), tr("Bottom face")});
-    face_->setAccessibleName(tr("Face of the fabrics"));
-    time_->setRange(0, moments);
-    time_->setValue(moments);
-    time_->setAccessibleName(tr("Moment of all maps"));
-    value_->setAccessibleName(tr("Value under the pointer"));
-    auto* foot = new QHBoxLayout;
-    foot->setContentsMargins(8, 0, 8, 4);
-    foot->addWidget(face_);
-    foot->addWidget(time_, 1);
-    foot->addWidget(shown_time_);
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setForegroundRole(QPalette::PlaceholderText);
-    auto* part = new QWidget;
-    auto* layout = new QVBoxLayout(part);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(side_by_side_, 1);
-    layout->addWidget(empty_, 1);
-    problem_->setWordWrap(true);
-    problem_->setTextFormat(Qt::PlainText);
-    problem_->setContentsMargins(8, 0, 8, 0);
-    problem_->setVisible(false);
-    layout->addWidget(problem_);
-    layout->addWidget(value_);
-    layout->addLayout(foot);
-    value_->setContentsMargins(8, 0, 8, 0);
-    connect(face_, &QComboBox::currentIndexChanged, this, [this] {
-        maximum_ = 0;
-        readMaps();
-    });
-    connect(time_, &QSlider::valueChanged, this, &CompareView::readMaps);
-    return part;
 }
 
 const KeptRun* CompareView::find(const QString& path) const
@@ -245,21 +157,13 @@ std::vector<KeptRun> CompareView::compared() const
     return runs;
 }
 
-double CompareView::duration() const
-{
-    const std::vector<KeptRun> runs = compared();
-    return runs.empty() ? 0 : durationOf(runs.front());
-}
-
-double CompareView::moment() const { return duration() * time_->value() / moments; }
-
 QString CompareView::whyNot(const KeptRun& run) const
 {
     const std::vector<KeptRun> others = compared();
     const bool alone = others.empty() || (others.size() == 1 && others.front().path == run.path);
     const QString why = whyNotCompared(run, alone ? run : others.front());
     const bool full = others.size() >= most_runs && !chosen_.contains(run.path);
-    return why.isEmpty() && full ? tr("Four runs stand side by side at most.") : why;
+    return why.isEmpty() && full ? tr("At most four runs can be compared.") : why;
 }
 
 void CompareView::choose(const QString& path, bool on)
@@ -274,11 +178,9 @@ void CompareView::choose(const QString& path, bool on)
     refresh();
 }
 
-void CompareView::setWaterColors(WaterColors colors)
-{
-    colors_ = colors;
-    showRange();
-}
+void CompareView::setWaterColors(WaterColors colors) { maps_->setWaterColors(colors); }
+
+const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
 
 /// The newest run of each fabric that goes with the newest of all.
 void CompareView::propose()
@@ -316,7 +218,7 @@ void CompareView::refreshList()
         item->setText(0, nameOf(run));
         item->setText(1, QString::fromStdString(run.run->experiment));
         item->setText(2, fidelity.left(1).toUpper() + fidelity.mid(1));
-        item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("cut short"));
+        item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
         item->setText(4, run.saved ? tr("yes") : tr("no"));
         const QString why = whyNot(run);
         const QString tip = why.isEmpty() ? originOf(*run.run, false) : why;
@@ -340,10 +242,11 @@ Comparison CompareView::comparison() const
     if (runs.empty()) { return made; }
     const Experiment* experiment = find_experiment(runs.front().run->design, runs.front().run->experiment);
     made.experiment = runs.front().run->experiment;
-    made.criteria = criteria_of(experiment ? experiment->type : ExperimentType::droplet);
+    if (experiment) { made.criteria = compared_by(experiment->type); }
+    if (made.criteria.empty()) { return made; }
     made.ranked_by = made.criteria.front();
     for (const KeptRun& run : runs) {
-        made.candidates.push_back(candidate_of(*run.run, *run.metrics, made.criteria));
+        made.candidates.push_back(candidate_of(run.run, run.metrics));
         made.candidates.back().fabric = nameOf(run).toStdString();
     }
     made.complete = true;
@@ -357,8 +260,8 @@ void CompareView::refreshTable()
     table_->setRowCount(static_cast<int>(numbers.criteria.size()));
     table_->setColumnCount(static_cast<int>(numbers.candidates.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
-        const Criterion& criterion = numbers.criteria[static_cast<std::size_t>(row)];
-        const QString title = QString::fromStdString(criterion.title);
+        const OutcomeInfo& criterion = numbers.criteria[static_cast<std::size_t>(row)];
+        const QString title = QString::fromStdString(full_title(criterion));
         table_->setVerticalHeaderItem(row, new QTableWidgetItem(title.left(1).toUpper() + title.mid(1)));
         const std::optional<double> best = bestOf(numbers, criterion);
         for (int column = 0; column < table_->columnCount(); ++column) {
@@ -376,107 +279,18 @@ void CompareView::refreshTable()
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     save_->setEnabled(runs.size() > 1);
-    origin_->setText(one_fidelity ? QString() : tr("These runs differ in fidelity; part of their difference is that."));
+    origin_->setText(one_fidelity ? QString() : tr("These runs have different fidelities, which is part of their difference."));
 }
 
 void CompareView::refreshMaps()
 {
     const std::vector<KeptRun> runs = compared();
-    side_by_side_->setVisible(!runs.empty());
-    empty_->setVisible(runs.empty());
-    empty_->setText(history_.runs().empty()
-                        ? tr("Nothing has been run yet. Run an experiment on one fabric and then on another, or open recordings; "
-                             "they are listed above.")
-                        : tr("Tick the runs above that are to stand side by side."));
-    QStringList paths, titles, drawn;
-    for (const KeptRun& run : runs) {
-        paths << run.path;
-        titles << nameOf(run);
-        drawn << titles.back() + "\n" + QString::fromStdString(run.run->date);
-    }
-    face_->setEnabled(!runs.empty());
-    time_->setEnabled(!runs.empty());
-    if (paths == mapped_ && drawn == drawn_) { return; }
-    mapped_ = paths;
-    drawn_ = drawn;
-    qDeleteAll(maps_);
-    maps_.clear();
-    maximum_ = 0;
-    value_->clear();
-    for (const QString& title : titles) {
-        auto* map = new WaterMap(title);
-        map->setAccessibleName(tr("Water on %1").arg(title));
-        connect(map, &WaterMap::pointed, value_, &QLabel::setText);
-        row_->insertWidget(static_cast<int>(maps_.size()), map, 1);
-        maps_.push_back(map);
-    }
-    readMaps();
-}
-
-void CompareView::readMaps()
-{
-    shown_time_->setText(mapped_.isEmpty() ? QString() : momentText(moment(), duration()));
-    if (mapped_.isEmpty()) {
-        ++asked_;
-        reader_.drop();
-        showProblem({});
-        update();
-        return;
-    }
-    const MapSide side = face_->currentIndex() == 0 ? MapSide::top : MapSide::bottom;
-    reader_.run([this, runs = compared(), asked = ++asked_, side, time = moment()](const NewestJob::Turn& turn) {
-        std::vector<FaceMap> maps;
-        QString problem;
-        try {
-            for (const KeptRun& run : runs) {
-                if (turn.outdated()) { return; }
-                maps.push_back(mapOf(run, time, side));
-            }
-        } catch (const std::exception& error) {
-            problem = QString::fromStdString(error.what());
-        }
-        turn.deliver([this, maps, asked, problem] {
-            if (asked != asked_) { return; }
-            showProblem(problem);
-            if (problem.isEmpty()) { showMaps(maps); }
-        });
-    });
-}
-
-void CompareView::showMaps(const std::vector<FaceMap>& maps)
-{
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        maximum_ = std::max(maximum_, maps[i].cells.maximum());
-        maps_[i]->setMap(maps[i].cells, maps[i].stain, maps[i].size);
-    }
-    showRange();
-    Q_EMIT mapsChanged();
-}
-
-/// In the view, as the same may come at each step of the slider.
-void CompareView::showProblem(const QString& sentence)
-{
-    problem_->setText(sentence);
-    problem_->setVisible(!sentence.isEmpty());
-    if (sentence.isEmpty()) { return; }
-    for (WaterMap* map : maps_) { map->clear(); }
-}
-
-void CompareView::showRange()
-{
-    for (WaterMap* map : maps_) { map->setRange(roundedUp(maximum_), colors_); }
-    update();
-}
-
-void CompareView::paintEvent(QPaintEvent*)
-{
-    if (maps_.empty() || !(maximum_ > 0)) { return; }
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(palette().color(QPalette::WindowText));
-    const QRectF room(legend_->mapTo(this, QPoint(0, 0)), legend_->size());
-    drawLegend(painter, room.adjusted(4, 0, -4, -std::max(0.0, room.height() - 240)), tr("Water"), 1000 * roundedUp(maximum_), tr("g/m²"),
-               colors_);
+    QStringList titles;
+    for (const KeptRun& run : runs) { titles << nameOf(run); }
+    maps_->setRuns(runs, titles,
+                   history_.runs().empty() ? tr("Nothing has been run yet. Run an experiment on two fabrics, or open recordings; they are "
+                                                "listed above.")
+                                           : tr("Tick the runs above to compare them."));
 }
 
 std::string CompareView::tableCsv() const

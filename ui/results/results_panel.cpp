@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/results_panel.h"
 
+#include "core/analysis/outcomes.h"
 #include "core/base/text.h"
-#include "core/base/units.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/plan_dialog.h"
 
@@ -25,7 +25,7 @@ namespace {
 
 QString tr(const char* text) { return ResultsPanel::tr(text); }
 
-/// Three digits that count.
+/// Three significant digits.
 QString number(double value)
 {
     const int decimals = value == 0 ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
@@ -34,61 +34,44 @@ QString number(double value)
 
 QString with(double value, const char* unit) { return number(value) + (*unit ? QChar(0x00a0) + QString::fromUtf8(unit) : QString()); }
 
-QString orWhy(const std::optional<double>& value, double scale, const char* unit, const QString& why)
-{
-    return value ? with(scale * *value, unit) : why;
-}
+/// With a capital.
+QString sentence(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
 
-QString graded(const QString& value, int grade) { return QStringLiteral("%1 (%2)").arg(value).arg(grade); }
-
-void addStain(std::vector<Result>& results, const Metrics& m)
+/// "12.3 mm, grade 4", or why there is no value.
+QString textOf(const Outcome& outcome)
 {
-    results.push_back(
-        {tr("Wetted radius"), with(1e3 * m.maximum_wetted_radius_top, "mm"), with(1e3 * m.maximum_wetted_radius_bottom, "mm")});
-    results.push_back(
-        {tr("Stain, warp × weft"),
-         ResultsPanel::tr("%1 × %2 mm").arg(number(2e3 * m.wetted_area_ellipse_warp), number(2e3 * m.wetted_area_ellipse_weft))});
-}
-
-void addAbsorbency(std::vector<Result>& results, const Metrics& m)
-{
-    if (m.ledger.water_delivered > 0) {
-        results.push_back({tr("Absorbency time"), orWhy(m.absorbency_time, 1, "s", tr("not soaked in yet"))});
+    if (!outcome.text.empty()) { return QString::fromStdString(outcome.text); }
+    QString text = QString::fromStdString(outcome.missing);
+    if (outcome.value) {
+        const ShownValue value = shown(outcome, *outcome.value);
+        text = with(value.value, value.unit.c_str());
     }
+    if (outcome.grade) { text = QStringLiteral("%1 (%2)").arg(text).arg(*outcome.grade); }
+    return outcome.remark.empty() ? text : text + ", " + QString::fromStdString(outcome.remark);
 }
 
-void addManagement(std::vector<Result>& results, const ManagementIndices& m)
+/// The numbers by which fabrics are compared come first; top and bottom stand on one line.
+void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outcomes)
 {
-    const ManagementGrades grades = management_grades(m);
-    const QString dry = tr("stayed dry");
-    results.push_back({tr("Wetting time"), graded(orWhy(m.top.wetting_time, 1, "s", dry), grades.wetting_time_top),
-                       graded(orWhy(m.bottom.wetting_time, 1, "s", dry), grades.wetting_time_bottom)});
-    results.push_back({tr("Absorption rate"), graded(with(m.top.absorption_rate, "%/s"), grades.absorption_rate_top),
-                       graded(with(m.bottom.absorption_rate, "%/s"), grades.absorption_rate_bottom)});
-    results.push_back({tr("Wetted radius"), graded(with(m.top.maximum_wetted_radius, "mm"), grades.maximum_wetted_radius_top),
-                       graded(with(m.bottom.maximum_wetted_radius, "mm"), grades.maximum_wetted_radius_bottom)});
-    results.push_back({tr("Spreading speed"), graded(with(m.top.spreading_speed, "mm/s"), grades.spreading_speed_top),
-                       graded(with(m.bottom.spreading_speed, "mm/s"), grades.spreading_speed_bottom)});
-    results.push_back({tr("One-way transport"), graded(with(m.one_way_transport, "%"), grades.one_way_transport)});
-    results.push_back({tr("Overall (OMMC)"), graded(with(m.ommc, ""), grades.ommc)});
-    results.push_back({tr("Class"), QString::fromUtf8(fabric_class(m))});
-}
-
-void addDrying(std::vector<Result>& results, const DryingResult& m)
-{
-    const QString early = tr("dried too little yet");
-    results.push_back({tr("Steady drying rate"), orWhy(m.rate, 3.6e6, "g/(m² h)", early)});
-    results.push_back({tr("Steady temperature"), m.steady_temperature ? with(celsius_from_kelvin(*m.steady_temperature), "°C") : early});
-    results.push_back({tr("Time to dry"), orWhy(m.time_to_dry, 1, "s", tr("more than 4 % of the water are left"))});
-}
-
-void addConditioning(std::vector<Result>& results, const ConditioningResult& m)
-{
-    results.push_back({tr("Regain at the start"), with(100 * m.regain_start, "%")});
-    results.push_back({tr("Regain at the end"), m.settled ? with(100 * m.regain_end, "%")
-                                                          : ResultsPanel::tr("%1, still changing").arg(with(100 * m.regain_end, "%"))});
-    results.push_back({tr("Half of the change after"), orWhy(m.half_time, 1, "s", tr("the regain did not change"))});
-    results.push_back({tr("Warmest over the air"), with(m.peak_rise, "K")});
+    struct Line {
+        Result result;
+        int rank;
+    };
+    constexpr int last = 1000;
+    std::vector<Line> lines;
+    for (const Outcome& outcome : outcomes) {
+        if (!is_shown(outcome)) { continue; }
+        const QString name = sentence(QString::fromStdString(outcome.title));
+        const int rank = outcome.rank > 0 ? outcome.rank : last;
+        if (outcome.face == "bottom" && !lines.empty() && lines.back().result.name == name) {
+            lines.back().result.bottom = textOf(outcome);
+            lines.back().rank = std::min(lines.back().rank, rank);
+        } else {
+            lines.push_back({{name, textOf(outcome)}, rank});
+        }
+    }
+    std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.rank < b.rank; });
+    for (const Line& line : lines) { results.push_back(line.result); }
 }
 
 /// Empty for a recording of an older version.
@@ -98,55 +81,21 @@ QString begunAt(const RunRecord& run)
     return begun.isValid() ? QLocale().toString(begun.toLocalTime(), QLocale::ShortFormat) : QString();
 }
 
-/// With a capital.
-QString sentence(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
-
 QString timeTaken(const RunRecord& run, bool live)
 {
     if (run.wall > 0) { return ResultsPanel::tr("took %1 s").arg(shownNumber(run.wall, decimals_for(run.wall, 2))); }
-    return live ? tr("running") : tr("cut short");
+    return live ? tr("running") : tr("stopped");
 }
 
 } // namespace
 
 std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
 {
-    const Experiment* experiment = find_experiment(run.design, run.experiment);
     std::vector<Result> results;
-    switch (experiment ? experiment->type : ExperimentType::droplet) {
-    case ExperimentType::droplet:
-        addAbsorbency(results, m);
-        addStain(results, m);
-        break;
-    case ExperimentType::horizontal_wicking:
-        results.push_back({tr("Wicking rate"), orWhy(m.horizontal_rate, 1e6, "mm²/s", tr("nothing is wet"))});
-        addAbsorbency(results, m);
-        addStain(results, m);
-        break;
-    case ExperimentType::moisture_management:
-        if (m.management) { addManagement(results, *m.management); }
-        break;
-    case ExperimentType::vertical_wicking:
-        if (m.wicking) {
-            results.push_back({tr("Height"), with(1e3 * m.wicking->height, "mm")});
-            results.push_back({tr("Wicking rate"), orWhy(m.wicking->rate, 1e3, "mm/√s", tr("the liquid did not rise"))});
-        }
-        break;
-    case ExperimentType::drying:
-        if (m.drying) { addDrying(results, *m.drying); }
-        break;
-    case ExperimentType::conditioning:
-        if (m.conditioning) { addConditioning(results, *m.conditioning); }
-        break;
-    case ExperimentType::sweat: addStain(results, m); break;
+    addOutcomes(results, outcomes_of(run, m));
+    for (const BalanceRow& row : water_balance(m.ledger)) {
+        if (row.value != 0) { results.push_back({sentence(QString::fromStdString(row.title)), with(row.value, row.unit.c_str())}); }
     }
-    const Ledger& l = m.ledger;
-    if (l.water_delivered > 0) { results.push_back({tr("Water delivered"), with(1e6 * l.water_delivered, "mg")}); }
-    results.push_back({tr("In the pores"), with(1e6 * l.water_liquid, "mg")});
-    results.push_back({tr("Taken up by fibres"), with(1e6 * (l.water_bound + l.water_vapour - l.water_initial), "mg")});
-    results.push_back(l.water_evaporated < 0 ? Result{tr("Taken from the air"), with(-1e6 * l.water_evaporated, "mg")}
-                                             : Result{tr("Evaporated"), with(1e6 * l.water_evaporated, "mg")});
-    if (l.water_dripped > 0) { results.push_back({tr("Dripped off"), with(1e6 * l.water_dripped, "mg")}); }
     return results;
 }
 
@@ -173,12 +122,12 @@ QStringList originInFull(const RunRecord& run, bool live)
     lines << sentence(expectedError(run.plan)) + (source.isEmpty() ? "" : ". " + source);
     for (const PlannedPart& part : run.plan.parts) {
         if (part.forced) {
-            lines << (part.on ? ResultsPanel::tr("%1 modelled, as was asked") : ResultsPanel::tr("%1 left out, as was asked"))
+            lines << (part.on ? ResultsPanel::tr("%1 switched on by the user") : ResultsPanel::tr("%1 switched off by the user"))
                          .arg(QString::fromStdString(part.name));
         }
     }
     lines << ResultsPanel::tr("Device: %1").arg(QString::fromStdString(run.device));
-    if (const QString begun = begunAt(run); !begun.isEmpty()) { lines << ResultsPanel::tr("Begun: %1").arg(begun); }
+    if (const QString begun = begunAt(run); !begun.isEmpty()) { lines << ResultsPanel::tr("Started: %1").arg(begun); }
     lines << sentence(timeTaken(run, live));
     for (const std::string& note : notes_of(run.plan)) { lines << QString::fromStdString(note); }
     return lines;
@@ -257,7 +206,7 @@ void ResultsPanel::refresh()
             rows_[row][column]->setAccessibleName(column == 0 ? QString() : result.name);
             rows_[row][column]->setVisible(row < results.size() && !(column == 2 && texts[2].isEmpty()));
         }
-        // What is said of both faces has the room of both, and of words as many lines as it needs.
+        // A value of both faces takes both columns; words wrap.
         grid_->removeWidget(rows_[row][1]);
         grid_->addWidget(rows_[row][1], static_cast<int>(row), 1, 1, result.bottom.isEmpty() ? 2 : 1);
         rows_[row][1]->setWordWrap(result.bottom.isEmpty());

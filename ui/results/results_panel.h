@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What the shown run found, as a laboratory would report it of its type of experiment.
+// The results of the shown run, as a laboratory reports its type of experiment.
 #pragma once
 
 #include "ui/results/playback.h"
@@ -11,20 +11,19 @@ class QLabel;
 
 namespace hygroloom {
 
-/// One line: a name, and what was found or why nothing was. For a number of each face both columns are filled.
+/// One line: a name, and a value or why there is none. A number of each face fills both columns.
 struct Result {
     QString name;
     QString value;
     QString bottom = {};
 };
 
-/// Of the type of the experiment that was run.
+/// The numbers of the run's type of experiment, then the water balance.
 std::vector<Result> resultsOf(const RunRecord& run, const Metrics& metrics);
 
-/// How the numbers came about, in one line: "Draft, expected error 4.8 %, on the CPU, 22/11/2026 18:40, took 5.4 s".
+/// How the numbers were computed, in one line: "Draft, expected error 4.8 %, on the CPU, 22/11/2026 18:40, took 5.4 s".
 QString originOf(const RunRecord& run, bool live);
-/// The same in full, line by line: also the knobs that were set, where the expected error comes from, the parts that were forced, the
-/// device.
+/// The same in full, line by line: also the changed knobs, the source of the expected error, the forced parts, the device.
 QStringList originInFull(const RunRecord& run, bool live);
 
 /// Follows a live run.
@@ -33,9 +32,9 @@ class ResultsPanel : public QScrollArea {
 public:
     explicit ResultsPanel(Playback& playback, QWidget* parent = nullptr);
 
-    /// All that is shown, line by line, as for the clipboard.
+    /// All that is shown, line by line, for the clipboard.
     QString text() const;
-    /// Which physics the shown run took into account; nothing without one.
+    /// Opens the plan of the shown run, if there is one.
     void showPlan();
 
 private:

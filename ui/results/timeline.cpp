@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/timeline.h"
 
+#include "core/analysis/outcomes.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
 
@@ -16,7 +17,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr double longest_show = 20; // s: longer runs play faster than they were
+constexpr double longest_show = 20; // s; longer runs play faster than real time
 
 QToolButton* button(const QString& icon, const QString& name)
 {
@@ -26,6 +27,17 @@ QToolButton* button(const QString& icon, const QString& name)
     made->setToolTip(name);
     made->setAccessibleName(name);
     return made;
+}
+
+/// When the last free liquid was absorbed, where the type of experiment reports it.
+QString absorbedAt(const RunRecord& run, const Metrics& metrics)
+{
+    for (const Outcome& outcome : outcomes_of(run, metrics)) {
+        if (outcome.key == "absorbency_time_s" && outcome.value) {
+            return Timeline::tr("absorbed at %1 s").arg(shownNumber(*outcome.value, 2));
+        }
+    }
+    return {};
 }
 
 } // namespace
@@ -119,12 +131,7 @@ void Timeline::refresh()
     }
     time_->setText(tr("%1 / %2").arg(momentText(playback_.timeOf(playback_.current()), playback_.duration()),
                                      momentText(playback_.duration(), playback_.duration())));
-    const auto& metrics = playback_.metrics();
-    const Experiment* experiment = playback_.run() ? find_experiment(playback_.run()->design, playback_.run()->experiment) : nullptr;
-    const bool soaks =
-        experiment && (experiment->type == ExperimentType::droplet || experiment->type == ExperimentType::horizontal_wicking);
-    event_->setText(soaks && metrics && metrics->absorbency_time ? tr("soaked in at %1 s").arg(shownNumber(*metrics->absorbency_time, 2))
-                                                                 : QString());
+    event_->setText(playback_.run() && playback_.metrics() ? absorbedAt(*playback_.run(), *playback_.metrics()) : QString());
 }
 
 } // namespace hygroloom

@@ -27,8 +27,8 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
 {
     cells_->setRange(1, 50);
     cells_->setValue(2);
-    cells_->setAccessibleName(tr("Crossings along a map cell"));
-    cells_->setToolTip("<p>" + tr("Each cell of the maps is the mean over so many by so many crossings.") + "</p>");
+    cells_->setAccessibleName(tr("Map resolution, crossings per cell"));
+    cells_->setToolTip("<p>" + tr("Each cell of the maps is the mean over N × N crossings.") + "</p>");
     value_->setAccessibleName(tr("Value under the pointer"));
     empty_->setWordWrap(true);
     empty_->setAlignment(Qt::AlignCenter);
@@ -46,7 +46,7 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(8, 0, 8, 4);
     foot->addWidget(value_, 1);
-    auto* name = new QLabel(tr("Cell, crossings"));
+    auto* name = new QLabel(tr("Map resolution (crossings per cell)"));
     name->setBuddy(cells_);
     foot->addWidget(name);
     foot->addWidget(cells_);
@@ -133,7 +133,7 @@ void WaterMapView::scan()
                 if (of == playback_.generation() && cells == cells_->value()) { widen(most); }
             });
         } catch (const Error&) {
-            // What is wrong with the recording is told where its frames are read.
+            // The reader of the frames reports what is wrong with the recording.
         }
     });
 }
@@ -157,7 +157,7 @@ void WaterMapView::resizeEvent(QResizeEvent* event)
 void WaterMapView::paintEvent(QPaintEvent*)
 {
     if (!playback_.frame() || top_->map().columns < 1 || !(maximum_ > 0)) {
-        return; // as long as all is dry no scale is known
+        return; // no scale while all is dry
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The metrics file of a run.
+#pragma once
+
+#include "core/analysis/metrics.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace hygroloom {
+
+/// Format "hygroloom-metrics", version 1: provenance, metrics, series and ledger. A metric that could not be determined is null, and a note
+/// says why.
+nlohmann::ordered_json metrics_value(const RunRecord& run, const Metrics& metrics);
+std::string metrics_json(const RunRecord& run, const Metrics& metrics);
+
+} // namespace hygroloom

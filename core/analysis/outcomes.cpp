@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A metric is one row here, its computation in metrics.cpp, laboratory.cpp or management.cpp, and its test.
+#include "core/analysis/outcomes.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+using M = const Metrics&;
+using Value = std::optional<double>;
+
+/// A row of the table.
+struct Metric {
+    OutcomeInfo info;
+    Value (*value)(M) = nullptr;
+    const char* missing = "";
+    int ManagementGrades::*grade = nullptr;
+    const char* (*remark)(M) = nullptr;
+    const char* (*text)(M) = nullptr;
+};
+
+/// Rows that apply together.
+struct MetricGroup {
+    bool (*applies)(M);
+    std::vector<Metric> rows;
+};
+
+struct TypeMetrics {
+    std::vector<const MetricGroup*> groups;
+    std::vector<const char*> compared_by; ///< keys, the most telling first
+};
+
+constexpr Better more = Better::more, less = Better::less, neither = Better::neither;
+
+Value scaled(const Value& value, double factor) { return value ? Value(*value * factor) : std::nullopt; }
+
+/// A tester's rings lie 5 mm apart and are wet or dry.
+double ring_mm(double radius) { return 5.0 * std::floor(mm_from_metre(radius) / 5.0 + 1e-9); }
+
+const MetricGroup& stain()
+{
+    using G = ManagementGrades;
+    static const MetricGroup group{[](M) { return true; },
+                                   {{{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
+                                     [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_top); }},
+                                    {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
+                                     [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
+                                    {{"maximum_wetted_radius_top_ring_mm", "wetted radius in 5 mm rings", "top", "mm", more, true},
+                                     [](M m) -> Value { return ring_mm(m.maximum_wetted_radius_top); },
+                                     "",
+                                     &G::maximum_wetted_radius_top},
+                                    {{"maximum_wetted_radius_bottom_ring_mm", "wetted radius in 5 mm rings", "bottom", "mm", more, true},
+                                     [](M m) -> Value { return ring_mm(m.maximum_wetted_radius_bottom); },
+                                     "",
+                                     &G::maximum_wetted_radius_bottom},
+                                    {{"wetted_area_ellipse_warp_mm", "stain on top, semi-axis along warp", "", "mm", neither},
+                                     [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_warp); }},
+                                    {{"wetted_area_ellipse_weft_mm", "stain on top, semi-axis along weft", "", "mm", neither},
+                                     [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }}}};
+    return group;
+}
+
+const MetricGroup& absorbency()
+{
+    static const MetricGroup group{
+        [](M m) { return m.ledger.water_delivered > 0; },
+        {{{"absorbency_time_s", "absorbency time", "", "s", less},
+          [](M m) { return m.absorbency_time; },
+          "free liquid is left",
+          nullptr,
+          [](M m) { return m.ledger.water_dripped > 0 ? "some of the liquid dripped off instead of being absorbed" : ""; }}}};
+    return group;
+}
+
+const MetricGroup& area_growth()
+{
+    static const MetricGroup group{
+        [](M) { return true; },
+        {{{"wick_rate_mm2_s", "wicking rate", "", "mm²/s", more}, [](M m) { return scaled(m.horizontal_rate, 1e6); }, "nothing is wet"}}};
+    return group;
+}
+
+const MetricGroup& management()
+{
+    using G = ManagementGrades;
+    constexpr const char* dry = "this face stayed dry";
+    static const MetricGroup group{
+        [](M m) { return m.management.has_value(); },
+        {{{"wetting_time_top_s", "wetting time", "top", "s", less},
+          [](M m) { return m.management->top.wetting_time; },
+          dry,
+          &G::wetting_time_top},
+         {{"wetting_time_bottom_s", "wetting time", "bottom", "s", less},
+          [](M m) { return m.management->bottom.wetting_time; },
+          dry,
+          &G::wetting_time_bottom},
+         {{"absorption_rate_top_pct_s", "absorption rate", "top", "%/s", more},
+          [](M m) -> Value { return m.management->top.absorption_rate; },
+          "",
+          &G::absorption_rate_top},
+         {{"absorption_rate_bottom_pct_s", "absorption rate", "bottom", "%/s", more},
+          [](M m) -> Value { return m.management->bottom.absorption_rate; },
+          "",
+          &G::absorption_rate_bottom},
+         {{"spreading_speed_top_mm_s", "spreading speed", "top", "mm/s", more},
+          [](M m) -> Value { return m.management->top.spreading_speed; },
+          "",
+          &G::spreading_speed_top},
+         {{"spreading_speed_bottom_mm_s", "spreading speed", "bottom", "mm/s", more},
+          [](M m) -> Value { return m.management->bottom.spreading_speed; },
+          "",
+          &G::spreading_speed_bottom},
+         {{"one_way_transport_pct", "one-way transport", "", "%", more},
+          [](M m) -> Value { return m.management->one_way_transport; },
+          "",
+          &G::one_way_transport},
+         {{"ommc", "overall capability (OMMC)", "", "", more}, [](M m) -> Value { return m.management->ommc; }, "", &G::ommc},
+         {{"fabric_class", "class", "", "", neither}, nullptr, "", nullptr, nullptr, [](M m) { return fabric_class(*m.management); }}}};
+    return group;
+}
+
+const MetricGroup& rise()
+{
+    static const MetricGroup group{
+        [](M m) { return m.wicking.has_value(); },
+        {{{"wick_height_mm", "height", "", "mm", more}, [](M m) -> Value { return mm_from_metre(m.wicking->height); }},
+         {{"wick_rate_mm_s05", "wicking rate", "", "mm/√s", more},
+          [](M m) { return scaled(m.wicking->rate, 1e3); },
+          "the liquid did not rise"}}};
+    return group;
+}
+
+const MetricGroup& drying()
+{
+    constexpr const char* early = "less than 70 % of the water has dried";
+    static const MetricGroup group{
+        [](M m) { return m.drying.has_value(); },
+        {{{"drying_rate_g_m2_h", "steady drying rate", "", "g/(m² h)", more},
+          [](M m) { return scaled(m.drying->rate, g_m2_h_per_kg_m2_s); },
+          early},
+         {{"time_to_dry_s", "time to dry", "", "s", less}, [](M m) { return m.drying->time_to_dry; }, "more than 4 % of the water is left"},
+         {{"surface_temperature_steady_c", "steady temperature", "", "°C", less},
+          [](M m) { return m.drying->steady_temperature ? Value(celsius_from_kelvin(*m.drying->steady_temperature)) : Value(); },
+          early}}};
+    return group;
+}
+
+const MetricGroup& conditioning()
+{
+    static const MetricGroup group{
+        [](M m) { return m.conditioning.has_value(); },
+        {{{"regain_start", "regain at the start", "", "kg/kg", neither}, [](M m) -> Value { return m.conditioning->regain_start; }},
+         {{"regain_end", "regain at the end", "", "kg/kg", more},
+          [](M m) -> Value { return m.conditioning->regain_end; },
+          "",
+          nullptr,
+          [](M m) { return m.conditioning->settled ? "" : "still changing"; }},
+         {{"regain_half_time_s", "half-change time", "", "s", less},
+          [](M m) { return m.conditioning->half_time; },
+          "the regain did not change"},
+         {{"temperature_peak_rise_c", "peak warming above air", "", "K", less}, [](M m) -> Value { return m.conditioning->peak_rise; }}}};
+    return group;
+}
+
+/// In the order of ExperimentType.
+const TypeMetrics& metrics_of(ExperimentType type)
+{
+    constexpr const char *top = "maximum_wetted_radius_top_mm", *bottom = "maximum_wetted_radius_bottom_mm";
+    static const std::array<TypeMetrics, experiment_types> table{
+        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s"}},
+         /* moisture_management */
+         {{&stain(), &management()},
+          {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"}},
+         /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}},
+         /* horizontal_wicking */ {{&stain(), &absorbency(), &area_growth()}, {"wick_rate_mm2_s", top, "absorbency_time_s"}},
+         /* drying */ {{&drying()}, {"time_to_dry_s", "drying_rate_g_m2_h", "surface_temperature_steady_c"}},
+         /* conditioning */ {{&conditioning()}, {"regain_half_time_s", "regain_end", "temperature_peak_rise_c"}},
+         /* sweat */ {{&stain()}, {bottom, top}}}};
+    return table[static_cast<std::size_t>(type)];
+}
+
+int rank_of(const std::string& key, const TypeMetrics& type)
+{
+    const auto& keys = type.compared_by;
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    return found == keys.end() ? 0 : static_cast<int>(found - keys.begin()) + 1;
+}
+
+Outcome outcome_of(const Metric& metric, M m)
+{
+    Outcome outcome{metric.info};
+    if (metric.text) outcome.text = metric.text(m);
+    if (metric.value) outcome.value = metric.value(m);
+    if (!outcome.value) outcome.missing = metric.missing;
+    if (outcome.value && !std::isfinite(*outcome.value)) {
+        outcome.value.reset();
+        outcome.missing = "the computed value is not a finite number";
+    }
+    if (metric.remark) outcome.remark = metric.remark(m);
+    if (metric.grade && m.management) outcome.grade = management_grades(*m.management).*metric.grade;
+    return outcome;
+}
+
+} // namespace
+
+std::string full_title(const OutcomeInfo& info) { return info.face.empty() ? info.title : info.title + ", " + info.face; }
+
+std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics)
+{
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    const TypeMetrics& type = metrics_of(experiment ? experiment->type : ExperimentType::droplet);
+    std::vector<Outcome> outcomes;
+    for (const MetricGroup* group : type.groups) {
+        if (!group->applies(metrics)) continue;
+        for (const Metric& metric : group->rows) {
+            outcomes.push_back(outcome_of(metric, metrics));
+            outcomes.back().rank = rank_of(metric.info.key, type);
+        }
+    }
+    return outcomes;
+}
+
+bool is_shown(const Outcome& outcome) { return !outcome.in_rings || outcome.grade; }
+
+ShownValue shown(const OutcomeInfo& info, double value)
+{
+    return info.unit == "kg/kg" ? ShownValue{100 * value, "%"} : ShownValue{value, info.unit};
+}
+
+std::vector<OutcomeInfo> compared_by(ExperimentType type)
+{
+    const TypeMetrics& of = metrics_of(type);
+    std::vector<OutcomeInfo> infos(of.compared_by.size());
+    for (const MetricGroup* group : of.groups)
+        for (const Metric& metric : group->rows)
+            if (const int rank = rank_of(metric.info.key, of); rank > 0) infos[static_cast<std::size_t>(rank - 1)] = metric.info;
+    return infos;
+}
+
+std::vector<BalanceRow> water_balance(const Ledger& l)
+{
+    constexpr double mg = 1e6;
+    const bool from_air = l.water_evaporated < 0;
+    return {{"water delivered", mg * l.water_delivered, "mg"},
+            {"free water", mg * l.water_free, "mg"},
+            {"water in the pores", mg * l.water_liquid, "mg"},
+            {"water absorbed by the fibres", mg * (l.water_bound + l.water_vapour - l.water_initial), "mg"},
+            {from_air ? "water taken from the air" : "water evaporated", mg * (from_air ? -l.water_evaporated : l.water_evaporated), "mg"},
+            {"water dripped off", mg * l.water_dripped, "mg"}};
+}
+
+std::vector<BalanceRow> balance_check(const Ledger& l)
+{
+    constexpr double mg = 1e6, mj = 1e3;
+    return {{"water imbalance", mg * l.water_imbalance(), "mg"},
+            {"energy released", mj * l.energy_released, "mJ"},
+            {"energy imbalance", mj * l.energy_imbalance(), "mJ"}};
+}
+
+} // namespace hygroloom

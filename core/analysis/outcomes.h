@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run found, as a list of numbers with their names and units, made from one table of metrics per type of experiment. The command
+// line, the metrics file, comparisons, reports, trade-offs and the window read this list.
+#pragma once
+
+#include "core/analysis/metrics.h"
+
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+enum class Better { more, less, neither };
+
+/// What a number is.
+struct OutcomeInfo {
+    std::string key;   ///< in the metrics file, ending in its unit
+    std::string title; ///< "wetted radius"
+    std::string face;  ///< "top" or "bottom"; empty: of the whole sample
+    std::string unit;  ///< of the value; empty for a plain number
+    Better better = Better::neither;
+    bool in_rings = false; ///< another number, rounded to the rings of a tester
+};
+
+/// "wetted radius, top"
+std::string full_title(const OutcomeInfo& info);
+
+struct Outcome : OutcomeInfo {
+    std::optional<double> value; ///< none: it could not be determined
+    std::string missing;         ///< why there is no value, in a clause
+    std::string remark;          ///< what limits the value, in a clause; may be empty
+    std::optional<int> grade;    ///< 1 poor to 5 excellent
+    std::string text;            ///< in place of a value: a class in words
+    int rank = 0;                ///< its place among the numbers that fabrics are compared by, from 1; 0: not among them
+};
+
+/// Of the type of the run's experiment, in the order of the metrics file. Numbers that do not apply to the run are absent.
+std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics);
+
+/// Whether people read it: rings stand beside the exact number only where they are graded.
+bool is_shown(const Outcome& outcome);
+
+/// A value and its unit as people read them; a regain is in percent.
+struct ShownValue {
+    double value = 0;
+    std::string unit;
+};
+ShownValue shown(const OutcomeInfo& info, double value);
+
+/// The numbers by which fabrics are compared on a type of experiment. The first ranks unless another is asked for.
+std::vector<OutcomeInfo> compared_by(ExperimentType type);
+
+/// A row of the water balance or of its check.
+struct BalanceRow {
+    std::string title;
+    double value = 0;
+    std::string unit;
+};
+/// Where the water is at the end.
+std::vector<BalanceRow> water_balance(const Ledger& ledger);
+/// What the balance lacks, and the energy.
+std::vector<BalanceRow> balance_check(const Ledger& ledger);
+
+} // namespace hygroloom

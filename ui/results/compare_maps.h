@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Water maps of several runs side by side, at one time and on one colour scale.
+#pragma once
+
+#include "ui/basics/newest_job.h"
+#include "ui/results/run_history.h"
+#include "ui/results/water_map.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QSlider;
+
+namespace hygroloom {
+
+class CompareMaps : public QWidget {
+    Q_OBJECT
+public:
+    explicit CompareMaps(QWidget* parent = nullptr);
+
+    /// Of the same experiment, with their titles. Without runs the hint is shown instead.
+    void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint);
+    void setWaterColors(WaterColors colors);
+    const std::vector<WaterMap*>& maps() const { return maps_; }
+
+Q_SIGNALS:
+    void mapsChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    double duration() const;
+    double shownTime() const;
+    void readMaps();
+    void showMaps(const std::vector<FaceMap>& maps);
+    void showProblem(const QString& sentence);
+    void showRange();
+
+    std::vector<KeptRun> runs_;
+    QStringList identities_; ///< title, path and date of each run: other ones need other maps
+    QWidget* side_by_side_;
+    QHBoxLayout* row_;
+    QWidget* legend_;
+    QLabel* empty_;
+    QComboBox* face_;
+    QSlider* time_;
+    QLabel* shown_time_;
+    QLabel* value_;
+    QLabel* problem_;
+    std::vector<WaterMap*> maps_;
+    long requests_ = 0;  ///< for maps
+    double maximum_ = 0; ///< kg/m2, of all times of these runs that were shown
+    WaterColors colors_ = WaterColors::blue;
+    NewestJob reader_;
+};
+
+} // namespace hygroloom
