@@ -34,7 +34,7 @@ public:
         const int full = static_cast<int>(share * width);
         const std::optional<double> to_go = time_left(share, drawn_);
         const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
-        fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s taken{}", std::string(static_cast<std::size_t>(full), '#'),
+        fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s{}", std::string(static_cast<std::size_t>(full), '#'),
                    std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, drawn_, left);
         std::fflush(stderr);
     }

@@ -222,15 +222,20 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp, mm; 5x5 when left out");
     export_verb.add_option("--repeats", options->repeats, "Repeats along the weft x along the warp, instead of a size");
     export_verb
-        .add_option("--samples", options->samples, "Rings per crossing; 0: 12 for yarns, 8 or as many as the twist needs for fibres")
+        .add_option("--samples", options->samples,
+                    "Rings per crossing; when left out 12 for yarns, 8 or as many as the twist needs for fibres")
+        ->default_str("")
         ->check(CLI::Range(1, most_samples));
-    export_verb.add_option("--sides", options->sides, "Sides of the cross-section; 0: 12 for yarns, 6 for fibres")
+    export_verb.add_option("--sides", options->sides, "Sides of the cross-section; when left out 12 for yarns, 6 for fibres")
+        ->default_str("")
         ->check(CLI::Range(3, most_sides));
     export_verb.add_flag("--open-ends", options->open_ends, "Leave the ends of yarns or fibres open");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Leave out loops and hairs");
     export_verb.add_option("--seed", options->seed, "Seed of the random numbers of the fibres");
     export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours its own piece of cloth");
-    export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")->check(time_validator());
+    export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")
+        ->default_str("")
+        ->check(time_validator());
     export_verb.add_flag("--estimate", options->estimate, "Print the size and write nothing");
     export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format")->required();
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });

@@ -184,7 +184,9 @@ void add_measure(CLI::App& app, Verb& verb)
     measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required();
     measure_verb.add_option("--map", options->map, "Write a water map of this side: top, bottom or total");
     measure_verb.add_option("--cells", options->cells, "Map resolution: N x N crossings per cell")->check(CLI::Range(1, 1000));
-    measure_verb.add_option("--time", options->time, "Time of the maps, s; the end when left out")->check(time_validator());
+    measure_verb.add_option("--time", options->time, "Time of the maps, s; the end when left out")
+        ->default_str("")
+        ->check(time_validator());
     measure_verb.add_option("-o,--output", options->output, "File of the map (.csv or .png)");
     const CLI::Validator given([](const std::string& text) { return text.empty() ? "the file name is empty" : ""; }, "");
     measure_verb.add_option("--report", options->report, "Write a report (.html) with results, maps, charts and inputs")->check(given);

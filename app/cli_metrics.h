@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Metrics on stdout and maps as pictures, for the verbs that show what a run gave.
+// Metrics on stdout and maps as pictures.
 #pragma once
 
 #include "core/analysis/map_image.h"
@@ -9,7 +9,7 @@ namespace hygroloom {
 /// As JSON, or as a table for people.
 void print_metrics(const RunRecord& run, const Metrics& metrics, bool json);
 
-/// The water map of one side at one moment, with all that a picture of it says.
+/// The water map of one side at one time, with the captions of its picture.
 struct MapPicture {
     CellMap map;
     MapImageOptions image;

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace hygroloom {
 namespace {
 
@@ -27,7 +30,26 @@ std::string names_of(const CLI::Option& option)
         for (const std::string& name : option.get_lnames()) names += (names.empty() ? "`--" : ", `--") + name + "`";
         if (!names.empty()) return names;
     }
-    return "`" + CLI::detail::to_upper(option.get_name(true)) + "`";
+    std::string name = option.get_name(true);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return "`" + name + "`";
+}
+
+/// "TEXT:{auto,cpu}" is "auto, cpu", "INT:INT in [1 - 9]" is "1 to 9", "FLOAT:SECONDS" is "seconds".
+std::string values_of(const CLI::Option& option)
+{
+    std::string type = option.get_type_name();
+    type.erase(0, type.find(':') + 1);
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        for (std::size_t at = type.find(from); at != std::string::npos; at = type.find(from, at + to.size()))
+            type.replace(at, from.size(), to);
+    };
+    const bool words = type.starts_with('{');
+    for (const char* left_out : {"INT in ", "FLOAT in ", "{", "}", "[", "]"}) replace(left_out, "");
+    replace(",", ", ");
+    replace(" - ", " to ");
+    if (type == "UINT" || type == "INT") type = "whole number";
+    return words || type.find('=') != std::string::npos ? type : CLI::detail::to_lower(type);
 }
 
 std::string options_table(const CLI::App& verb)
@@ -36,14 +58,15 @@ std::string options_table(const CLI::App& verb)
     for (const CLI::Option* option : verb.get_options()) {
         if (option->get_group().empty()) continue;
         const bool flag = option->get_expected_max() == 0;
-        const std::string usual = option->get_required() ? "required" : flag ? "" : option->get_default_str();
-        text += fmt::format("| {} | {} | {} | {} |\n", names_of(*option), flag ? "" : cell(option->get_type_name()), cell(usual),
+        const std::string preset = option->get_default_str();
+        const std::string usual = option->get_required() ? "required" : flag || preset == "[]" ? "" : preset;
+        text += fmt::format("| {} | {} | {} | {} |\n", names_of(*option), flag ? "" : cell(values_of(*option)), cell(usual),
                             cell(option->get_description()));
     }
     return text;
 }
 
-/// The first paragraph of a verb's footer: its example and what else it says.
+/// The first paragraph of a verb's footer: its example and its notes.
 std::string notes_of(const CLI::App& verb)
 {
     const std::string footer = verb.get_footer();

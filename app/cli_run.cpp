@@ -44,7 +44,7 @@ void RunBar::show(std::size_t run, const RunProgress& progress)
     const std::string far = runs_.size() == 1
                                 ? fmt::format("{:.{}f} of {:.{}f} s", progress.simulated, decimals, progress.duration, decimals)
                                 : fmt::format("{} of {} runs", done, runs_.size());
-    fmt::print(stderr, "\r\033[K[{}{}] {}, {:.0f} s taken{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
+    fmt::print(stderr, "\r\033[K[{}{}] {}, {:.0f} s{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
                std::string(static_cast<std::size_t>(width - full), '.'), far, wall, left, particles);
     std::fflush(stderr);
 }
@@ -94,10 +94,10 @@ RunOptions run_options(const RunVerbOptions& options)
 
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return std::move(open_backends(options, 1, 1, 0).front()); }
 
-std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each)
+std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each)
 try {
     const std::string backend = as_usage([&] { return backend_for(options.backend, knob_settings(options)); });
-    return make_backends(backend, asked, scenes, bytes_each);
+    return make_backends(backend, at_once, scenes, bytes_each);
 } catch (const DeviceError& error) {
     throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
 }

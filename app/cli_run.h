@@ -40,7 +40,7 @@ RunOptions run_options(const RunVerbOptions& options);
 /// Throws Stop.
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
 /// For runs side by side: see make_backends(). Throws Stop.
-std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int asked, int scenes, std::size_t bytes_each);
+std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each);
 
 /// --at-once.
 void add_at_once_option(CLI::App& verb, int& at_once);

@@ -29,20 +29,20 @@ struct TradeoffOptions : RunVerbOptions {
 };
 
 /// Keeps the fidelities of the list.
-void keep_asked(std::vector<TradeoffVariant>& variants, const std::string& list)
+void keep_named(std::vector<TradeoffVariant>& variants, const std::string& list)
 {
-    std::vector<std::string> asked;
+    std::vector<std::string> named;
     try {
-        for (const std::string& word : words_of(list)) asked.emplace_back(name_of(fidelity_from_name(word)));
+        for (const std::string& word : words_of(list)) named.emplace_back(name_of(fidelity_from_name(word)));
     } catch (const Error& error) {
         throw Stop(exit_usage, "--fidelities " + list + ": " + error.what());
     }
     std::erase_if(variants, [&](const TradeoffVariant& variant) {
-        return variant.name == name_of(variant.fidelity) && std::find(asked.begin(), asked.end(), variant.name) == asked.end();
+        return variant.name == name_of(variant.fidelity) && std::find(named.begin(), named.end(), variant.name) == named.end();
     });
 }
 
-std::vector<TradeoffVariant> asked_variants(const TradeoffOptions& options, const KnobSettings& always)
+std::vector<TradeoffVariant> chosen_variants(const TradeoffOptions& options, const KnobSettings& always)
 {
     std::vector<TradeoffVariant> variants;
     try {
@@ -50,7 +50,7 @@ std::vector<TradeoffVariant> asked_variants(const TradeoffOptions& options, cons
     } catch (const Error& error) {
         throw Stop(exit_usage, "--knobs " + options.knobs + ": " + error.what());
     }
-    keep_asked(variants, options.fidelities);
+    keep_named(variants, options.fidelities);
     if (options.knobs.empty() && options.backend == "cuda")
         std::erase_if(variants, [](const TradeoffVariant& variant) { return variant.settings.contains("double_precision"); });
     for (TradeoffVariant& variant : variants) {
@@ -204,7 +204,7 @@ int tradeoff(const TradeoffOptions& options)
 {
     ApartRun scene;
     scene.options = run_options(options);
-    const std::vector<TradeoffVariant> variants = asked_variants(options, std::exchange(scene.options.knobs, {}));
+    const std::vector<TradeoffVariant> variants = chosen_variants(options, std::exchange(scene.options.knobs, {}));
     scene.design = load_project(options);
     require_valid(scene.design, options);
     const Fabric& fabric = chosen_fabric(scene.design, options);

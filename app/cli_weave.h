@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What check tells of a fabric's weave and sett.
+// The weave and sett of a fabric, for check.
 #pragma once
 
 #include "core/design/design.h"

@@ -17,7 +17,7 @@ struct ApartRun {
     RunOptions options; ///< without fidelity and knobs
 };
 
-/// Runs one variant; progress gets its share, 0 to 1. Throws Cancelled when asked to stop, Stop with the exit code when the device is
+/// Runs one variant; progress gets its share, 0 to 1. Throws Cancelled when cancelled, Stop with the exit code when the device is
 /// missing, else Error, also when the process was killed. Precondition: this process has started no thread yet.
 TradeoffOutcome run_apart(const ApartRun& run, const TradeoffVariant& variant, const std::atomic<bool>& cancel,
                           const std::function<void(double)>& progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What a run must come to whatever its resolution, where a closed form says so.
+// Closed-form results that a run must approach at any resolution.
 #pragma once
 
 #include "core/run/runner.h"

@@ -26,7 +26,7 @@ std::optional<double> slope(const std::vector<double>& x, const std::vector<doub
     return sxy / sxx;
 }
 
-/// When a curve first comes down to a level, between two moments if need be.
+/// When a curve first falls to a level, interpolated between two times.
 std::optional<double> falls_to(const std::vector<double>& time, const std::vector<double>& curve, double level)
 {
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -37,11 +37,11 @@ std::optional<double> falls_to(const std::vector<double>& time, const std::vecto
     return std::nullopt;
 }
 
-/// The last moment after one, s, up to which the rate has held: see steady_to. None while it holds.
+/// The last index up to which the rate stayed constant from a time (s) on: see steady_to. None while it is constant.
 std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const std::vector<double>& left, double from, double left_then)
 {
     constexpr double held = 0.98;
-    std::size_t slower = 0; // moments in a row
+    std::size_t slower = 0; // intervals in a row
     for (std::size_t i = 1; i < time.size(); ++i) {
         const double interval = time[i] - time[i - 1], so_far = time[i - 1] - from;
         if (so_far < interval) continue; // too short for a mean

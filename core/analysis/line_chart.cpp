@@ -24,7 +24,7 @@ struct Axis {
 
 Axis axis_of(double least, double most, double from, double to)
 {
-    if (!(most - least > 1e-4 * std::max(std::abs(most), std::abs(least)))) { // all the same, as far as its numbers tell
+    if (!(most - least > 1e-4 * std::max(std::abs(most), std::abs(least)))) { // all the same, within rounding
         const double half = most == 0 ? 1 : 0.1 * std::abs(most);
         least -= half;
         most += half;

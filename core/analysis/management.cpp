@@ -12,12 +12,12 @@ namespace {
 constexpr double wetting_slope = 0.26794919243112270; // tan 15 degrees, % per s
 constexpr double ring_step = 5, last_ring = 30;       // mm
 
-double water_at(const std::vector<double>& time, const std::vector<double>& water, double moment)
+double water_at(const std::vector<double>& time, const std::vector<double>& water, double at)
 {
-    const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), moment) - time.begin());
+    const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), at) - time.begin());
     if (after == 0) return water.front();
     if (after == time.size()) return water.back();
-    const double share = (moment - time[after - 1]) / (time[after] - time[after - 1]);
+    const double share = (at - time[after - 1]) / (time[after] - time[after - 1]);
     return water[after - 1] + share * (water[after] - water[after - 1]);
 }
 

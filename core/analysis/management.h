@@ -10,8 +10,8 @@ namespace hygroloom {
 
 /// What one face of a sample shows during the test.
 struct FaceCurve {
-    std::vector<double> water;  ///< % of the dry mass, one per moment
-    std::vector<double> radius; ///< m, of the wetted circle, one per moment
+    std::vector<double> water;  ///< % of the dry mass, one per time
+    std::vector<double> radius; ///< m, of the wetted circle, one per time
 };
 
 /// Of one face.
@@ -28,7 +28,7 @@ struct ManagementIndices {
     double ommc = 0;              ///< overall moisture management capability, 0 .. 1
 };
 
-/// time in s from 0, rising; both curves as long. Fewer than two moments have no indices: all stays 0.
+/// time in s from 0, rising; both curves as long. With fewer than two times all indices are 0.
 ManagementIndices management_indices(const std::vector<double>& time, const FaceCurve& top, const FaceCurve& bottom, double feed_end);
 
 /// OMMC = 0.25 AR + 0.5 R + 0.25 SS of the bottom, each scaled to 0 .. 1 (Yao et al. 2006).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/metrics.h"
 
+#include "core/analysis/outcomes.h"
 #include "core/base/units.h"
 #include "core/scene/scene.h"
 
@@ -59,7 +60,7 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
     return sum / yarns;
 }
 
-/// Whether water has come to where the sample ends: to any edge from a drop or a feed in its middle, to the upper end of a hanging strip.
+/// Whether water has reached an edge of the sample or the upper end of a strip.
 bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment& experiment)
 {
     if (changes_everywhere(experiment.type)) return false;
@@ -119,48 +120,6 @@ double water_of_face(double water, const Frame& frame)
 {
     constexpr double rounding = 2e-7;
     return std::abs(water) > rounding * frame.ledger.water_bound ? water : 0.0;
-}
-
-/// Fills in what the type of experiment reports beyond the stain. area: of the sample, m2.
-using Compute = void (*)(Metrics& m, const Experiment& experiment, double area);
-
-void compute_management(Metrics& m, const Experiment& experiment, double)
-{
-    const Series& s = m.series;
-    m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment.feed_s);
-}
-
-void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }
-
-/// Area of the stain's ellipse over the time in which its circle grew to 95 %.
-void compute_horizontal_rate(Metrics& m, const Experiment&, double)
-{
-    const std::vector<double>& radius = m.series.radius_top;
-    if (radius.empty() || radius.back() <= 0) return;
-    const double area = pi * m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft;
-    for (std::size_t i = 0; i < radius.size() && !m.horizontal_rate; ++i)
-        if (radius[i] >= 0.95 * m.maximum_wetted_radius_top && m.series.time[i] > 0) m.horizontal_rate = area / m.series.time[i];
-}
-
-void compute_drying(Metrics& m, const Experiment&, double area)
-{
-    std::vector<double> left;
-    for (double evaporated : m.series.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
-    m.drying = drying_result(m.series.time, left, m.series.temperature_mean, area);
-}
-
-void compute_conditioning(Metrics& m, const Experiment&, double)
-{
-    const Series& s = m.series;
-    m.conditioning = conditioning_result(s.time, s.regain_mean, s.temperature_mean, s.air_temperature);
-}
-
-Compute computation_of(ExperimentType type)
-{
-    /// In the order of ExperimentType.
-    constexpr std::array<Compute, experiment_types> computations{
-        nullptr, compute_management, compute_wicking, compute_horizontal_rate, compute_drying, compute_conditioning, nullptr};
-    return computations[static_cast<std::size_t>(type)];
 }
 
 } // namespace
@@ -252,8 +211,7 @@ Metrics MetricsCollector::metrics() const
                 : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
                               "sample's size.",
                               *edge_time_));
-    if (const Compute compute = computation_of(experiment_.type))
-        compute(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
+    compute_results(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
     return m;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A metric is one row here, its computation in metrics.cpp, laboratory.cpp or management.cpp, and its test.
+// A metric is one row here, its computation in laboratory.cpp, management.cpp or metrics.cpp, and its test.
 #include "core/analysis/outcomes.h"
 
 #include "core/base/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hygroloom {
@@ -31,7 +32,9 @@ struct MetricGroup {
 
 struct TypeMetrics {
     std::vector<const MetricGroup*> groups;
-    std::vector<const char*> compared_by; ///< keys, the most telling first
+    std::vector<const char*> compared_by; ///< keys; the first ranks by default
+    PlotName subject;
+    void (*compute)(Metrics&, const Experiment&, double area) = nullptr; ///< see compute_results()
 };
 
 constexpr Better more = Better::more, less = Better::less, neither = Better::neither;
@@ -166,20 +169,59 @@ const MetricGroup& conditioning()
     return group;
 }
 
+void compute_management(Metrics& m, const Experiment& experiment, double)
+{
+    const Series& s = m.series;
+    m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment.feed_s);
+}
+
+void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }
+
+/// Area of the stain's ellipse over the time in which its circle grew to 95 %.
+void compute_horizontal_rate(Metrics& m, const Experiment&, double)
+{
+    const std::vector<double>& radius = m.series.radius_top;
+    if (radius.empty() || radius.back() <= 0) return;
+    const double area = pi * m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft;
+    for (std::size_t i = 0; i < radius.size() && !m.horizontal_rate; ++i)
+        if (radius[i] >= 0.95 * m.maximum_wetted_radius_top && m.series.time[i] > 0) m.horizontal_rate = area / m.series.time[i];
+}
+
+void compute_drying(Metrics& m, const Experiment&, double area)
+{
+    std::vector<double> left;
+    for (double evaporated : m.series.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
+    m.drying = drying_result(m.series.time, left, m.series.temperature_mean, area);
+}
+
+void compute_conditioning(Metrics& m, const Experiment&, double)
+{
+    const Series& s = m.series;
+    m.conditioning = conditioning_result(s.time, s.regain_mean, s.temperature_mean, s.air_temperature);
+}
+
 /// In the order of ExperimentType.
 const TypeMetrics& metrics_of(ExperimentType type)
 {
     constexpr const char *top = "maximum_wetted_radius_top_mm", *bottom = "maximum_wetted_radius_bottom_mm";
     static const std::array<TypeMetrics, experiment_types> table{
-        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s"}},
+        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s"}, PlotName::radius},
          /* moisture_management */
          {{&stain(), &management()},
-          {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"}},
-         /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}},
-         /* horizontal_wicking */ {{&stain(), &absorbency(), &area_growth()}, {"wick_rate_mm2_s", top, "absorbency_time_s"}},
-         /* drying */ {{&drying()}, {"time_to_dry_s", "drying_rate_g_m2_h", "surface_temperature_steady_c"}},
-         /* conditioning */ {{&conditioning()}, {"regain_half_time_s", "regain_end", "temperature_peak_rise_c"}},
-         /* sweat */ {{&stain()}, {bottom, top}}}};
+          {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"},
+          PlotName::content,
+          compute_management},
+         /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}, PlotName::height, compute_wicking},
+         /* horizontal_wicking */
+         {{&stain(), &absorbency(), &area_growth()},
+          {"wick_rate_mm2_s", top, "absorbency_time_s"},
+          PlotName::radius,
+          compute_horizontal_rate},
+         /* drying */
+         {{&drying()}, {"time_to_dry_s", "drying_rate_g_m2_h", "surface_temperature_steady_c"}, PlotName::temperature, compute_drying},
+         /* conditioning */
+         {{&conditioning()}, {"regain_half_time_s", "regain_end", "temperature_peak_rise_c"}, PlotName::temperature, compute_conditioning},
+         /* sweat */ {{&stain()}, {bottom, top}, PlotName::faces}}};
     return table[static_cast<std::size_t>(type)];
 }
 
@@ -192,7 +234,8 @@ int rank_of(const std::string& key, const TypeMetrics& type)
 
 Outcome outcome_of(const Metric& metric, M m)
 {
-    Outcome outcome{metric.info};
+    Outcome outcome;
+    static_cast<OutcomeInfo&>(outcome) = metric.info;
     if (metric.text) outcome.text = metric.text(m);
     if (metric.value) outcome.value = metric.value(m);
     if (!outcome.value) outcome.missing = metric.missing;
@@ -206,6 +249,13 @@ Outcome outcome_of(const Metric& metric, M m)
 }
 
 } // namespace
+
+void compute_results(Metrics& metrics, const Experiment& experiment, double area)
+{
+    if (const auto compute = metrics_of(experiment.type).compute) compute(metrics, experiment, area);
+}
+
+const Plot& subject_plot(ExperimentType type) { return plot_named(metrics_of(type).subject); }
 
 std::string full_title(const OutcomeInfo& info) { return info.face.empty() ? info.title : info.title + ", " + info.face; }
 

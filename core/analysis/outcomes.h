@@ -3,7 +3,9 @@
 // line, the metrics file, comparisons, reports, trade-offs and the window read this list.
 #pragma once
 
-#include "core/analysis/metrics.h"
+#include "core/analysis/plots.h"
+#include "core/analysis/run_metrics.h"
+#include "core/run/run_record.h"
 
 #include <string>
 #include <vector>
@@ -30,9 +32,12 @@ struct Outcome : OutcomeInfo {
     std::string missing;         ///< why there is no value, in a clause
     std::string remark;          ///< what limits the value, in a clause; may be empty
     std::optional<int> grade;    ///< 1 poor to 5 excellent
-    std::string text;            ///< in place of a value: a class in words
+    std::string text;            ///< a class in words, instead of a value
     int rank = 0;                ///< its place among the numbers that fabrics are compared by, from 1; 0: not among them
 };
+
+/// Fills in what the type of experiment reports beyond the stain. area: of the sample, m2.
+void compute_results(Metrics& metrics, const Experiment& experiment, double area);
 
 /// Of the type of the run's experiment, in the order of the metrics file. Numbers that do not apply to the run are absent.
 std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics);
@@ -47,8 +52,11 @@ struct ShownValue {
 };
 ShownValue shown(const OutcomeInfo& info, double value);
 
-/// The numbers by which fabrics are compared on a type of experiment. The first ranks unless another is asked for.
+/// The numbers by which fabrics are compared on a type of experiment. The first ranks by default.
 std::vector<OutcomeInfo> compared_by(ExperimentType type);
+
+/// The curves of what the type of experiment measures.
+const Plot& subject_plot(ExperimentType type);
 
 /// A row of the water balance or of its check.
 struct BalanceRow {

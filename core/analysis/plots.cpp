@@ -3,15 +3,7 @@
 
 #include "core/base/units.h"
 
-#include <array>
-
 namespace hygroloom {
-namespace {
-
-enum PlotName : std::size_t { radius, height, content, water, faces, temperature, regain };
-
-} // namespace
-
 const std::vector<Plot>& all_plots()
 {
     using S = Series;
@@ -41,13 +33,11 @@ const std::vector<Plot>& all_plots()
     return plots;
 }
 
-const Plot& water_plot(ExperimentType type) { return all_plots()[info_of(type).source == WaterSource::air ? regain : water]; }
+const Plot& plot_named(PlotName name) { return all_plots()[static_cast<std::size_t>(name)]; }
 
-const Plot& subject_plot(ExperimentType type)
+const Plot& water_plot(ExperimentType type)
 {
-    /// In the order of ExperimentType.
-    constexpr std::array<PlotName, experiment_types> subjects{radius, content, height, radius, temperature, temperature, faces};
-    return all_plots()[subjects[static_cast<std::size_t>(type)]];
+    return plot_named(info_of(type).source == WaterSource::air ? PlotName::regain : PlotName::water);
 }
 
 std::vector<double> plotted(const Plot& plot, const Curve& curve, const Metrics& metrics)

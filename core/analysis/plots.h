@@ -2,9 +2,9 @@
 // Which series of a run are drawn together, with their names and units. Reports and the window's charts read this.
 #pragma once
 
-#include "core/analysis/metrics.h"
+#include "core/analysis/run_metrics.h"
+#include "core/design/experiment.h"
 
-#include <string>
 #include <vector>
 
 namespace hygroloom {
@@ -25,13 +25,13 @@ struct Plot {
     bool from_zero = true; ///< whether the axis begins at 0
 };
 
-/// For reports: all there are. A plot of which the run has no series is skipped there.
+enum class PlotName { radius, height, content, water, faces, temperature, regain };
+const Plot& plot_named(PlotName name);
+/// In that order.
 const std::vector<Plot>& all_plots();
 
 /// Where the water is; in a test of the fibres' uptake, how much they hold.
 const Plot& water_plot(ExperimentType type);
-/// What the type of experiment is about.
-const Plot& subject_plot(ExperimentType type);
 
 /// A curve's values in the plot's unit.
 std::vector<double> plotted(const Plot& plot, const Curve& curve, const Metrics& metrics);

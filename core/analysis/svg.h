@@ -37,7 +37,7 @@ inline std::string svg_line(double x1, double y1, double x2, double y2, const ch
     return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2, colour);
 }
 
-/// The beginning of a picture of so many pixels, white.
+/// The start of a white picture of width x height pixels.
 inline std::string svg_begin(double width, double height)
 {
     return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "

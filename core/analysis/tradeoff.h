@@ -28,10 +28,10 @@ std::vector<TradeoffVariant> tradeoff_ladder();
 /// multiplied.
 std::vector<TradeoffVariant> convergence_variants(const KnobSettings& settings);
 
-/// Whether two plans of one scene make the same run, as far as the plans tell.
+/// Whether the plans describe the same run of one scene.
 bool run_alike(const ModelPlan& a, const ModelPlan& b);
 
-/// What is kept of one moment of a run.
+/// What is kept of a run at one time.
 struct TradeoffMoment {
     double time = 0;                        ///< s
     std::map<std::string, double> contents; ///< kg: free, in pores, bound over the start, evaporated, dripped
@@ -39,7 +39,7 @@ struct TradeoffMoment {
     std::vector<char> wet;                  ///< one per segment, 0 or 1
 };
 
-/// What is kept of one run. Moments at a quarter, a half, three quarters and the end of it.
+/// What is kept of one run, with moments at a quarter, a half, three quarters and the end of it.
 struct TradeoffOutcome {
     std::map<std::string, std::optional<double>> metrics; ///< by key, see outcomes_of(); none: could not be determined
     std::map<std::string, double> closed_forms;           ///< of metrics: see closed_forms(); none of a sample that still changed
@@ -81,9 +81,9 @@ struct MetricError {
 
 /// How far a run lies from the reference.
 struct TradeoffErrors {
-    std::vector<MetricError> metrics; ///< then the contents: the largest difference of the moments over the water at stake
-    std::optional<double> map;        ///< relative L2 over cells and moments; none: the reference moved no water
-    std::optional<double> overlap;    ///< of the wetted areas, intersection over union, over the moments; none: nothing got wet in either
+    std::vector<MetricError> metrics; ///< then the contents: the largest difference at the kept times over the water at stake
+    std::optional<double> map;        ///< relative L2 over cells and times; none: the reference moved no water
+    std::optional<double> overlap;    ///< of the wetted areas, intersection over union, over the times; none: nothing got wet in either
     double largest = 0;               ///< of the metrics, the contents and 1 - overlap
 };
 
@@ -123,12 +123,12 @@ struct Tradeoff {
     double load = -1; ///< processes that ran or waited at the start, mean of a minute, of all the machine; less than 0: not known
     std::string fabric, experiment, type;
     double duration = 0;   ///< s
-    bool complete = false; ///< every variant was run as often as asked for
+    bool complete = false; ///< every variant has all of its repeats
     std::vector<TradeoffPoint> points;
     std::vector<ConvergenceStep> convergence;
 };
 
-/// An empty one that says which program on which machine is about to measure what.
+/// Without measurements: the program, the machine and the scene.
 Tradeoff tradeoff_here(const Fabric& fabric, const Experiment& experiment);
 
 double median(std::vector<double> values);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The files of tradeoff, and the text in which the process of a run tells its outcome.
+// The files of tradeoff, and the text in which the process of a run reports its outcome.
 #include "core/analysis/tradeoff.h"
 
 #include "core/base/error.h"
@@ -24,7 +24,7 @@ constexpr const char* how_memory =
 constexpr const char* how_error =
     "The largest of: each metric's difference over the reference's value (a temperature's over its distance from "
     "the air, one-way transport's over 100 % at least), each content's over all water that moved, 1 - overlap. Map: relative L2 over cells "
-    "of 2 x 2 crossings. Overlap of the wetted segments: intersection over union. Contents, map and overlap are taken "
+    "of 2 x 2 crossings. Overlap of the wetted segments: intersection over union. Contents, map and overlap are compared "
     "at a quarter, a half, three quarters and the end.";
 constexpr const char* how_closed_forms =
     "Where a closed form gives a metric it is the reference here: the regain in equilibrium with the air; the wet bulb of a sheet "
@@ -154,7 +154,7 @@ std::string tradeoff_json(const Tradeoff& t)
 Tradeoff tradeoff_from_json(const std::string& text, const std::string& file)
 try {
     const Json json = Json::parse(text);
-    if (json.at("format") != "hygroloom-tradeoff") throw Error("this is no measured trade-off.");
+    if (json.at("format") != "hygroloom-tradeoff") throw Error("this is not a measured trade-off.");
     if (json.at("version") != tradeoff_version)
         throw Error(fmt::format("this program reads version {} of measured trade-offs; the file has {}.", tradeoff_version,
                                 json.at("version").dump()));
@@ -260,7 +260,7 @@ try {
     o.switched_on = switched_from_value(json.at("switched_on"));
     return o;
 } catch (const Json::exception& e) {
-    throw Error(std::string("What a run told of itself cannot be read: ") + e.what());
+    throw Error(std::string("The outcome of a run cannot be read: ") + e.what());
 }
 
 } // namespace hygroloom

@@ -177,7 +177,7 @@ public:
     explicit Index(std::string name) : name_(std::move(name)) {}
     std::string add(double exact)
     {
-        const double time = std::stod(fmt::format("{:.12g}", exact)); // moments are sums of steps
+        const double time = std::stod(fmt::format("{:.12g}", exact)); // times are sums of steps
         const std::string file = fmt::format("{}_{:06}.vtp", name_, files_.size());
         text_ += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, file);
         files_.push_back({{"name", file}, {"time", time}});

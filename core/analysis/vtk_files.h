@@ -9,7 +9,7 @@
 
 namespace hygroloom {
 
-/// Writes yarns_NNNNNN.vtp for one frame out of so many and always the last, and liquid_NNNNNN.vtp beside it where the run ever had free
+/// Writes yarns_NNNNNN.vtp for every Nth frame and the last, and liquid_NNNNNN.vtp beside it where the run ever had free
 /// liquid; then yarns.pvd and liquid.pvd, and .vtp.series files, which name the frames' times in s. Lengths are in mm. Each frame has the
 /// same arrays: saturation (liquid over pores), water_content_kg_kg (liquid and bound over dry fibre), regain_kg_kg, vapour_g_m3,
 /// temperature_c, top (1: on the top face), warp (1, or 0 of weft), end and pick (of the crossing), segment; of liquid velocity_m_s.

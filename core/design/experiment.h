@@ -130,7 +130,7 @@ inline const char* name_of(ExperimentType type) { return info_of(type).key; }
 /// Whether the type uses a field, by its key in the project file.
 bool uses_field(ExperimentType type, std::string_view key);
 
-/// Whether the liquid comes to the middle of the cloth and leaves a stain there.
+/// Whether the liquid wets the middle of the cloth and leaves a stain.
 bool wets_a_spot(ExperimentType type);
 /// Whether all of the cloth changes from the start.
 bool changes_everywhere(ExperimentType type);

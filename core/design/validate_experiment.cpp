@@ -108,7 +108,7 @@ void validate_climate(const Climate& climate, const std::string& where, IssueLis
 {
     if (list.range(where + ".temperature_c", "temperature", climate.temperature_c, -10, 60, "C") && climate.temperature_c < 0)
         list.add(Severity::warning, "supercooled", where + ".temperature_c",
-                 fmt::format("At {} C the water is taken as supercooled liquid; freezing is not modelled.", climate.temperature_c));
+                 fmt::format("At {} C the water is modelled as supercooled liquid; freezing is not modelled.", climate.temperature_c));
     if (list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, most_humidity) &&
         climate.relative_humidity > 1)
         list.add(Severity::warning, "supersaturated", where + ".relative_humidity",
@@ -124,7 +124,7 @@ void validate_climates(const Experiment& experiment, const std::string& where, I
     if (experiment.climates.size() > most_climates)
         return list.error(
             "range", where + ".climate",
-            fmt::format("A course of climates has at most {} moments; given are {}.", most_climates, experiment.climates.size() + 1));
+            fmt::format("A changing climate has at most {} times; given are {}.", most_climates, experiment.climates.size() + 1));
     double before = 0;
     for (std::size_t i = 0; i < experiment.climates.size(); ++i) {
         const std::string here = fmt::format("{}.climate[{}]", where, i + 1);

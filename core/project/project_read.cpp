@@ -305,7 +305,7 @@ void read_climates(ObjectReader& object, Experiment& experiment)
         ObjectReader air(*climate, object.file(), path);
         return read_air(air, experiment.climate);
     }
-    if (climate->empty()) object.refuse("climate", "A course of climates needs at least the one at 0 s.");
+    if (climate->empty()) object.refuse("climate", "A changing climate needs at least the one at 0 s.");
     Climate before = experiment.climate;
     for (std::size_t i = 0; i < climate->size(); ++i) {
         ObjectReader air((*climate)[i], object.file(), fmt::format("{}[{}]", path, i));
@@ -319,7 +319,7 @@ void read_climates(ObjectReader& object, Experiment& experiment)
         else if (moment.time_s == 0)
             experiment.climate = moment.climate;
         else
-            air.refuse("time_s", fmt::format("A course of climates begins at 0 s; given is {}.", moment.time_s));
+            air.refuse("time_s", fmt::format("A changing climate begins at 0 s; given is {}.", moment.time_s));
     }
 }
 

@@ -17,7 +17,7 @@ constexpr int threads = 80;    // each way
 
 double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
 
-/// Plain weave of yarns a sixth of the pitch high, which leave a gap of this share of the pitch between them and neither wick nor drink.
+/// Plain weave of yarns a sixth of the pitch high, which leave a gap of this share of the pitch between them and absorb nothing.
 Scene cloth_with_gaps(double gap)
 {
     Scene scene = bare_scene(threads, threads, pitch, 293.15);
@@ -35,16 +35,16 @@ Scene cloth_with_gaps(double gap)
 /// Of all water there ever was.
 double water_drift(const Ledger& ledger) { return std::abs(ledger.water_imbalance()) / (ledger.water_delivered + ledger.water_initial); }
 
-/// A NaN is not forgotten.
+/// Keeps a NaN.
 double larger_or_nan(double a, double b) { return b > a || std::isnan(b) ? b : a; }
 
-/// Moments of an impact from a height, in moves of a tenth of the spacing, and on until the liquid has run apart.
+/// Times of an impact from a height, in moves of a tenth of the spacing, and on until the liquid has run apart.
 std::vector<double> moments_of_impact(double height, double radius, double speed, double spacing)
 {
     const double impact = 2.0 * (height + 2.0 * radius) / std::max(speed, 0.1);
     std::vector<double> times;
-    const int moments = std::clamp(static_cast<int>(10.0 * impact * speed / spacing), 20, 400);
-    for (int k = 1; k <= moments; ++k) times.push_back(impact * k / moments);
+    const int samples = std::clamp(static_cast<int>(10.0 * impact * speed / spacing), 20, 400);
+    for (int k = 1; k <= samples; ++k) times.push_back(impact * k / samples);
     for (int k = 1; k <= 20; ++k) times.push_back(impact + 2e-4 * k);
     return times;
 }
@@ -84,7 +84,7 @@ std::vector<VerifyResult> no_penetration(const VerifyValues& v, Backend& backend
     return results;
 }
 
-/// A drop strikes a fabric of the library, which drinks as it does: how many particles are ever seen deeper in a yarn than half-way to its
+/// A drop strikes a fabric of the library, which absorbs it: how many particles are ever seen deeper in a yarn than half-way to its
 /// middle, where those must be that pass through it, or nowhere, and whether water is lost. In wedges between yarns particles stand up to a
 /// quarter of their spacing under a skin (see MeetYarns); where yarns climb steeply (textiles A and B) up to 1.3 spacings at 5 m/s.
 std::vector<VerifyResult> impact(const VerifyValues& v, Backend& backend)
@@ -145,7 +145,7 @@ std::vector<VerifyCase> cloth_cases()
 {
     return {
         {"no_penetration",
-         "A drop fired at cloth that does not drink: how far under a skin a particle's middle is found, and how many pass closed cloth.",
+         "A drop fired at cloth that absorbs nothing: how far under a skin a particle's middle is found, and how many pass closed cloth.",
          {{"speed_m_s", 5, 0, 20, ""},
           {"gap_percent", 2, 1, 80, ""},
           whole_number("particles", 300, 10, 1e5),

@@ -82,7 +82,7 @@ Field levelling_yarn(Backend& backend, int cells, int steps)
     return means;
 }
 
-/// Liquid runs into a dry yarn that hangs in it, D = D0 s^2: what it drew in. The front is a corner, where no scheme keeps its order.
+/// Liquid runs into a dry yarn from its end, D = D0 s^2: what the yarn absorbed. The front is a corner, where no scheme keeps its order.
 Field drinking_yarn(Backend& backend, int cells, int steps)
 {
     constexpr double length = 0.01, diffusivity = 1e-3;
@@ -134,7 +134,7 @@ std::vector<VerifyResult> convergence(const VerifyValues&, Backend& backend)
         {"wicking_front_space", order_of(4 * cells, [&](int n) { return drinking_yarn(backend, n, steps); }), 1, tolerance, Rule::at_least},
         {"wicking_front_time", order_of(steps, [&](int n) { return drinking_yarn(backend, 8 * cells, n); }), 1, tolerance},
     };
-    // Pores and their liquid come to terms within a millisecond, so vapour is looked at with steps of several, as runs take them.
+    // Pores and their liquid reach equilibrium within a millisecond; vapour is tested with steps of several, as in runs.
     constexpr double long_time = 1; // s
     const std::array<Frame, 3> dry = working_spots(backend, false, 2 * short_time), all = working_spots(backend, true, long_time);
     results.push_back(splitting_order("splitting_saturation", dry, &Frame::saturation));

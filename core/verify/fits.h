@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// How comparisons with measurements judge curves: straight lines, slopes, bands.
+// Straight lines, slopes and bands for comparing curves with measurements.
 #pragma once
 
 #include "core/verify/verify.h"
@@ -32,10 +32,10 @@ inline FittedLine fit_line(const std::vector<double>& x, const std::vector<doubl
 }
 
 /// A curve's value between its points; times rise.
-inline double value_at(const std::vector<double>& time, const std::vector<double>& value, double moment)
+inline double value_at(const std::vector<double>& time, const std::vector<double>& value, double at)
 {
     for (std::size_t i = 1; i < time.size(); ++i)
-        if (time[i] >= moment) return value[i - 1] + (value[i] - value[i - 1]) * (moment - time[i - 1]) / (time[i] - time[i - 1]);
+        if (time[i] >= at) return value[i - 1] + (value[i] - value[i - 1]) * (at - time[i - 1]) / (time[i] - time[i - 1]);
     return value.back();
 }
 

@@ -227,7 +227,7 @@ std::vector<VerifyCase> heat_cases()
           {"isotherm", 0, 0, 0, "master"}},
          sorption_heating},
         {"adiabatic_wetting",
-         "Dry fibre drinks liquid and keeps the heat: its rise against the heat of wetting.",
+         "Dry fibre absorbs liquid and keeps the heat: its warming against the heat of wetting.",
          {{"material", 0, 0, 0, "cotton"}, {"regain", 0.24, 0, 1, ""}},
          adiabatic_wetting},
     };

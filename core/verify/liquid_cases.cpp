@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The free liquid: drops that swing, rest and fall, against closed forms.
-#include "core/base/random.h"
+// Free liquid against closed forms: drops that oscillate, rest, fall and strike a plate; a column of water.
 #include "core/physics/fluid_forces.h"
 #include "core/physics/particle_steps.h"
 #include "core/solver/droplet.h"
+#include "core/verify/drop_set_ups.h"
 #include "core/verify/drop_shapes.h"
 #include "core/verify/fits.h"
 #include "core/verify/set_ups.h"
+#include "core/verify/swing_fit.h"
 #include "core/verify/verify.h"
 
 #include <algorithm>
@@ -16,172 +17,23 @@
 namespace hygroloom {
 namespace {
 
-constexpr double plate_height = 5e-3; // m, over the piece of cloth that every scene has
-
 double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
-int particles_of(const VerifyValues& values) { return static_cast<int>(value(values, "particles")); }
 double temperature_of(const VerifyValues& values) { return kelvin_from_celsius(value(values, "temperature_c")); }
+int particles_of(const VerifyValues& values) { return static_cast<int>(value(values, "particles")); }
 
-/// Free water over a small piece of cloth that it never meets.
-Scene scene_with(const std::vector<Vec3d>& places, double particle_volume, double temperature)
+Scene ball_of(const VerifyValues& v, double radius, std::uint64_t start = 1)
 {
-    Scene scene = bare_scene(1, 1, 2e-3, temperature);
-    scene.rules.network_step = scene.rules.calm_network_step = 1.0;
-    scene.liquid.places = places;
-    scene.liquid.velocities.assign(places.size(), Vec3d{});
-    scene.liquid.particle_volume = particle_volume;
-    scene.liquid.gravity = 0;
-    return scene;
+    return ball(particles_of(v), radius, temperature_of(v), start);
 }
 
-void put_on_plate(Scene& scene, double contact_angle)
+/// The cap of the case's volume at an angle, on a plate of the case's own angle.
+Scene cap_of(const VerifyValues& v, double start_angle)
 {
-    scene.liquid.vessel = SceneVessel{{-1, -1, plate_height}, {1, 1, 1}, scene.climate.surface_tension * (1.0 + std::cos(contact_angle))};
+    const Cap cap{cubic_metre_from_ul(value(v, "volume_ul")), start_angle, radian_from_degree(value(v, "contact_angle_deg"))};
+    return cap_on_plate(particles_of(v), cap, temperature_of(v));
 }
 
-/// Places a little off their lattice, so that nothing rests on a perfect one.
-void disturb(std::vector<Vec3d>& places, double spacing, std::uint64_t start = 1)
-{
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto off = [&](std::uint64_t axis) { return 0.5 * spacing * (random_uniform(start, axis, i) - 0.5); };
-        places[i] += Vec3d{off(0), off(1), off(2)};
-    }
-}
-
-/// A ball high over everything.
-Scene ball(int particles, double radius, double temperature, std::uint64_t start = 1)
-{
-    const double particle_volume = 4.0 / 3.0 * pi * radius * radius * radius / particles, spacing = std::cbrt(particle_volume);
-    std::vector<Vec3d> places = droplet_lattice(particles, spacing);
-    disturb(places, spacing, start);
-    for (Vec3d& p : places) p += Vec3d{0, 0, plate_height + 2 * radius};
-    return scene_with(places, particle_volume, temperature);
-}
-
-/// A drop on a plate, in the shape it would have there without weight at the angle it starts with.
-Scene cap_on_plate(const VerifyValues& v, double start_angle)
-{
-    const int particles = particles_of(v);
-    const double volume = cubic_metre_from_ul(value(v, "volume_ul"));
-    const double particle_volume = volume / particles, spacing = std::cbrt(particle_volume);
-    const DropOnPlate cap = drop_of_volume(volume, start_angle, 0);
-    const Vec3d middle{0, 0, -cap.base_radius / std::tan(start_angle)}; // of the ball that the cap is cut from
-    const int across = static_cast<int>(std::ceil(cap.base_radius / std::sin(start_angle) / spacing)) + 2;
-    std::vector<Vec3d> places;
-    for (int k = 0; k < static_cast<int>(cap.height / spacing) + 3; ++k)
-        for (int j = -across; j < across; ++j)
-            for (int i = -across; i < across; ++i) places.push_back(spacing * Vec3d{i + 0.5, j + 0.5, k + 0.5});
-    std::stable_sort(places.begin(), places.end(), [&](const Vec3d& a, const Vec3d& b) { return length(a - middle) < length(b - middle); });
-    places.resize(static_cast<std::size_t>(particles));
-    disturb(places, spacing);
-    for (Vec3d& p : places) p.z += plate_height;
-    Scene scene = scene_with(places, particle_volume, temperature_of(v));
-    put_on_plate(scene, radian_from_degree(value(v, "contact_angle_deg")));
-    return scene;
-}
-
-Vec3d place(const Frame& f, std::size_t i)
-{
-    return {static_cast<double>(f.positions[i][0]), static_cast<double>(f.positions[i][1]), static_cast<double>(f.positions[i][2])};
-}
-
-Vec3d velocity(const Frame& f, std::size_t i)
-{
-    return {static_cast<double>(f.velocities[i][0]), static_cast<double>(f.velocities[i][1]), static_cast<double>(f.velocities[i][2])};
-}
-
-Vec3d middle(const Frame& f)
-{
-    Vec3d sum;
-    for (std::size_t i = 0; i < f.positions.size(); ++i) sum += place(f, i);
-    return (1.0 / static_cast<double>(f.positions.size())) * sum;
-}
-
-Vec3d mean_velocity(const Frame& f)
-{
-    Vec3d sum;
-    for (std::size_t i = 0; i < f.velocities.size(); ++i) sum += velocity(f, i);
-    return (1.0 / static_cast<double>(f.velocities.size())) * sum;
-}
-
-/// Root of the mean square of the velocities over their mean.
-double agitation(const Frame& f)
-{
-    const Vec3d mean = mean_velocity(f);
-    double sum = 0;
-    for (std::size_t i = 0; i < f.velocities.size(); ++i) sum += dot(velocity(f, i) - mean, velocity(f, i) - mean);
-    return std::sqrt(sum / static_cast<double>(f.velocities.size()));
-}
-
-/// Times from first to last, evenly.
-std::vector<double> moments(double first, double last, int count)
-{
-    std::vector<double> times;
-    for (int k = 0; k < count; ++k) times.push_back(first + (last - first) * k / (count - 1));
-    return times;
-}
-
-/// Least squares of values over x with up to three given functions, and what is left.
-struct Fit {
-    std::array<double, 3> factors{};
-    double rest = 0; ///< sum of squares
-};
-
-Fit fit_three(const std::vector<double>& x, const std::vector<double>& y, const std::function<std::array<double, 3>(double)>& functions)
-{
-    double m[3][4] = {};
-    double squares = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const std::array<double, 3> f = functions(x[i]);
-        for (std::size_t a = 0; a < 3; ++a) {
-            for (std::size_t b = 0; b < 3; ++b) m[a][b] += f[a] * f[b];
-            m[a][3] += f[a] * y[i];
-        }
-        squares += y[i] * y[i];
-    }
-    double u[3][4];
-    std::copy(&m[0][0], &m[0][0] + 12, &u[0][0]);
-    for (int a = 0; a < 3; ++a)
-        for (int b = a + 1; b < 3; ++b) {
-            const double q = u[b][a] / u[a][a];
-            for (int c = a; c < 4; ++c) u[b][c] -= q * u[a][c];
-        }
-    Fit fit;
-    for (int a = 2; a >= 0; --a) {
-        double sum = u[a][3];
-        for (int b = a + 1; b < 3; ++b) sum -= u[a][b] * fit.factors[static_cast<std::size_t>(b)];
-        fit.factors[static_cast<std::size_t>(a)] = sum / u[a][a];
-    }
-    fit.rest = squares;
-    for (std::size_t a = 0; a < 3; ++a) fit.rest -= fit.factors[a] * m[a][3];
-    return fit;
-}
-
-struct Swing {
-    double frequency = 0; ///< Hz
-    double damping = 0;   ///< s
-};
-
-/// The damped swing round a constant that comes nearest, between half and twice the expected frequency.
-Swing fit_swing(const std::vector<double>& times, const std::vector<double>& values, double expected)
-{
-    Swing best;
-    double least = std::numeric_limits<double>::infinity();
-    for (double f = 0.5 * expected; f < 2.0 * expected; f *= 1.004)
-        for (double damping = 0.2 / expected; damping < 40 / expected; damping *= 1.1) {
-            const Fit fit = fit_three(times, values, [&](double t) {
-                const double e = std::exp(-t / damping);
-                return std::array<double, 3>{e * std::cos(2 * pi * f * t), e * std::sin(2 * pi * f * t), 1.0};
-            });
-            if (fit.rest < least) {
-                least = fit.rest;
-                best = {f, damping};
-            }
-        }
-    return best;
-}
-
-/// r^l P_l(cos of the angle with the axis), which swings of mode l have the velocities' potential of, and its gradient.
+/// r^l P_l(cos of the angle with the axis), the velocity potential of oscillations of mode l, and its gradient.
 struct ZonalHarmonic {
     double value = 1;
     Vec3d gradient;
@@ -201,7 +53,7 @@ ZonalHarmonic zonal_harmonic(int mode, const Vec3d& d)
     return now;
 }
 
-/// How far a drop has swung from a ball: 0.
+/// Deflection of a drop from a ball; 0: none.
 double deflection(const Frame& f, int mode)
 {
     const Vec3d m = middle(f);
@@ -214,12 +66,12 @@ double deflection(const Frame& f, int mode)
     return along / all;
 }
 
-/// A ball that has come to rest is set swinging: of mode 2 between long and flat (Rayleigh 1879; damping Lamb 1881).
+/// A ball at rest is made to oscillate; mode 2 is between long and flat (Rayleigh 1879; damping Lamb 1881).
 std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
 {
     const double radius = 1e-3 * value(v, "radius_mm");
     const int mode = static_cast<int>(value(v, "mode"));
-    Scene scene = ball(particles_of(v), radius, temperature_of(v));
+    Scene scene = ball_of(v, radius);
     const ClimateParameters& water = scene.climate;
     const auto rate_of = [&](int l) {
         return std::sqrt(l * (l - 1.0) * (l + 2.0) * water.surface_tension / (water.density * radius * radius * radius));
@@ -232,7 +84,7 @@ std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
         scene.liquid.places[i] = place(resting, i);
         scene.liquid.velocities[i] = velocity(resting, i) - u + kick * zonal_harmonic(mode, place(resting, i) - m).gradient;
     }
-    const std::vector<double> times = moments(0.02 * period, 3.0 * period, 120);
+    const std::vector<double> times = times_between(0.02 * period, 3.0 * period, 120);
     std::vector<double> values;
     for (const Frame& f : frames_at(backend, scene, times)) values.push_back(deflection(f, mode));
     const Swing swing = fit_swing(times, values, 1.0 / period);
@@ -247,12 +99,12 @@ std::vector<VerifyResult> rayleigh_drop(const VerifyValues& v, Backend& backend)
 /// Mean pressure in the inner half of a ball at rest.
 double inner_pressure(Backend& backend, const VerifyValues& v, double radius, std::uint64_t start)
 {
-    Scene scene = ball(particles_of(v), radius, temperature_of(v), start);
+    Scene scene = ball_of(v, radius, start);
     scene.rules.shows_pressure = true;
     const double period = 2.0 * pi * std::sqrt(scene.climate.density * radius * radius * radius / (8.0 * scene.climate.surface_tension));
     double sum = 0;
     long count = 0;
-    std::vector<Frame> frames = frames_at(backend, scene, moments(2.0 * period, 4.0 * period, 60));
+    std::vector<Frame> frames = frames_at(backend, scene, times_between(2.0 * period, 4.0 * period, 60));
     frames.erase(frames.begin()); // its mean goes back to the start
     for (const Frame& f : frames) {
         const Vec3d m = middle(f);
@@ -306,14 +158,14 @@ std::vector<VerifyResult> sessile_drop(const VerifyValues& v, Backend& backend)
 {
     const double angle = radian_from_degree(value(v, "contact_angle_deg"));
     const double start = angle + (0.5 * pi - angle) * value(v, "off_by"); // a drop that starts far off leaps from the plate
-    Scene scene = cap_on_plate(v, start);
+    Scene scene = cap_of(v, start);
     const bool heavy = value(v, "gravity") != 0;
     scene.liquid.gravity = heavy ? gravity_acceleration : 0.0;
     const double weight = scene.liquid.gravity * scene.climate.density / scene.climate.surface_tension;
     const double volume = cubic_metre_from_ul(value(v, "volume_ul"));
     const double capillary = std::sqrt(scene.climate.density * volume / scene.climate.surface_tension);
     const double time = value(v, "time_s") > 0 ? value(v, "time_s") : 12.0 * capillary;
-    const DropOnPlate drop = shape_of(frames_at(backend, scene, moments(0.8 * time, time, 20)), weight);
+    const DropOnPlate drop = shape_of(frames_at(backend, scene, times_between(0.8 * time, time, 20)), weight);
     const DropOnPlate expected = drop_of_volume(volume, angle, weight);
     std::vector<VerifyResult> results{
         {"base_radius_mm", 1e3 * drop.base_radius, 1e3 * expected.base_radius, 0.05 * 1e3 * expected.base_radius},
@@ -326,7 +178,7 @@ std::vector<VerifyResult> sessile_drop(const VerifyValues& v, Backend& backend)
 
 std::vector<VerifyResult> liquid_rest(const VerifyValues& v, Backend& backend)
 {
-    const Scene scene = cap_on_plate(v, radian_from_degree(value(v, "contact_angle_deg")));
+    const Scene scene = cap_of(v, radian_from_degree(value(v, "contact_angle_deg")));
     constexpr double settled = 0.1; // s
     const std::vector<Frame> frames =
         frames_at(backend, scene, {settled, settled + 0.5 * value(v, "time_s"), settled + value(v, "time_s")});
@@ -370,7 +222,7 @@ std::vector<VerifyResult> hydrostatic(const VerifyValues& v, Backend& backend)
     scene.liquid.gravity = gravity_acceleration;
     scene.rules.shows_pressure = true;
     const double fall = std::sqrt(depth / gravity_acceleration);
-    std::vector<Frame> frames = frames_at(backend, scene, moments(2.5 * fall, 5.0 * fall, 20));
+    std::vector<Frame> frames = frames_at(backend, scene, times_between(2.5 * fall, 5.0 * fall, 20));
     frames.erase(frames.begin()); // its mean goes back to the start
     const double reach = surface_support_in_spacings * spacing;
     std::vector<double> heights, pressures;
@@ -397,7 +249,7 @@ std::vector<VerifyResult> hydrostatic(const VerifyValues& v, Backend& backend)
 std::vector<VerifyResult> falling_drop(const VerifyValues& v, Backend& backend)
 {
     const double radius = 1e-3 * value(v, "radius_mm"), time = value(v, "time_s");
-    Scene scene = ball(particles_of(v), radius, temperature_of(v));
+    Scene scene = ball_of(v, radius);
     scene.liquid.gravity = gravity_acceleration;
     for (Vec3d& p : scene.liquid.places) p.z += gravity_acceleration * time * time;
     const std::vector<Frame> frames = frames_at(backend, scene, {1e-4, time});
@@ -417,7 +269,7 @@ std::vector<VerifyResult> falling_drop(const VerifyValues& v, Backend& backend)
 std::vector<VerifyResult> impact_spread(const VerifyValues& v, Backend& backend)
 {
     const double radius = 1e-3 * value(v, "radius_mm"), weber = value(v, "weber");
-    Scene scene = ball(particles_of(v), radius, temperature_of(v));
+    Scene scene = ball_of(v, radius);
     put_on_plate(scene, radian_from_degree(value(v, "contact_angle_deg")));
     const ClimateParameters& water = scene.climate;
     const double speed = std::sqrt(weber * water.surface_tension / (2.0 * radius * water.density));
@@ -426,7 +278,7 @@ std::vector<VerifyResult> impact_spread(const VerifyValues& v, Backend& backend)
     const double spacing = std::cbrt(scene.liquid.particle_volume);
     double widest = 0;
     bool finite = true;
-    for (const Frame& f : frames_at(backend, scene, moments(0.2 * capillary, radius / speed + 2.5 * capillary, 60))) {
+    for (const Frame& f : frames_at(backend, scene, times_between(0.2 * capillary, radius / speed + 2.5 * capillary, 60))) {
         std::vector<double> across;
         const Vec3d m = middle(f);
         for (std::size_t i = 0; i < f.positions.size(); ++i) across.push_back(std::hypot(place(f, i).x - m.x, place(f, i).y - m.y));
@@ -450,7 +302,7 @@ std::vector<VerifyCase> liquid_cases()
     const VerifyParameter many = whole_number("particles", 8000, 200, 1e6);
     return {
         {"rayleigh_drop",
-         "A drop swings: frequency and damping time.",
+         "A drop oscillates: frequency and damping time.",
          {radius, whole_number("mode", 2, 2, 4), particles, {"amplitude", 0.05, 0.005, 0.3, ""}, temperature},
          rayleigh_drop},
         {"laplace_pressure",
@@ -459,7 +311,7 @@ std::vector<VerifyCase> liquid_cases()
          laplace_pressure},
         {"sessile_drop",
          "A drop on a smooth plate, whose wall is calibrated on 5 ul without gravity, settles to a cap, with gravity to Young and "
-         "Laplace's shape; it is given twelve capillary times unless time_s says otherwise.",
+         "Laplace's shape; it settles for twelve capillary times, or for time_s.",
          {volume,
           {"contact_angle_deg", 90, 20, 160, ""},
           whole_number("particles", 4000, 200, 1e6),

@@ -24,7 +24,7 @@ Experiment hanging_strip(double length_mm, double duration)
 /// Height over time of a strip, m and s.
 struct Rise {
     std::vector<double> time, height;
-    double at(double moment) const { return value_at(time, height, moment); }
+    double at(double when) const { return value_at(time, height, when); }
     double exponent(double from, double to) const { return std::log(at(to) / at(from)) / std::log(to / from); }
 };
 Rise rise_of(const Metrics& metrics) { return {metrics.series.time, metrics.series.wick_height}; }
@@ -44,10 +44,10 @@ double error_of_washburn_with_gravity(const Rise& rise)
     }
     const double highest = std::sqrt(low * high), unit = 600 / duration(rise.at(600) / highest);
     double worst = 0;
-    for (double moment : {30.0, 120.0, 300.0}) {
+    for (double seconds : {30.0, 120.0, 300.0}) {
         double below = 0, above = (1 - 1e-12) * highest;
-        for (int i = 0; i < 100; ++i) (unit * duration(0.5 * (below + above) / highest) < moment ? below : above) = 0.5 * (below + above);
-        worst = std::max(worst, std::abs(below / rise.at(moment) - 1));
+        for (int i = 0; i < 100; ++i) (unit * duration(0.5 * (below + above) / highest) < seconds ? below : above) = 0.5 * (below + above);
+        worst = std::max(worst, std::abs(below / rise.at(seconds) - 1));
     }
     return worst;
 }
@@ -56,9 +56,8 @@ double error_of_washburn_with_gravity(const Rise& rise)
 std::vector<VerifyResult> rise_in_synthetics(const VerifyValues&, Backend& backend)
 {
     const char* slow = "the model's liquid runs inside the yarns alone; in a knit the wide pores between yarns may carry it, too";
-    const char* thirsty =
-        "fibres resolved at their skins drink from the rising water early on and hold it back more than in the knit measured, whose "
-        "finish is unknown; with even shells, which drink too late, the exponent is 0.43";
+    const char* thirsty = "fibres resolved at their skins absorb the rising water early and slow it more than in the measured knit, whose "
+                          "finish is unknown; with even shells, which absorb too late, the exponent is 0.43";
     std::vector<VerifyResult> results;
     for (const auto& [name, fabric] : {std::pair{"polyester", "Sports micro-twill"}, std::pair{"nylon", "Nylon taslan"}}) {
         const Rise rise = rise_of(library_fabric(fabric), 200, 600, backend);
@@ -149,7 +148,7 @@ std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
 /// T6: the same yarns and sett in three weaves, 120 min of wicking and drying.
 std::vector<VerifyResult> floats_and_wicking(const VerifyValues&, Backend& backend)
 {
-    std::vector<double> early, late; // kg taken up in 10 min, kg/s from then on
+    std::vector<double> early, late; // kg absorbed in 10 min, kg/s after that
     for (const char* weave : {"plain", "twill 2/2 Z", "satin 8/3"}) {
         Fabric fabric = library_fabric("Sheeting");
         fabric.weave = weave_from_pattern(weave);
@@ -170,7 +169,7 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues&, Backend& backe
             {"late_satin_over_plain", late[2] / late[0], 1, 0.1}};
 }
 
-/// T7: order of the fibres stands for the tortuosity of the pores, the only number of the model that it could change.
+/// T7: the order of the fibres could change only the tortuosity of the pores in the model.
 std::vector<VerifyResult> order_and_angle(const VerifyValues&, Backend& backend)
 {
     constexpr double duration = 60;

@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   verify/cloth_cases.cpp
   verify/convergence_cases.cpp
+  verify/drop_set_ups.cpp
   verify/drop_shapes.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
@@ -12,6 +13,7 @@ target_sources(hygroloom_core PRIVATE
   verify/moisture_cases.cpp
   verify/pore_cases.cpp
   verify/set_ups.cpp
+  verify/swing_fit.cpp
   verify/verify.cpp
   verify/whole_run_cases.cpp
   verify/wicking_cases.cpp

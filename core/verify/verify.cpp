@@ -13,7 +13,7 @@
 namespace hygroloom {
 namespace {
 
-/// What a parameter may be, in words.
+/// The allowed values of a parameter.
 std::string range_in_words(const VerifyParameter& p)
 {
     if (p.whole && p.smallest == 0 && p.largest == 1) return "0 or 1";

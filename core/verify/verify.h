@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Set-ups with known answers, run through a backend as a simulation would be: computed by the solver, expected from a closed form.
+// Set-ups with known answers, run through a backend like a simulation: computed by the solver, expected from a closed form.
 #pragma once
 
 #include "core/solver/backend.h"
@@ -13,7 +13,7 @@
 
 namespace hygroloom {
 
-/// What a case may be given; its unit is the end of its name. A word for the few that are no numbers.
+/// A parameter of a case; its name ends in its unit. A few are words.
 struct VerifyParameter {
     std::string name;
     double value = 0;
@@ -29,7 +29,7 @@ inline VerifyParameter whole_number(const std::string& name, double value, doubl
 }
 inline VerifyParameter on_or_off(const std::string& name, bool on) { return whole_number(name, on, 0, 1); }
 
-/// How a computed value is held against the expected one.
+/// How a computed value is compared with the expected one.
 enum class Rule { near, at_most, at_least };
 
 /// One whole number of a result that has several, such as a grade.
@@ -45,7 +45,7 @@ struct VerifyResult {
     double expected = 0;
     double tolerance = 0; ///< of the difference, in the result's unit
     Rule rule = Rule::near;
-    std::string known_miss = {};        ///< why it is known not to hold; empty: it is held to hold
+    std::string known_miss = {};        ///< why it is known not to hold; empty: it must hold
     std::vector<VerifyPart> parts = {}; ///< not empty: the result is these, each of which must be as expected
     bool pass() const                   ///< a NaN never passes
     {
@@ -80,7 +80,7 @@ struct VerifyReport {
 
 const std::vector<VerifyCase>& verify_cases();
 
-/// The names a word of the command line stands for: "" all, "measured" every comparison with measurements, else itself.
+/// The cases that a word of the command line means: "" all, "measured" every comparison with measurements, else the one of that name.
 std::vector<std::string> verify_names(const std::string& word);
 
 /// Runs one case with some of its parameters changed. Throws Error naming the case, the parameter, its range and what was given.

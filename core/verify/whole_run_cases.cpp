@@ -267,7 +267,7 @@ std::vector<VerifyCase> whole_run_cases()
          "water within 1 % of all, the same to the last bit when repeated.",
          small_run, experiments_agree},
         {"goes_on_on_cpu",
-         "Half of an experiment on this backend, the other half on it and, from the state it had come to, on the CPU: the same frame to "
+         "Half of an experiment on this backend, then the other half on it and, from the same state, on the CPU: the same frame to "
          "the last bit, "
          "then each part of the water within 1 % of all.",
          {small_run.begin(), small_run.end() - 1},

@@ -26,7 +26,7 @@ double tube_mobility(double temperature, double contact_angle, double radius)
     return 5.0 * saturated_liquid_diffusivity(water_surface_tension(temperature), contact_angle, radius, water_viscosity(temperature));
 }
 
-/// How far liquid has run at times/64, /16, /4 and 1 into a yarn that hangs in it; mobility = x^2 / 2t of the ideal front.
+/// How far liquid has run at times/64, /16, /4 and 1 into a yarn whose end is in it; mobility = x^2 / 2t of the ideal front.
 std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time, double farthest)
 {
     constexpr int cells = 1200;
@@ -120,9 +120,9 @@ std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backe
         throw Error(
             fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
     const double expected = rising_time(radius, highest, water_viscosity(temperature), water_density(temperature), height);
-    constexpr int moments = 150;
+    constexpr int samples = 150;
     std::vector<double> times;
-    for (int i = 1; i <= moments; ++i) times.push_back(1.5 * expected * i / moments);
+    for (int i = 1; i <= samples; ++i) times.push_back(1.5 * expected * i / samples);
     const StandingTube tube(temperature, radius, radian_from_degree(angle), std::min(1.4 * height, 1.05 * highest), expected / 2000);
     double before = 0, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
     for (const Frame& frame : frames_at(backend, tube.scene, times)) {
@@ -149,7 +149,7 @@ std::vector<VerifyResult> jurin(const VerifyValues& v, Backend& backend)
     return {{"height_mm", 1e3 * tube.height(frame), 1e3 * expected, 0.01 * 1e3 * expected}};
 }
 
-/// A plane that drinks from a round source in its middle, as one wedge of it: a yarn that widens with the distance.
+/// A plane that absorbs from a round source in its middle, as one wedge of it: a yarn that widens with the distance.
 std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), porosity = value(v, "porosity");
@@ -169,9 +169,9 @@ std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend
     scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
     scene.supply.fed[0] = 1;
     scene.rules.network_step = expected / 3000;
-    constexpr int moments = 150;
+    constexpr int samples = 150;
     std::vector<double> times;
-    for (int i = 1; i <= moments; ++i) times.push_back(1.2 * expected * i / moments);
+    for (int i = 1; i <= samples; ++i) times.push_back(1.2 * expected * i / samples);
     double before = source, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
     for (const Frame& frame : frames_at(backend, scene, times)) {
         const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0) / (scene.climate.density * width);

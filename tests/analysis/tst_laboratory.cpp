@@ -10,7 +10,7 @@ using namespace hygroloom;
 
 namespace {
 
-std::vector<double> moments(double step, double end)
+std::vector<double> times(double step, double end)
 {
     std::vector<double> time;
     for (int i = 0; i * step <= end + 1e-9; ++i) time.push_back(i * step);
@@ -36,7 +36,7 @@ class TestLaboratory : public QObject {
 private Q_SLOTS:
     void wickingByTheRootOfTimeHasItsRate()
     {
-        const auto time = moments(1, 600);
+        const auto time = times(1, 600);
         const WickingResult r = wicking_result(time, along(time, [](double t) { return 4e-3 * std::sqrt(t); }));
         QVERIFY(std::abs(r.height - 4e-3 * std::sqrt(600)) < 1e-12);
         QVERIFY(near(r.rate, 4e-3, 1e-9));
@@ -46,7 +46,7 @@ private Q_SLOTS:
     void dryingHasItsRateAndItsEnd()
     {
         // 5 g on a quarter of a square metre: 2 mg/s until a fifth is left, then ever slower.
-        const auto time = moments(10, 4000);
+        const auto time = times(10, 4000);
         const auto left = along(time, [](double t) { return t < 2000 ? 5e-3 - 2e-6 * t : 1e-3 * std::exp(-(t - 2000) / 500); });
         const auto temperature = along(time, [](double t) { return t < 300 ? 294 : t < 2000 ? 289.5 : 294.0; });
         const DryingResult r = drying_result(time, left, temperature, 0.25);
@@ -57,7 +57,7 @@ private Q_SLOTS:
     void theConstantRateEndsWhereItFalls()
     {
         // 2 mg/s until half is left, which the fibres hold and give off ever slower.
-        const auto time = moments(10, 4000);
+        const auto time = times(10, 4000);
         const auto left = along(time, [](double t) { return t < 1250 ? 5e-3 - 2e-6 * t : 2.5e-3 * std::exp(-(t - 1250) / 1250); });
         const auto temperature = along(time, [](double t) { return t < 300 ? 294 : t < 1250 ? 289.5 : 294.0; });
         const DryingResult r = drying_result(time, left, temperature, 0.25);
@@ -68,8 +68,8 @@ private Q_SLOTS:
     }
     void aConstantRateHoldsToTheEnd()
     {
-        for (const double interval : {0.5, 1.0, 3.0, 7.0}) { // 80 % are left at a moment, or just before or after
-            const auto time = moments(interval, 2100);
+        for (const double interval : {0.5, 1.0, 3.0, 7.0}) { // 80 % is left at a sample, or just before or after it
+            const auto time = times(interval, 2100);
             const auto left = along(time, [](double t) { return std::max(0.0, 1.1e-3 * (1 - t / 2000)); });
             const DryingResult r = drying_result(time, left, along(time, [](double) { return 290.0; }), 0.25);
             QVERIFY(near(r.rate, 1.1e-3 / 2000 / 0.25, 1e-9 * 2.2e-6));
@@ -77,14 +77,14 @@ private Q_SLOTS:
     }
     void whatDidNotDryHasNoEnd()
     {
-        const auto time = moments(1, 100);
+        const auto time = times(1, 100);
         const DryingResult r = drying_result(time, along(time, [](double t) { return 1e-3 - 5e-6 * t; }), time, 1);
         QVERIFY(!r.time_to_dry && !r.rate && !r.steady_temperature);
         QVERIFY(!drying_result({0, 1}, {0, 0}, {0, 0}, 1).time_to_dry); // no water to begin with
     }
     void conditioningHasItsHalfTime()
     {
-        const auto time = moments(1, 1000);
+        const auto time = times(1, 1000);
         const auto regain = along(time, [](double t) { return 0.1 - 0.08 * std::exp(-t / 100); });
         const auto warm = along(time, [](double t) { return 293 + 0.2 * t * std::exp(-t / 50); });
         const ConditioningResult r = conditioning_result(time, regain, warm, along(time, [](double) { return 293.0; }));

@@ -8,7 +8,7 @@ using namespace hygroloom;
 
 namespace {
 
-/// Dry for a while, then rising evenly for a while, then level; the circle grows evenly from the same moment.
+/// Dry for a while, then rising evenly for a while, then level; the circle grows evenly from the same time.
 struct Ramp {
     double from = 0, to = 0, slope = 0; ///< s, s, % per s
     double speed = 0;                   ///< mm/s
@@ -25,7 +25,7 @@ FaceCurve curve(const std::vector<double>& time, const Ramp& ramp)
     return face;
 }
 
-std::vector<double> moments(double step, double end)
+std::vector<double> times(double step, double end)
 {
     std::vector<double> time;
     for (int i = 0; i * step <= end + 1e-9; ++i) time.push_back(i * step);
@@ -39,7 +39,7 @@ class TestManagement : public QObject {
 private Q_SLOTS:
     void rampsHaveTheIndicesTheyWereMadeWith()
     {
-        const std::vector<double> time = moments(0.25, 120);
+        const std::vector<double> time = times(0.25, 120);
         const ManagementIndices m = management_indices(time, curve(time, {2, 20, 30, 1.25, 23}), curve(time, {4, 12, 50, 2.5, 100}), 20);
         QCOMPARE(*m.top.wetting_time, 2.0);
         QCOMPARE(*m.bottom.wetting_time, 4.0);
@@ -55,7 +55,7 @@ private Q_SLOTS:
     }
     void aDryFaceHasNoWettingTime()
     {
-        const std::vector<double> time = moments(1, 120);
+        const std::vector<double> time = times(1, 120);
         const ManagementIndices m =
             management_indices(time, curve(time, {0, 120, 0.26, 0, 0}), curve(time, {}), 20); // below tan 15 degrees
         QVERIFY(!m.top.wetting_time && !m.bottom.wetting_time);

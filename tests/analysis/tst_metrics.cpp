@@ -134,7 +134,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("along_weft");
         QTest::addColumn<double>("x"); // mm, of the stain's middle on a sample of 10 mm
         QTest::addColumn<double>("y");
-        QTest::addColumn<QString>("told");
+        QTest::addColumn<QString>("note");
         const QString edge = "Water reached the edge of the sample after 3 s; the radius afterwards is limited by the sample's size.";
         const QString strip = "Water reached the upper end of the strip after 3 s; the height afterwards is limited by the strip's length.";
         using Type = ExperimentType;
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QFETCH(bool, along_weft);
         QFETCH(double, x);
         QFETCH(double, y);
-        QFETCH(QString, told);
+        QFETCH(QString, note);
         RunRecord run;
         run.design = drop_design();
         run.design.experiments[0].type = type;
@@ -171,7 +171,7 @@ private Q_SLOTS:
             collector.add(f);
         }
         const std::vector<std::string> notes = collector.metrics().notes;
-        QCOMPARE(notes.empty() ? QString() : QString::fromStdString(notes.front()), told);
+        QCOMPARE(notes.empty() ? QString() : QString::fromStdString(notes.front()), note);
         QVERIFY(notes.size() <= 1);
     }
     void mapKeepsTheWater_data()
@@ -213,7 +213,7 @@ private Q_SLOTS:
         const double area = run.textile.warp.pitch * run.textile.weft.pitch; // of a crossing, with 1e-9 kg in its end and in its pick
         for (double water : map.water) QVERIFY(std::abs(water * area - 2e-9) < 1e-15);
     }
-    void aDryingMapBeginsWithAllOfTheTestsWater() // whatever of it the fibres have drunk
+    void aDryingMapStartsWithAllWaterOfTheTest() // whatever the fibres absorbed of it
     {
         RunRecord run;
         run.design = drop_design();

@@ -56,7 +56,7 @@ Frame frame_at_time(const Textile& textile, double time, std::size_t particles)
     return frame;
 }
 
-/// What a .vtp says: its arrays' bytes by name, and the counts of its piece.
+/// The contents of a .vtp: its arrays' bytes by name, and the counts of its piece.
 struct Vtp {
     std::map<QString, QByteArray> arrays;
     std::map<QString, int> count;

@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(run_alike(spot({}), spot({{"crossings_per_cell", 1}})) && !run_alike(spot({}), spot({{"crossings_per_cell", 2}})));
         // The same parts are off, but not the same share would switch one on.
         QVERIFY(!run_alike(plan(35, {{"neglected_share", 0.1}}), plan(35, {{"neglected_share", 0.11}})));
-        const auto watched = [](double shells) { // sorption that is off but may come on, with so many shells
+        const auto watched = [](double shells) { // sorption that is off but may come on, with N shells
             ModelPlan off;
             off.parts = {{"sorption", false, false, "", 0.01, true}};
             off.knobs.fibre_shells = shells;

@@ -96,9 +96,9 @@ private Q_SLOTS:
                               "experiments[3].duration_s=200",
                               "experiments[3].climate.relative_humidity=0.993",
                               "experiments[3].climate.air_speed_m_s=0"};
-        const Answer told = run_cli(run);
-        QVERIFY2(told.code == 0, told.err);
-        QVERIFY2(told.out.contains("Vapour was left out until "), told.out);
+        const Answer answer = run_cli(run);
+        QVERIFY2(answer.code == 0, answer.err);
+        QVERIFY2(answer.out.contains("Vapour was left out until "), answer.out);
         const QJsonObject read = run_cli({"measure", recording, "--json"}).json();
         const QJsonArray parts = read["provenance"].toObject()["switched_on"].toArray();
         QCOMPARE(parts.size(), 1);
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(parts[0].toObject()["limit"].toDouble(), 0.01);
         QVERIFY(parts[0].toObject()["share"].toDouble() > 0.01 && parts[0].toObject()["time_s"].toDouble() > 0);
         const QString note = read["metrics"].toObject()["notes"].toArray()[0].toString();
-        QVERIFY2(told.out.contains(note.toUtf8()), qPrintable(note));
+        QVERIFY2(answer.out.contains(note.toUtf8()), qPrintable(note));
     }
     void bundlesOfYarnsAreRecorded()
     {
@@ -121,8 +121,8 @@ private Q_SLOTS:
         QCOMPARE(plan["knobs"].toObject()["crossings_per_cell"].toInt(), 3);
         QCOMPARE(plan["resolution"].toObject()["crossings_per_cell"].toInt(), 3);
         // 8 mm at 35 per cm: 28 ends and picks.
-        for (const QByteArray& told : {run.err, run_cli({"measure", recording}).out})
-            QVERIFY2(told.contains("Yarns side by side went in bundles: 28 ends and 28 picks as 9 and 9."), told);
+        for (const QByteArray& text : {run.err, run_cli({"measure", recording}).out})
+            QVERIFY2(text.contains("Yarns side by side went in bundles: 28 ends and 28 picks as 9 and 9."), text);
     }
     void aKnobWithoutEffectIsTold()
     {

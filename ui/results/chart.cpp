@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/chart.h"
 
-#include "core/analysis/plots.h"
+#include "core/analysis/outcomes.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
 #include "ui/results/curve_legend.h"
@@ -91,6 +91,7 @@ Chart::PlotView Chart::addPlot()
         plot.lines.push_back(line);
     }
     plot.view = new TimeChartView(plot.chart);
+    plot.view->setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // otherwise parts of the time line stay at their old places
     connect(plot.view, &TimeChartView::timeChosen, this, [this](double time) { playback_.show(playback_.frameAt(time)); });
     return plot;
 }

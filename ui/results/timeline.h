@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The moment that is shown: a slider over the frames, and playing them.
+// The shown time: a slider over the frames, and playback.
 #pragma once
 
 #include "ui/results/playback.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/water_map.h"
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
@@ -100,8 +101,9 @@ QString WaterMap::radiusText(double room) const
 {
     if (!stain_) { return {}; }
     if (!(circle_.radius > 0)) { return tr("dry"); }
-    const QString radius = tr("%1 mm").arg(shownNumber(mm_from_metre(circle_.radius), 2));
-    const QString text = tr("wet radius %1").arg(radius);
+    const double mm = mm_from_metre(circle_.radius);
+    const QString radius = tr("%1 mm").arg(shownNumber(mm, decimals_for(mm, 3)));
+    const QString text = tr("wetted radius %1").arg(radius);
     return fontMetrics().horizontalAdvance(text) + 12 <= room ? text : radius;
 }
 

@@ -13,7 +13,7 @@
 
 namespace hygroloom {
 
-/// What a map shows of one face at one moment.
+/// What a map shows of one face at one time.
 struct FaceMap {
     CellMap cells;
     std::optional<Circle> stain; ///< of experiments that make one
@@ -38,7 +38,7 @@ public:
     QSize minimumSizeHint() const override { return {120, 110}; }
 
 Q_SIGNALS:
-    /// What is under the pointer, in words; empty outside.
+    /// The value under the pointer, as text; empty outside.
     void pointed(const QString& text);
 
 protected:

@@ -18,7 +18,7 @@ public:
 
     const WaterMap& top() const { return *top_; }
     const WaterMap& bottom() const { return *bottom_; }
-    /// Where the colours end, kg/m2: of what was looked at while the run is live, of all its moments from then on.
+    /// The end of the colour scale, kg/m2: of the shown frames while the run is live, of all frames afterwards.
     double range() const;
     void setCrossingsPerCell(int crossings);
     void setWaterColors(WaterColors colors);
@@ -32,7 +32,7 @@ protected:
 
 private:
     void refresh();
-    /// Takes all moments of a recording into the range.
+    /// Widens the range to all frames of a recording.
     void scan();
     void widen(double maximum);
 

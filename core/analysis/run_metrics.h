@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The numbers and the time series of one run, in SI units.
+#pragma once
+
+#include "core/analysis/laboratory.h"
+#include "core/analysis/management.h"
+#include "core/scene/frame.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+/// One value per frame for each series of the metrics file. The water of a face is what it has beyond what its fibres held before any came;
+/// less than nothing only where they have given some of that to the air.
+struct Series {
+    std::vector<double> time, radius_top, radius_bottom, water_top, water_bottom, free_water, yarn_water, bound_water, evaporated, dripped,
+        temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
+    std::vector<double> air_temperature;                                 ///< K
+    std::vector<double> wick_height;                                     ///< m, of vertical_wicking only
+    std::vector<double> content_top, content_bottom; ///< % of the dry mass, of moisture_management only: see management_radius
+};
+
+struct Metrics {
+    double maximum_wetted_radius_top = 0;    ///< m
+    double maximum_wetted_radius_bottom = 0; ///< m
+    std::optional<double> absorbency_time;   ///< s
+    double wetted_area_ellipse_warp = 0;     ///< m, semi-axis along the warp, of the final stain on top
+    double wetted_area_ellipse_weft = 0;     ///< m
+    std::optional<ManagementIndices> management;
+    std::optional<WickingResult> wicking;
+    std::optional<double> horizontal_rate; ///< m2/s: area of the stain over the time in which it grew to 95 % of it (AATCC 198)
+    std::optional<DryingResult> drying;
+    std::optional<ConditioningResult> conditioning;
+    Series series;
+    Ledger ledger;                  ///< at the end
+    std::vector<std::string> notes; ///< what limits a metric, in sentences
+};
+
+} // namespace hygroloom
