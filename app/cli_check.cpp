@@ -4,7 +4,7 @@
 #include "app/cli_weave.h"
 
 #include "core/base/units.h"
-#include "core/design/yarn_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
@@ -237,8 +237,9 @@ int check(const ProjectOptions& options)
     for (const Fabric& fabric : design.fabrics) {
         if (has_error(issues)) break; // calculated from wrong values they would be wrong
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
-        const FabricQuantities quantities = derive_quantities(design, fabric);
-        const std::vector<StripeYarn> stripes = stripe_yarns(design, fabric);
+        const FittedFabric fitted = fit_fabric(design, fabric);
+        const FabricQuantities& quantities = fitted.derived;
+        const std::vector<StripeYarn>& stripes = fitted.stripes;
         const MeasuredGeometry geometry = measure_geometry(design, fabric);
         const Formulas formulas = formulas_of(design, fabric, quantities);
         json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));

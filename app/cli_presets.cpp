@@ -2,7 +2,7 @@
 // presets: the fabrics that ship with the program, as a list or as a project to begin with.
 #include "app/cli.h"
 
-#include "core/design/fabric_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/project/library.h"
 #include "core/project/project_file.h"
 

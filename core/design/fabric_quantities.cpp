@@ -116,11 +116,11 @@ void note_sections(std::vector<std::string>& notes, const WovenYarns& yarns, boo
     }
 }
 
-FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
-{
-    const WovenYarns yarns = woven_yarns(design, fabric);
-    const FittedYarns& fitted = yarns.fitted;
+} // namespace
 
+FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
+{
+    const WovenYarns yarns = woven_yarns(fabric, fitted);
     FabricQuantities q;
     q.warp = yarn_quantities(yarns, true, 0);
     q.weft = yarn_quantities(yarns, false, 0);
@@ -163,40 +163,28 @@ FabricQuantities quantities_of(const Design& design, const Fabric& fabric)
     return q;
 }
 
-double scale_to(const FabricQuantities& q, const Measured& measured)
+double fibre_scale(const FabricQuantities& q, const Measured& measured)
 {
     if (measured.areal_density_g_m2) return *measured.areal_density_g_m2 / q.areal_density_g_m2;
     if (measured.porosity) return (1 - *measured.porosity) / (1 - q.porosity);
     return 1;
 }
 
-} // namespace
-
-FabricQuantities derive_quantities(const Design& design, const Fabric& fabric)
+FabricQuantities with_measured(FabricQuantities q, const Measured& measured)
 {
-    Fabric unmeasured = fabric;
-    unmeasured.measured = {};
-    return quantities_of(design, unmeasured);
-}
-
-FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric)
-{
-    FabricQuantities q = quantities_of(design, fabric);
-    const double scale = scale_to(q, fabric.measured);
+    const double scale = fibre_scale(q, measured);
     for (YarnQuantities* yarn : {&q.warp, &q.weft}) {
         yarn->pore_radius_um *= (1 - scale * yarn->packing_factor_in_fabric) / (scale * (1 - yarn->packing_factor_in_fabric));
         yarn->linear_density_tex *= scale;
         yarn->packing_factor *= scale;
         yarn->packing_factor_in_fabric *= scale;
-        yarn->pore_radius_um = fabric.measured.capillary_radius_um.value_or(yarn->pore_radius_um);
+        yarn->pore_radius_um = measured.capillary_radius_um.value_or(yarn->pore_radius_um);
     }
     q.areal_density_g_m2 *= scale;
     q.fibre_volume_fraction *= scale;
-    q.porosity = fabric.measured.porosity.value_or(1 - scale * (1 - q.porosity));
+    q.porosity = measured.porosity.value_or(1 - scale * (1 - q.porosity));
     q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     return q;
 }
-
-double fibre_scale(const Design& design, const Fabric& fabric) { return scale_to(quantities_of(design, fabric), fabric.measured); }
 
 } // namespace hygroloom

@@ -24,15 +24,15 @@ struct FabricQuantities {
     std::vector<std::string> notes;       ///< what was done to the sections, in sentences
 };
 
-/// By formula alone, laboratory values left aside. Precondition: validate() found no error in this fabric.
-/// Sections keep the free linear density of their yarn; the thickness limits their height and the pitch their width.
-FabricQuantities derive_quantities(const Design& design, const Fabric& fabric);
-
-/// The same with what a laboratory measured in its place, and what follows from that: what geometry and simulation use.
-FabricQuantities quantities_in_use(const Design& design, const Fabric& fabric);
+/// By formula alone, of a fabric with its yarns fitted. Sections keep the free linear density of their yarn; the thickness limits their
+/// height and the pitch their width. Of what a laboratory measured, only a crimp is noted.
+FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted);
 
 /// How much more fibre the yarns hold than their description says, by the measured areal density or else the measured porosity, for the
-/// crimp and the thickness that are in use; 1 when neither is given.
-double fibre_scale(const Design& design, const Fabric& fabric);
+/// crimp and the thickness of these quantities; 1 when neither is given.
+double fibre_scale(const FabricQuantities& quantities, const Measured& measured);
+
+/// With what a laboratory measured in its place, and what follows from that.
+FabricQuantities with_measured(FabricQuantities quantities, const Measured& measured);
 
 } // namespace hygroloom

@@ -2,7 +2,7 @@
 // Collects issues while validate() walks through a design.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/design/fitted_fabric.h"
 #include "core/design/issue.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,6 @@
 #include <set>
 
 namespace hygroloom {
-
-struct FittedYarns;
 
 struct IssueList {
     std::vector<Issue> issues;
@@ -61,7 +59,8 @@ struct IssueList {
 void validate_material(const Material& material, const std::string& where, IssueList& list);
 void validate_weave(const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list);
-void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
+/// Returns the fabric as fitted, nullptr where it has an error.
+std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& list);
 void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list);
 

@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   design/drawdown.cpp
   design/experiment.cpp
   design/fabric_quantities.cpp
+  design/fitted_fabric.cpp
   design/flyaway.cpp
   design/interlacing.cpp
   design/jam.cpp

@@ -67,9 +67,12 @@ void validate_material(const Material& material, const std::string& where, Issue
     list.range(where + ".heat_of_wetting_j_g", "heat of wetting of a fibre", material.heat_of_wetting_j_g, 0, 500, "J/g");
 }
 
-std::vector<Issue> validate(const Design& design)
+std::vector<Issue> validate(const Design& design) { return validate_and_fit(design).issues; }
+
+Validation validate_and_fit(const Design& design)
 {
     IssueList list;
+    std::vector<std::shared_ptr<const FittedFabric>> fitted(design.fabrics.size());
     std::set<std::string> materials, liquids, fabrics, experiments;
     for (std::size_t i = 0; i < design.materials.size(); ++i) {
         const std::string where = fmt::format("materials[{}]", i);
@@ -87,8 +90,9 @@ std::vector<Issue> validate(const Design& design)
         const std::string where = fmt::format("fabrics[{}]", i);
         const int before = list.errors();
         list.name(where + ".name", design.fabrics[i].name, fabrics);
-        validate_fabric(design, design.fabrics[i], where, list);
+        fitted[i] = validate_fabric(design, design.fabrics[i], where, list);
         sound[i] = list.errors() == before && material_errors == 0;
+        if (!sound[i]) fitted[i] = nullptr;
     }
     for (std::size_t i = 0; i < design.experiments.size(); ++i) {
         const std::string where = fmt::format("experiments[{}]", i);
@@ -99,7 +103,7 @@ std::vector<Issue> validate(const Design& design)
         for (std::size_t f = 0; f < design.fabrics.size(); ++f)
             if (sound[f]) validate_size(design.fabrics[f], design.experiments[i], where, list);
     }
-    return list.issues;
+    return {std::move(list.issues), std::move(fitted)};
 }
 
 } // namespace hygroloom

@@ -113,13 +113,12 @@ void validate_extra_yarns(const Design& design, const Fabric& fabric, const std:
 }
 
 /// Where round fibres touch all round, no liquid passes between them (Gebart 1992).
-void warn_of_closed_yarns(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+void warn_of_closed_yarns(const FittedFabric& fabric, const std::string& where, IssueList& list)
 {
-    const FittedYarns fitted = fit_yarns(design, fabric);
-    const double scale = fibre_scale(design, fabric);
+    const double scale = fabric.fibre_scale;
     for (bool warp : {true, false}) {
-        const auto& yarns = warp ? fitted.warp : fitted.weft;
-        const auto& numbers = (warp ? fitted.warp_order : fitted.weft_order).yarns;
+        const auto& yarns = warp ? fabric.yarns.warp : fabric.yarns.weft;
+        const auto& numbers = (warp ? fabric.yarns.warp_order : fabric.yarns.weft_order).yarns;
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             const double packing = scale * yarns[i].packing_factor;
             if (packing < closest_round_fibres) continue;
@@ -127,21 +126,22 @@ void warn_of_closed_yarns(const Design& design, const Fabric& fabric, const std:
             list.add(
                 Severity::warning, "closed_yarns", where + yarn + ".packing_factor",
                 fmt::format("Packed to {:.4g}, fibres touch all round (round ones from {:.4g}): liquid wicks along such yarns, but they "
-                            "neither drink through their skin nor pass liquid on where they cross others.",
+                            "neither absorb through their skin nor pass liquid on where they cross others.",
                             packing, closest_round_fibres));
             break;
         }
     }
 }
 
-void validate_fit(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+/// Whether yarns can be fitted at all.
+bool can_be_fitted(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
     for (bool warp : {true, false}) {
         const std::size_t types = yarn_order(fabric, warp).yarns.size();
         if (types <= most_yarn_types) continue;
         list.error("range", where + (warp ? ".warp_order" : ".weft_order"),
                    fmt::format("The order has {} different yarns, colours apart; {} is the most.", types, most_yarn_types));
-        return;
+        return false;
     }
     double thickest[2] = {};
     for (bool warp : {true, false})
@@ -157,9 +157,13 @@ void validate_fit(const Design& design, const Fabric& fabric, const std::string&
                 "their sum is the least.",
                 *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
                 thickest[true], thickest[false]));
-        return;
+        return false;
     }
-    const FittedYarns fitted = fit_yarns(design, fabric);
+    return true;
+}
+
+void validate_fit(const Fabric& fabric, const FittedYarns& fitted, const std::string& where, IssueList& list)
+{
     const auto check = [&](const std::string& name, const char* key, double sett, const FittedYarn& yarn) {
         if (!yarn.too_dense()) return;
         list.error(
@@ -189,32 +193,30 @@ void validate_measured(const Measured& measured, const std::string& where, Issue
 }
 
 /// Whether the yarns can hold as much fibre as the laboratory's values ask for.
-void validate_fibre_scale(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+void validate_fibre_scale(const Fabric& fabric, const FittedFabric& fitted, const std::string& where, IssueList& list)
 {
-    const double scale = fibre_scale(design, fabric);
+    const double scale = fitted.fibre_scale;
     if (scale == 1) return;
-    const FittedYarns fitted = fit_yarns(design, fabric);
     double loosest = 1, densest = 0, most = densest_squeezed;
     bool too_dense = false;
-    for (const auto* yarns : {&fitted.warp, &fitted.weft})
+    for (const auto* yarns : {&fitted.yarns.warp, &fitted.yarns.weft})
         for (const FittedYarn& yarn : *yarns) {
             loosest = std::min(loosest, scale * yarn.packing_factor);
             densest = std::max(densest, scale * yarn.packing_factor);
             if (yarn.too_dense(scale)) most = yarn.most_packing();
             too_dense = too_dense || yarn.too_dense(scale);
         }
-    const FabricQuantities used = quantities_in_use(design, fabric);
     const std::string key = where + (fabric.measured.areal_density_g_m2 ? ".areal_density_g_m2" : ".porosity");
     if (too_dense || loosest < loosest_packing)
         list.error(
             "measured_disagrees", key,
             fmt::format("The laboratory's value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness "
                         "and diameters can hold from {} to {}. Derived are {:.4g} g/m2.",
-                        loosest, densest, loosest_packing, most, used.areal_density_g_m2 / scale));
+                        loosest, densest, loosest_packing, most, fitted.measured.areal_density_g_m2 / scale));
     if (fabric.measured.areal_density_g_m2 && fabric.measured.porosity) {
-        Fabric weighed = fabric;
-        weighed.measured.porosity.reset();
-        const double meant = quantities_in_use(design, weighed).porosity;
+        Measured weighed = fabric.measured;
+        weighed.porosity.reset();
+        const double meant = with_measured(quantities_of(fabric, fitted.yarns), weighed).porosity;
         if (std::abs(meant - *fabric.measured.porosity) > 0.05)
             list.add(
                 Severity::warning, "measured_disagrees", where + ".porosity",
@@ -243,7 +245,7 @@ void note_wicking(const Design& design, const Fabric& fabric, const std::string&
 
 } // namespace
 
-void validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
+std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list)
 {
     const int before = list.errors();
     validate_yarn(design, fabric.warp, where + ".warp", list);
@@ -271,19 +273,22 @@ void validate_fabric(const Design& design, const Fabric& fabric, const std::stri
     for (const Yarn* yarn : yarns)
         for (const MaterialShare& part : yarn->material) {
             const Material* material = find_material(design, part.name);
-            if (!material) return;
+            if (!material) return nullptr;
             IssueList own;
             validate_material(*material, {}, own);
-            if (own.errors() > 0) return;
+            if (own.errors() > 0) return nullptr;
         }
-    if (list.errors() > before) return;
-    validate_fit(design, fabric, where, list);
-    if (list.errors() > before) return;
-    validate_fibre_scale(design, fabric, where, list);
-    if (list.errors() > before) return;
-    warn_of_closed_yarns(design, fabric, where, list);
+    if (list.errors() > before || !can_be_fitted(design, fabric, where, list)) return nullptr;
+    FittedYarns fit = fit_yarns(design, fabric);
+    validate_fit(fabric, fit, where, list);
+    if (list.errors() > before) return nullptr;
+    auto fitted = std::make_shared<const FittedFabric>(fit_fabric(design, fabric, std::move(fit)));
+    validate_fibre_scale(fabric, *fitted, where, list);
+    if (list.errors() > before) return nullptr;
+    warn_of_closed_yarns(*fitted, where, list);
     note_wicking(design, fabric, where, list);
-    for (const std::string& sentence : derive_quantities(design, fabric).notes) list.add(Severity::note, "sections", where, sentence);
+    for (const std::string& sentence : fitted->derived.notes) list.add(Severity::note, "sections", where, sentence);
+    return fitted;
 }
 
 } // namespace hygroloom

@@ -52,9 +52,9 @@ std::optional<YarnQuantities> of_yarn(int yarn, const YarnOrder& order, const st
 
 } // namespace
 
-WovenYarns woven_yarns(const Design& design, const Fabric& fabric)
+WovenYarns woven_yarns(const Fabric& fabric, const FittedYarns& fitted)
 {
-    return {fabric, fit_yarns(design, fabric), share_of_changes(fabric.weave, true), share_of_changes(fabric.weave, false)};
+    return {fabric, fitted, share_of_changes(fabric.weave, true), share_of_changes(fabric.weave, false)};
 }
 
 double crimp_percent(const WovenYarns& yarns, bool warp, std::size_t type)
@@ -97,12 +97,10 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     return yarn;
 }
 
-std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric)
+std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric, const FittedYarns& fitted)
 {
     if (fabric.extra_yarns.empty()) return {};
-    Fabric unmeasured = fabric;
-    unmeasured.measured = {};
-    const WovenYarns yarns = woven_yarns(design, unmeasured);
+    const WovenYarns yarns = woven_yarns(fabric, fitted);
     const std::vector<YarnQuantities> ends = quantities_of_types(yarns, true), picks = quantities_of_types(yarns, false);
     std::vector<StripeYarn> stripes;
     for (int yarn = 1; yarn <= static_cast<int>(fabric.extra_yarns.size()); ++yarn) {

@@ -24,7 +24,7 @@ struct YarnQuantities {
 /// A fabric's yarns in their places.
 struct WovenYarns {
     const Fabric& fabric;
-    FittedYarns fitted;
+    const FittedYarns& fitted;
     double warp_changes = 0; ///< share of crossings after which an end changes sides
     double weft_changes = 0;
 
@@ -35,8 +35,8 @@ struct WovenYarns {
     double changes(bool warp) const { return warp ? warp_changes : weft_changes; }
 };
 
-/// The fabric must outlive it. Precondition as for fit_yarns().
-WovenYarns woven_yarns(const Design& design, const Fabric& fabric);
+/// The fabric and its fitted yarns must outlive it.
+WovenYarns woven_yarns(const Fabric& fabric, const FittedYarns& fitted);
 
 /// One type of the warp's (weft's) yarns.
 YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t type);
@@ -55,7 +55,7 @@ struct StripeYarn {
     std::optional<YarnQuantities> as_pick;
 };
 
-/// Of each extra yarn, laboratory values left aside. Precondition: validate() found no error in this fabric.
-std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric);
+/// Of each extra yarn, from the yarns fitted without laboratory values.
+std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric, const FittedYarns& fitted);
 
 } // namespace hygroloom

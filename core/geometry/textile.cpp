@@ -156,6 +156,11 @@ double drawn(const Textile& textile, bool is_warp, int end, int pick)
     return (before ? 1.0 : 0.0) - (after ? 1.0 : 0.0);
 }
 
+bool takes_angle_of_cotton(const Fabric& fabric, const Experiment& experiment)
+{
+    return experiment.closure == Closure::paper && !fabric.contact_angle_deg;
+}
+
 } // namespace
 
 int Textile::type_of(YarnKind kind, int yarn) const
@@ -230,13 +235,16 @@ TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double hei
 
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region)
 {
-    const FittedYarns fitted = fit_yarns(design, fabric);
+    return build_textile(fabric, fit_fabric(design, fabric), region);
+}
+
+Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const TextileRegion& region)
+{
     Textile textile;
-    textile.quantities = quantities_in_use(design, fabric);
-    const double scale = fibre_scale(design, fabric);
-    textile.thickness = metre_from_mm(fitted.thickness());
-    textile.warp = make_system(fabric, fitted, true, region.ends, scale);
-    textile.weft = make_system(fabric, fitted, false, region.picks, scale);
+    textile.quantities = fitted.measured;
+    textile.thickness = metre_from_mm(fitted.yarns.thickness());
+    textile.warp = make_system(fabric, fitted.yarns, true, region.ends, fitted.fibre_scale);
+    textile.weft = make_system(fabric, fitted.yarns, false, region.picks, fitted.fibre_scale);
     textile.weave = fabric.weave;
     textile.flyaway = fabric.flyaway;
     textile.first_end = region.first_end;
@@ -278,16 +286,18 @@ YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, do
 
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region)
 {
-    if (experiment.closure != Closure::paper || fabric.contact_angle_deg) return build_textile(design, fabric, region);
+    if (!takes_angle_of_cotton(fabric, experiment)) return build_textile(design, fabric, region);
     Fabric alike = fabric;
     alike.contact_angle_deg = find_library_material("cotton")->contact_angle_deg;
     return build_textile(design, alike, region);
 }
 
-Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment)
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted)
 {
     const auto [width, height] = sample_extent_mm(experiment);
-    return textile_of_run(design, fabric, experiment, region_of_sample(fabric, width, height));
+    const TextileRegion sample = region_of_sample(fabric, width, height);
+    if (fitted && !takes_angle_of_cotton(fabric, experiment)) return build_textile(fabric, *fitted, sample);
+    return textile_of_run(design, fabric, experiment, sample);
 }
 
 } // namespace hygroloom

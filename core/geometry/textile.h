@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/vec3.h"
-#include "core/design/fabric_quantities.h"
+#include "core/design/fitted_fabric.h"
 
 #include <cstdint>
 
@@ -111,12 +111,14 @@ TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double hei
 
 /// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region);
+/// The same of a fabric that has been fitted.
+Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const TextileRegion& region);
 
 /// The same as an experiment takes it: with the paper's closure a fabric that gives no contact angle of its own has that of cotton,
 /// whatever its fibres are.
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
-/// Of the experiment's whole sample.
-Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment);
+/// Of the experiment's whole sample; the fabric is fitted unless it already is.
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted = nullptr);
 
 /// A yarn at one place: its centreline and half its section across and along the fabric.
 struct YarnPoint {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/units.h"
-#include "core/design/fabric_quantities.h"
-#include "core/design/yarn_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/project/project_file.h"
 
 #include <QTest>
@@ -205,7 +204,7 @@ private Q_SLOTS:
         const FabricQuantities q = quantities_in_use({}, fabric);
         QVERIFY(near(q.areal_density_g_m2, 100, 1e-9));
         QVERIFY(near(2 * 20 * q.warp.linear_density_tex * (1 + 0.01 * q.warp.crimp_percent) / 10, 100, 1e-6));
-        QVERIFY(near(fibre_scale({}, fabric), q.warp.packing_factor_in_fabric / 0.5, 1e-12));
+        QVERIFY(near(fit_fabric({}, fabric).fibre_scale, q.warp.packing_factor_in_fabric / 0.5, 1e-12));
     }
     void coverOfStraightYarnsIsTheTextbooks()
     {
@@ -233,7 +232,7 @@ private Q_SLOTS:
         Fabric fabric = square_cloth(yarn("cotton", 0.2), 20);
         fabric.extra_yarns = {yarn("cotton", 0.1), yarn("wool", 0.3)};
         fabric.warp_order = {{0, 1}, {1, 3}};
-        const std::vector<StripeYarn> stripes = stripe_yarns({}, fabric);
+        const std::vector<StripeYarn> stripes = fit_fabric({}, fabric).stripes;
         QCOMPARE(stripes.size(), std::size_t(2));
         QVERIFY(stripes[0].as_end && !stripes[0].as_pick);
         QVERIFY(near(stripes[0].as_end->linear_density_tex, 24.347 / 4, 0.001));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/design/fabric_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/design/validate.h"
 #include "core/project/project_file.h"
 

@@ -2,7 +2,7 @@
 // Any bytes either are refused with a FileError, or are a project that is written and read back as the same one.
 // Whatever validate() lets pass must have finite derived quantities.
 #include "core/base/error.h"
-#include "core/design/fabric_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/project/project_file.h"
 
 #include <cmath>

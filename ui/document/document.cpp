@@ -100,13 +100,9 @@ void Document::apply(DesignState state)
     const int experiments = static_cast<int>(state_.design->experiments.size());
     state_.fabric = std::clamp(state_.fabric, 0, std::max(0, fabrics - 1));
     state_.experiment = std::clamp(state_.experiment, 0, std::max(0, experiments - 1));
-    issues_ = validate(*state_.design);
-    quantities_.reset();
-    stripes_.clear();
-    if (fabric() && !fabricHasError()) {
-        quantities_ = derive_quantities(*state_.design, *fabric());
-        stripes_ = stripe_yarns(*state_.design, *fabric());
-    }
+    Validation validation = validate_and_fit(*state_.design);
+    issues_ = std::move(validation.issues);
+    fitted_ = fabric() ? validation.fabrics[static_cast<std::size_t>(state_.fabric)] : nullptr;
     Q_EMIT designChanged();
 }
 

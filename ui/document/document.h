@@ -2,9 +2,7 @@
 // The open project: its design, its undo history, its file, and what is known about it.
 #pragma once
 
-#include "core/design/fabric_quantities.h"
 #include "core/design/validate.h"
-#include "core/design/yarn_quantities.h"
 #include "ui/document/edit_design.h"
 
 #include <QObject>
@@ -35,10 +33,10 @@ public:
     bool fabricHasError() const;
     /// Sentences about the value at this path, or about the pair it belongs to, worst first; empty when all is well.
     std::vector<const Issue*> issuesAt(const std::string& where) const;
-    /// Derived numbers of the chosen fabric, without a value while it has an error.
-    const std::optional<FabricQuantities>& quantities() const { return quantities_; }
-    /// The same of each extra yarn; empty while it has an error.
-    const std::vector<StripeYarn>& stripes() const { return stripes_; }
+    /// Derived numbers of the chosen fabric; nullptr while it has an error.
+    const FabricQuantities* quantities() const { return fitted_ ? &fitted_->derived : nullptr; }
+    /// The chosen fabric with its yarns fitted; nullptr while it has an error.
+    const std::shared_ptr<const FittedFabric>& fitted() const { return fitted_; }
 
     /// Changes the design as one step of the history. Steps with the same field merge until endStroke().
     void edit(const QString& text, const std::string& field, const std::function<void(Design&)>& change);
@@ -79,8 +77,7 @@ private:
 
     DesignState state_;
     std::vector<Issue> issues_;
-    std::optional<FabricQuantities> quantities_;
-    std::vector<StripeYarn> stripes_;
+    std::shared_ptr<const FittedFabric> fitted_;
     QUndoStack history_;
     int stroke_ = 0;
     QString path_;

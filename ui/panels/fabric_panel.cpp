@@ -113,7 +113,7 @@ void FabricPanel::addThickness()
     });
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
-        const auto& q = document_.quantities();
+        const FabricQuantities* q = document_.quantities();
         for (QWidget* widget : {static_cast<QWidget*>(thickness), static_cast<QWidget*>(automatic)}) { widget->setEnabled(f != nullptr); }
         automatic->setChecked(f && !f->thickness_mm);
         thickness->setDerived(q ? std::optional(q->thickness_mm) : std::nullopt);
@@ -156,7 +156,7 @@ void FabricPanel::addFinish()
     });
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
-        const auto& q = document_.quantities();
+        const FabricQuantities* q = document_.quantities();
         angle->setEnabled(f != nullptr);
         finish->setEnabled(f != nullptr);
         angle->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
@@ -187,7 +187,7 @@ void FabricPanel::addCrimps()
     QuantityEdit* warp = add(tr("Warp crimp"), tr("warp crimp"), "warp_crimp_percent", &Fabric::warp_crimp_percent);
     QuantityEdit* weft = add(tr("Weft crimp"), tr("weft crimp"), "weft_crimp_percent", &Fabric::weft_crimp_percent);
     form_->onRefresh([=, this] {
-        const auto& q = document_.quantities();
+        const FabricQuantities* q = document_.quantities();
         warp->setEnabled(document_.fabric() != nullptr);
         weft->setEnabled(document_.fabric() != nullptr);
         warp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
@@ -207,7 +207,7 @@ void FabricPanel::addDerived()
     QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
     QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends × between neighbouring picks."));
     form_->onRefresh([=, this] {
-        const auto& q = document_.quantities();
+        const FabricQuantities* q = document_.quantities();
         const QString none = QStringLiteral("–");
         weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
         cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
@@ -264,7 +264,7 @@ void FabricPanel::addMeasured()
     add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 20));
     QuantityEdit* measuredCrimp = add(tr("Crimp"), tr("measured crimp"), "crimp_percent", &Measured::crimp_percent, crimp);
     form_->onRefresh([=, this] {
-        const auto& q = document_.quantities();
+        const FabricQuantities* q = document_.quantities();
         porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);
         areal->setDerived(q ? std::optional(q->areal_density_g_m2) : std::nullopt);
         capillary->setDerived(q ? std::optional(q->warp.pore_radius_um) : std::nullopt);

@@ -2,7 +2,7 @@
 #include "ui/panels/preset_gallery.h"
 
 #include "core/base/error.h"
-#include "core/design/fabric_quantities.h"
+#include "core/design/fitted_fabric.h"
 #include "core/design/validate.h"
 #include "ui/basics/quantity.h"
 #include "ui/picture/swatch_painter.h"

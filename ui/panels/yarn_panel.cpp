@@ -334,18 +334,17 @@ void YarnPanel::refreshChoice()
 
 void YarnPanel::refreshDerived()
 {
-    const auto& quantities = form_.document().quantities();
-    const auto& stripes = form_.document().stripes();
+    const auto& fitted = form_.document().fitted();
     const YarnQuantities* q = nullptr;
     std::optional<FreeYarn> free;
     if (use_ == YarnUse::stripes) {
-        if (stripe() < stripes.size()) {
-            const StripeYarn& lying = stripes[stripe()];
+        if (fitted && stripe() < fitted->stripes.size()) {
+            const StripeYarn& lying = fitted->stripes[stripe()];
             free = lying.free;
             q = lying.as_end ? &*lying.as_end : lying.as_pick ? &*lying.as_pick : nullptr;
         }
-    } else if (quantities) {
-        q = use_ == YarnUse::weft ? &quantities->weft : &quantities->warp;
+    } else if (fitted) {
+        q = use_ == YarnUse::weft ? &fitted->derived.weft : &fitted->derived.warp;
         free = FreeYarn{q->diameter_mm, q->linear_density_tex, q->packing_factor};
     }
     diameter_->setDerived(free ? std::optional(free->diameter) : std::nullopt);

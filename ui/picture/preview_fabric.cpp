@@ -132,7 +132,8 @@ std::shared_ptr<const PreviewFabric> prepare_fabric(const PreviewRequest& reques
     auto fabric = std::make_shared<PreviewFabric>();
     fabric->request = request;
     const Fabric& shown = request.design->fabrics[static_cast<std::size_t>(request.fabric)];
-    fabric->textile = build_textile(*request.design, shown, request.whole);
+    fabric->textile =
+        request.fitted ? build_textile(shown, *request.fitted, request.whole) : build_textile(*request.design, shown, request.whole);
     const auto end_order = yarns_of(shown, true), pick_order = yarns_of(shown, false);
     fabric->period_ends = period_of(shown.weave.ends(), end_order, request.whole.ends);
     fabric->period_picks = period_of(shown.weave.picks(), pick_order, request.whole.picks);

@@ -19,6 +19,7 @@ struct PreviewRequest {
     std::shared_ptr<const Design> design;
     int fabric = 0;
     TextileRegion whole;
+    std::shared_ptr<const FittedFabric> fitted; ///< the fabric's; nullptr: not fitted yet
 };
 
 /// How round and how smooth the yarns of a level are, and how wide a pitch must be in the picture for it.

@@ -55,15 +55,17 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent)
     setMinimumSize(240, 180);
 }
 
-void Viewport::showFabric(const std::shared_ptr<const Design>& design, int fabric)
+void Viewport::showFabric(const std::shared_ptr<const Design>& design, int fabric, const std::shared_ptr<const FittedFabric>& fitted)
 {
     const Fabric& shown = design->fabrics[static_cast<std::size_t>(fabric)];
     PreviewRequest wanted;
     wanted.design = design;
     wanted.fabric = fabric;
     wanted.whole = swatch_region(shown, swatch_sides_mm[swatch_]);
+    wanted.fitted = fitted;
     swatch_design_ = design;
     swatch_fabric_ = fabric;
+    swatch_fitted_ = wanted.fitted;
     request(Subject::fabric, wanted, QString::fromStdString(shown.name));
 }
 
@@ -235,7 +237,7 @@ void Viewport::refreshCaption()
 void Viewport::setSwatch(int choice)
 {
     swatch_ = std::clamp(choice, 0, static_cast<int>(std::size(swatch_sides_mm)) - 1);
-    if (subject_ == Subject::fabric && swatch_design_) { showFabric(swatch_design_, swatch_fabric_); }
+    if (subject_ == Subject::fabric && swatch_design_) { showFabric(swatch_design_, swatch_fabric_, swatch_fitted_); }
 }
 
 void Viewport::lookFrom(double turn, double lift)

@@ -24,7 +24,8 @@ public:
     explicit Viewport(QWidget* parent = nullptr);
 
     /// A swatch of a fabric, dry.
-    void showFabric(const std::shared_ptr<const Design>& design, int fabric);
+    /// Its yarns are fitted unless they already are.
+    void showFabric(const std::shared_ptr<const Design>& design, int fabric, const std::shared_ptr<const FittedFabric>& fitted);
     /// The whole sample of an experiment, before any run.
     void showSample(const std::shared_ptr<const Design>& design, int fabric, const Experiment& experiment);
     /// The region of a run; showFrame() then gives it water.
@@ -74,6 +75,7 @@ private:
     std::shared_ptr<const PreviewFabric> fabric_;
     std::shared_ptr<const Design> swatch_design_;
     int swatch_fabric_ = 0;
+    std::shared_ptr<const FittedFabric> swatch_fitted_;
     int swatch_ = 0;
     std::shared_ptr<const RunRecord> run_;
     std::shared_ptr<const Frame> frame_;

@@ -182,13 +182,13 @@ void SimulationPanel::refreshPlans()
         return;
     }
     planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex(),
-                  machine = expected_backend(backend())](const NewestJob::Turn& turn) {
+                  fitted = document_.fitted(), machine = expected_backend(backend())](const NewestJob::Turn& turn) {
         std::array<Expectation, 3> plans;
         const Experiment& test = design->experiments[static_cast<std::size_t>(experiment)];
         std::optional<Textile> textile;
         for (std::size_t i = 0; i < plans.size() && !turn.outdated(); ++i) {
             try {
-                if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test); }
+                if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test, fitted.get()); }
                 plans[i].plan = plan_run(*design, *textile, test, fidelity_order[i], {}, {}, machine);
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());

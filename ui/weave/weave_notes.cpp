@@ -134,7 +134,7 @@ void WeaveNotes::refreshGauges()
 {
     const Fabric* fabric = document_.fabric();
     std::optional<JamGauge> jam;
-    if (fabric && !document_.fabricHasError()) { jam = jam_gauge(*fabric, fit_yarns(*document_.design(), *fabric)); }
+    if (fabric && document_.fitted()) { jam = jam_gauge(*fabric, document_.fitted()->yarns); }
     for (int system = 0; system < 2; ++system) {
         setts_[system]->setVisible(jam.has_value());
         gauges_[system]->setVisible(jam.has_value());

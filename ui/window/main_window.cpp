@@ -223,7 +223,7 @@ void MainWindow::refreshPicture()
         return;
     }
     if (simulate && simulate_->drawSample()) { return; }
-    viewport_->showFabric(document_.design(), document_.fabricIndex());
+    viewport_->showFabric(document_.design(), document_.fabricIndex(), document_.fitted());
 }
 
 void MainWindow::refreshIssueCount()
