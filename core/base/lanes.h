@@ -25,7 +25,7 @@ HL_FN const Quad* at_slot(const Quad* first, int slot)
 }
 
 // A list's packs lie between those of the elements that a warp works on beside it, so that the warp reads them together.
-/// Of the list of an element; all have room for so many, whole packs.
+/// Of the list of an element; all have the same number of slots, whole packs.
 HL_FN std::int64_t begin_of_list(int element, int room)
 {
     return std::int64_t(element / elements_beside) * elements_beside * room + element % elements_beside * lanes;
@@ -204,7 +204,7 @@ constexpr Mask lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
 inline Mask lanes_below(int count) { return lane_numbers < count; }
 inline Mask lanes_but(int lane) { return lane_numbers != lane; }
 
-/// Ones in so many lanes, zeros in the others.
+/// Ones in the first lanes, zeros in the others.
 inline Pack first_lanes(int count)
 {
     Pack ones{};

@@ -240,8 +240,8 @@ HL_FN float plain_inverse_root(float value)
 HL_FN double plain_inverse_root(double value) { return 1.0 / std::sqrt(value); }
 HL_FN double plain_quotient(double a, double b) { return a / b; }
 
-// What threads of a warp tell each other. All of a warp's threads come to these together: stages that work on packs are called by whole
-// warps, and ask nothing of others where some may have gone another way.
+// Warp shuffles. All 32 lanes must reach each shuffle: stages that work on packs are called by whole warps and use no shuffle on a branch
+// that only some of the lanes take.
 #ifdef __CUDA_ARCH__
 constexpr unsigned whole_warp = 0xffffffffu;
 #endif

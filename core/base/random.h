@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Counter-based random numbers: the same seed and counter give the same number wherever and whenever they are asked for.
+// Counter-based random numbers: the same seed and counter give the same number on any thread and in any order.
 #pragma once
 
 #include "core/base/portable.h"

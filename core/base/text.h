@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// UTF-8 texts, and how counts of bytes and times are told.
+// UTF-8 texts, and counts of bytes and times as text.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace hygroloom {
 
-/// The beginning of a text, at most so many bytes and no half of a character.
+/// The beginning of a text, at most that many bytes and whole characters only.
 inline std::string cut_text(std::string_view text, std::size_t most)
 {
     if (text.size() <= most) return std::string(text);
@@ -57,10 +57,10 @@ inline std::string bytes_text(double bytes)
     return text;
 }
 
-/// The decimals with which all moments of a run are told that lasts so many seconds: 3.20 of 10, 3600 of 3600.
+/// Decimals of all times of a run of this duration (s): 3.20 of 10, 3600 of 3600.
 inline int decimals_of_moments(double duration) { return duration >= 1000 ? 0 : duration >= 100 ? 1 : duration >= 1 ? 2 : 3; }
 
-/// Seconds that work will still take of which a share was done in so many seconds; none while that is too little to go by.
+/// Seconds that work will still take when a share of it took these seconds; none below a share of 2 % or a time of 2 s.
 inline std::optional<double> time_left(double share, double seconds)
 {
     constexpr double least_share = 0.02, least_seconds = 2;

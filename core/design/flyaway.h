@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The shape of flyaway fibres, as far as numbers follow from it. Any one unit of length.
+// The shape of flyaway fibres and the numbers that follow from it. Any one unit of length.
 #pragma once
 
 namespace hygroloom {
@@ -10,7 +10,7 @@ constexpr double shortest_hair =
     0.5; ///< lengths lie evenly between this share of the given length and 1.5 times it; the mean is the given one
 
 /// Length of a loop from where it leaves the skin of a yarn of this radius to where it comes back, its fibre turning round the yarn by
-/// so many turns per length. Numerical integral of the profile, within 1e-4.
+/// a number of turns per length. Numerical integral of the profile, within 1e-4.
 double loop_length(double height, double turns_per_length, double radius);
 
 /// Mean over the heights.

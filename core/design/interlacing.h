@@ -26,7 +26,7 @@ struct Interlacing {
     double arc_radius = 0;  ///< of the centreline
     double weave_angle = 0; ///< greatest inclination, radian
     double length = 0;      ///< of the centreline over one pitch
-    bool jammed = false;    ///< arcs are tighter than the crossed yarn asks for
+    bool jammed = false;    ///< arcs are tighter than full arcs round the crossed yarn
 
     double height_at(double x) const; ///< 0 <= x <= pitch
     double slope_at(double x) const;  ///< dz/dx

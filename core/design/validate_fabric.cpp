@@ -55,7 +55,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
 
     sound = sound && list.errors() == before;
     for (const MaterialShare& part : yarn.material) {
-        // A material's own fault is told at the material; here it only stops the arithmetic.
+        // A material's own fault is reported at the material; here it only stops the arithmetic.
         const Material* material = find_material(design, part.name);
         sound = sound && material && material->density_kg_m3 >= 500 && material->density_kg_m3 <= 3000;
     }

@@ -118,7 +118,7 @@ Weave sharkskin(const PatternWords& words)
     return filled(4, 4, "sharkskin", [](int end, int pick) { return (pick - end + 4) % 4 < 2; });
 }
 
-/// Plain weave in which the last two of every so many threads lie side by side as one.
+/// Plain weave in which the last two of every N threads lie side by side as one.
 Weave ripstop(const PatternWords& words)
 {
     const int grid = size_of(words, 12, 3, largest_repeat / 2, -1, "a number of ends");

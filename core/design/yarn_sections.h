@@ -88,7 +88,7 @@ struct FittedYarns {
 
 /// Precondition: the yarns, the setts and the orders are in range.
 /// Crimp: as set; else the centrelines' rises are those of beams of the yarns' stiffness that press on each other half-way between
-/// their crossings (stiffness ~ tex x fibre radius2 / fibre density; deflection ~ span3 / stiffness), as far as neither jams.
+/// their crossings (stiffness ~ tex x fibre radius2 / fibre density; deflection ~ span3 / stiffness), up to where either jams.
 /// With both crimps set, yarns are flattened until they touch at those rises. Without a thickness or a set crimp, yarns that would jam are
 /// flattened until they do not or touch their neighbours.
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A fibre's place in its yarn is (rank, angle): the angle turns with the twist, the rank, the share of fibre area that lies further in,
 // runs to and fro between axis and surface at constant speed (ideal migration: Hearle, Grosberg and Backer 1969), so that with evenly
-// spread phases every cross-section has the packing asked for.
+// spread phases every cross-section has the given packing.
 #include "core/geometry/fibres.h"
 
 #include "core/base/random.h"

@@ -77,7 +77,7 @@ public:
 
     double sorbable = 0;   ///< kg/m2 of fabric that fibres take
     double everything = 0; ///< kg/m2 that all pores hold
-    double thirst = 0;     ///< kg that fibres take per kg of liquid, where liquid barely moves, of the wicking yarn that takes most
+    double thirst = 0;     ///< kg that fibres take per kg of liquid, where liquid barely moves, of the most absorbent wicking yarn
 
 private:
     /// Regain that fibres gain, or lose, at most.

@@ -28,7 +28,7 @@ struct Bundles {
     int middle_of(int bundle) const { return static_cast<int>((std::int64_t{2 * bundle + 1} * yarns) / (2 * count)); }
 };
 
-/// Bundles of as near to so many yarns as their number allows.
+/// Bundles of about the wanted number of yarns, all of one size.
 inline Bundles bundles_of(int yarns, int wanted) { return {yarns, std::max(1, (2 * yarns + wanted) / (2 * wanted))}; }
 
 } // namespace hygroloom

@@ -113,7 +113,7 @@ bool set_alike(const ModelPlan& measured, const ModelPlan& plan)
 Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
     Nearest nearest;
-    double least = 100; // a scene of another type tells nothing
+    double least = 100; // scenes of other types are not compared
     for (const MeasuredScene& scene : measured)
         for (const MeasuredRun& run : scene.runs) {
             if (run.plan.fidelity != plan.fidelity) continue;
@@ -177,7 +177,7 @@ LiquidCount count_liquid(const ModelPlan& plan)
     constexpr double usual_step = 0.85;                             // of the longest
     constexpr double drinking = 0.68;                               // times its volume over the cloth's uptake
     constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
-    constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is drunk
+    constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is absorbed
     const double spacing = std::cbrt(volume / particles);
     const LiquidSteps longest =
         longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);

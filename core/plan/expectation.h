@@ -31,7 +31,7 @@ MeasuredScene measured_scene(const std::string& json, const std::string& file);
 /// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
 
-/// What the free liquid of a run is counted to come to: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
+/// Estimated work of the free liquid of a run: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
 /// times the steps and the particles that it takes at standard).
 struct LiquidCount {
     double steps = 0;

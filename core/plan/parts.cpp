@@ -26,7 +26,7 @@ PlannedPart decide(const char* name, bool on, std::string reason, const ForcedPa
 
 /// A part that is left out where it changes less than the neglected share; then, if it can matter at all, the run watches it.
 struct Estimate {
-    double share;     ///< at most, as far as can be told before the run
+    double share;     ///< at most, by an estimate before the run
     bool can_matter;  ///< not when what it is about is not there
     std::string what; ///< the run watches
 };

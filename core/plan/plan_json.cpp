@@ -27,7 +27,7 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     Knobs knobs = knobs_of(fidelity);
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
     for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
-    // Before drinking had a knob of its own, liquid that never rested was drunk at each of its steps.
+    // Before absorption had a knob of its own, yarns absorbed liquid that never rested at each of its steps.
     if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
     if (!values.contains("crossings_per_cell")) knobs.crossings_per_cell = 1; // each was a cell
     if (!values.contains("crossings_per_even_cell")) knobs.crossings_per_even_cell = 1;

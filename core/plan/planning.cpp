@@ -14,7 +14,7 @@
 namespace hygroloom {
 namespace {
 
-/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Where no yarn drinks a
+/// Not more particles than a spacing of a tenth of a yarn's height allows: a tiny drop has nothing finer to show. Where no yarn absorbs a
 /// quarter, unless the liquid may never sleep: how finely the drop meets the pores then changes no water.
 int particles_for(const Knobs& knobs, const Bounds& b)
 {

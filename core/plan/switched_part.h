@@ -11,7 +11,7 @@ namespace hygroloom {
 struct SwitchedPart {
     std::string name;
     double time = 0;  ///< s, of the frame from which on it is modelled
-    double share = 0; ///< of the water at stake, or of a rate, that it would come to in the run, as told then
+    double share = 0; ///< of the water at stake, or of a rate, that it would reach in the run, estimated at that time
     double limit = 0; ///< the share that may be left out
     std::optional<double> estimate =
         std::nullopt;          ///< the share that the plan had expected at most; none: it follows a part that the plan had left out too

@@ -18,7 +18,7 @@ struct ImportLine {
     std::string text;
 };
 
-/// A number the file gives that may be no more than what its program writes when nobody set it.
+/// A number of the file that may be only the default of the program that wrote it.
 struct Suggestion {
     std::optional<double> value;
     bool plausible = false;

@@ -44,7 +44,7 @@ struct ExportJob {
 
 ExportJob export_job(const Textile& textile, const Fabric& fabric, const ExportOptions& options, MeshFormat format);
 
-/// Tells the progress and throws Cancelled.
+/// Reports the progress and throws Cancelled.
 void tell(const ExportJob& job, double share);
 
 /// All yarns' pieces in order, or their middle lines as meshes that have positions and segments only. Throws Cancelled.

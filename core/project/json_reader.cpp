@@ -77,7 +77,7 @@ public:
     bool number_float(double, const std::string&) override { return passed(); }
     bool string(std::string&) override { return passed(); }
     bool binary(nlohmann::json::binary_t&) override { return passed(); }
-    /// Of all but numbers parse() tells.
+    /// parse() reports all but numbers.
     bool parse_error(std::size_t end, const std::string& token, const nlohmann::json::exception& failure) override
     {
         if (dynamic_cast<const nlohmann::json::out_of_range*>(&failure) == nullptr || token.size() > end) return false;

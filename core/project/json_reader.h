@@ -44,7 +44,7 @@ public:
     void read(const std::string& key, std::string& value);
     void read(const std::string& key, std::optional<double>& value);
     void read(const std::string& key, std::array<double, 2>& value);
-    /// Refuses keys that were not asked for, with the nearest one that was.
+    /// Refuses unknown keys, with the nearest known one.
     void finish() const;
 
     std::string path_of(const std::string& key) const;

@@ -47,7 +47,7 @@ public:
         buffer_.append(reinterpret_cast<const char*>(&value), sizeof value);
         spill();
     }
-    /// Room for so many bytes, which the caller fills at once.
+    /// Room for a number of bytes, which the caller fills at once.
     char* room(std::size_t count)
     {
         spill();
@@ -75,7 +75,7 @@ private:
     std::string buffer_;
 };
 
-/// Appends a number with so many decimals; much faster than printf. Precondition: |value| < 1e9, decimals <= 9.
+/// Appends a number with a fixed number of decimals; much faster than printf. Precondition: |value| < 1e9, decimals <= 9.
 void append_decimal(std::string& text, double value, int decimals);
 void append_whole(std::string& text, std::uint64_t value);
 

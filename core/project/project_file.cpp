@@ -34,7 +34,7 @@ std::string range_of(const NumberTooLarge& number, std::string_view text, const 
             if (issue.where == number.path && issue.severity == Severity::error)
                 return " " + issue.text.substr(0, issue.text.find("; given is")) + ".";
     } catch (const FileError&) {
-        // Something else is wrong as well; the range is told once that is mended.
+        // Something else is wrong as well; the range is reported once that is mended.
     }
     return {};
 }

@@ -187,7 +187,7 @@ private:
         return otherwise;
     }
 
-    /// Leaves out what follows the last thread that does something; tells of threads before it that do nothing.
+    /// Leaves out what follows the last thread that does something; reports threads before it that do nothing.
     void fit_threads(const char* section, const char* threads, const char* act, const char* idle, Lists& lists)
     {
         const std::size_t used = used_size(lists);

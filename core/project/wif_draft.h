@@ -11,7 +11,7 @@ struct WifThreads {
     std::vector<std::optional<Color>> colors; ///< one per thread
     std::optional<double> spacing_cm;         ///< mean
     std::optional<double> thickness_cm;
-    bool spacing_default = false; ///< the number that drafting programs write when nobody set one
+    bool spacing_default = false; ///< the number that drafting programs write by default
     bool thickness_default = false;
 };
 

@@ -23,7 +23,7 @@ template <typename Visit> void each_segment(const Scene& scene, const Visit& vis
 
 double dry_mass(const YarnParameters& yarn, double length) { return yarn.fibre_area * yarn.fibre_density * length; }
 
-/// At which a wet face gives vapour to the air of a moment (s), or takes it from air that is more than saturated, kg/(m2 s).
+/// Rate at which a wet face gives vapour to the air at a time (s), or takes it from air that is more than saturated, kg/(m2 s).
 double drying_rate(const Scene& scene, double time)
 {
     const AirMoment air = air_at(scene.climate, time);
@@ -94,7 +94,7 @@ PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
     return wet;
 }
 
-/// What a wet face gives to the air from a moment to the end, kg/m2; between the climate's moments by their mean.
+/// What a wet face gives to the air from a time to the end, kg/m2; between the times of the climate by their mean.
 double PartWatch::dries_until_end(double from) const
 {
     double dried = 0, rate = drying_rate(scene_, from);

@@ -9,18 +9,18 @@
 
 namespace hygroloom {
 
-/// Follows what a plan's watched parts would come to. Of vapour that is what would have evaporated by now and, from what is wet now, until
+/// Estimates what a plan's watched parts would change. Of vapour that is what would have evaporated by now and, from what is wet now, until
 /// the end. As long as fibres take up nothing, wet cloth that does not dry only grows, and vapour that comes over the limit would stay
-/// over it; fibres that drink may dry it again.
+/// over it; fibres that absorb may dry it again.
 class PartWatch {
 public:
     /// The scene is the one that runs: parts that are switched on in it are seen as on.
     PartWatch(const Scene& scene, const ModelPlan& plan);
 
-    /// Which parts have come over the limit at this frame; each is told once. Frames come in order of time, the first at 0 s, at which
+    /// Which parts have come over the limit at this frame; each is reported once. Frames come in order of time, the first at 0 s, at which
     /// nothing has happened yet.
     std::vector<SwitchedPart> see(const Frame& frame);
-    /// Whether a frame may yet tell of a part.
+    /// Whether a later frame may report a part.
     bool is_watching() const;
 
 private:
@@ -28,7 +28,7 @@ private:
         SwitchedPart part;
         bool told = false;
     };
-    /// Of the cloth as far as it is wet: segments count as fibres' surfaces do, by wet_share().
+    /// Of the wet cloth: segments count by wet_share(), as fibres' surfaces do.
     struct WetCloth {
         double area = 0;   ///< m2 of its faces
         double thirst = 0; ///< kg that its fibres could take up in all

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What a run was, for its recording and for whoever shows it.
+// What a run was, for its recording and for those who show it.
 #pragma once
 
 #include "core/plan/model_plan.h"
