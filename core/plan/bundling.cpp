@@ -10,7 +10,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr const char* mixing = "bundles of so many would mix yarns that differ";
+constexpr const char* mixing = "bundles of that size would mix different yarns";
 
 /// Whether each bundle's yarns are of one type.
 bool bundles_are_alike(const Textile& textile, YarnKind kind, const Bundles& bundles)

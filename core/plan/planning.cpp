@@ -92,7 +92,7 @@ std::string resolution_in_words(const ModelPlan& plan, bool set_by_user)
     text += fmt::format("network steps of at most {:.3g} ms that change no saturation by more than about {:.2g}; ",
                         1e3 * knobs.network_step_limit, knobs.saturation_change);
     return text + (knobs.settle_share > 0
-                       ? fmt::format("liquid at rest takes no steps until {:g} % of it are drunk.", 100 * knobs.settle_share)
+                       ? fmt::format("liquid at rest takes no steps until {:g} % of it are absorbed.", 100 * knobs.settle_share)
                        : std::string("liquid at rest is never skipped."));
 }
 

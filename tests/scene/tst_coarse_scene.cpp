@@ -450,7 +450,7 @@ private Q_SLOTS:
         fabric.warp_order = {{0, first}, {1, second}};
         const ModelPlan plan = plan_in_bundles(design, of);
         QCOMPARE(plan.crossings_per_cell, comes_to);
-        QCOMPARE(plan.resolution_reason.ends_with(": bundles of so many would mix yarns that differ."), comes_to == 1);
+        QCOMPARE(plan.resolution_reason.ends_with(": bundles of that size would mix different yarns."), comes_to == 1);
         if (comes_to == 1) return;
         const Scene fine = build_scene(design, build_textile(design, fabric, plan.region), design.experiments[0], plan, 1);
         const Scene coarse = coarsened(fine, of);
