@@ -12,7 +12,11 @@ Session::Session(Backend& backend, Scene scene, int crossings_per_cell) : backen
     scene_ = coarsened(*single_, crossings_per_cell);
 }
 
-Frame Session::of_single_yarns(Frame frame) const { return single_ ? refined(std::move(frame), scene_, *single_) : frame; }
+Frame Session::of_single_yarns(Frame frame) const
+{
+    if (!single_) return frame; // a conditional expression would copy it
+    return refined(std::move(frame), scene_, *single_);
+}
 
 void Session::go_on_from(const std::vector<std::byte>& state)
 {

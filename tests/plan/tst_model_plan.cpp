@@ -72,7 +72,7 @@ private Q_SLOTS:
             Experiment& experiment = design.experiments[0];
             experiment.closure = closure;
             const ModelPlan plan = plan_of(design);
-            return build_scene(design, textile_of_run(design, fabric, experiment, plan.region), experiment, plan, 1).yarns[0];
+            return build_scene(design, textile_of_run(design, fabric, experiment, plan.region), experiment, plan, 1).cloth.yarns[0];
         };
         const YarnParameters cotton = warp_of("cotton", Closure::paper, {});
         constexpr double cosine = 0.81915204428899179; // of cotton's 35 degrees
