@@ -64,8 +64,8 @@ HL_FN void atomic_max(int* target, int value)
 #endif
 }
 
-/// The same, where so many elements share the target that looking at it would be what they wait for: a warp looks once, at what its
-/// processor has last seen there.
+/// The same, for a target that very many elements share: reading it would be the bottleneck, so a warp reads it once, from its
+/// processor's cache.
 HL_FN void atomic_max_of_many(int* target, int value)
 {
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800

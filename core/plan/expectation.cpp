@@ -175,7 +175,7 @@ LiquidCount count_liquid(const ModelPlan& plan)
     constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
     constexpr double moving_times = 7, waking_times = 6;            // capillary times
     constexpr double usual_step = 0.85;                             // of the longest
-    constexpr double drinking = 0.68;                               // times its volume over the cloth's uptake
+    constexpr double absorption_time = 0.68;                        // times its volume over the cloth's uptake
     constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is absorbed
     const double spacing = std::cbrt(volume / particles);
@@ -183,13 +183,14 @@ LiquidCount count_liquid(const ModelPlan& plan)
         longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
     const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
     const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
-    const bool drunk = plan.on("wicking") && scene.uptake > 0;
-    const double until_empty = drunk ? drinking * volume / scene.uptake : 0, drinks = drunk ? std::min(rest, until_empty) : 0;
-    const double gone = drunk ? std::sqrt(drinks / until_empty) : 0; // share of the drop, in the end
-    double flows = drunk ? drinks : rest;
+    const bool is_absorbed = plan.on("wicking") && scene.uptake > 0;
+    const double until_empty = is_absorbed ? absorption_time * volume / scene.uptake : 0,
+                 absorbing = is_absorbed ? std::min(rest, until_empty) : 0;
+    const double gone = is_absorbed ? std::sqrt(absorbing / until_empty) : 0; // share of the drop, in the end
+    double flows = is_absorbed ? absorbing : rest;
     if (settle_share > 0) {
         const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
-        flows = std::min(awake_share * drinks, gone / settle_share * waking_times * capillary_time(settle_share * volume));
+        flows = std::min(awake_share * absorbing, gone / settle_share * waking_times * capillary_time(settle_share * volume));
     }
     const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
     const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles), least_left, most_left);

@@ -44,7 +44,7 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
     const MeshFormatTraits& format = traits(job.format);
     const MeshDetail detail = job.options.mesh.detail;
     if (format.curves && detail == MeshDetail::yarn)
-        return fmt::format("{} files hold curves, no skins of yarns; choose the detail centreline or fibre.", format.name);
+        return fmt::format("{} files hold curves, not yarn surfaces; choose the detail centreline or fibre.", format.name);
     if (!format.lines && detail == MeshDetail::centreline)
         return fmt::format("{} files are written with triangles only; write centrelines as .obj, .ply, .glb, .gltf, .bcc or .usda.",
                            format.name);

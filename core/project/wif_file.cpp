@@ -153,7 +153,7 @@ private:
     {
         if (here_)
             ++here_->strays;
-        else if (!told_++)
+        else if (!reported_++)
             remark("The file begins with text that stands in no section; it was left out.");
     }
 
@@ -165,7 +165,7 @@ private:
     WifFile& file_;
     WifSection* here_ = nullptr; // into file_.sections, set anew whenever a section is added
     std::map<std::string, std::size_t> places_;
-    int told_ = 0;
+    int reported_ = 0;
 };
 
 } // namespace

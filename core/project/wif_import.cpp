@@ -185,7 +185,7 @@ std::vector<YarnRun> order_of(const std::vector<std::optional<Color>>& colors, Y
     base.color = usual;
     std::map<PackedColor, int> numbers{{packed(usual), 0}};
     std::vector<int> yarns;
-    bool told = false;
+    bool reported = false;
     for (const auto& color : colors) {
         const auto [number, fresh] = numbers.try_emplace(packed(color), 0);
         if (fresh) {
@@ -193,11 +193,11 @@ std::vector<YarnRun> order_of(const std::vector<std::optional<Color>>& colors, Y
             yarn.color = color;
             const auto known = std::find(extra.begin(), extra.end(), yarn);
             if (known == extra.end() && extra.size() == most_extra_yarns) {
-                if (!told)
+                if (!reported)
                     report.push_back({Severity::warning, fmt::format("A fabric has up to {} extra yarns; further colours were given "
                                                                      "to the commonest yarn.",
                                                                      most_extra_yarns)});
-                told = true;
+                reported = true;
             } else {
                 number->second = static_cast<int>(known - extra.begin()) + 1;
                 if (known == extra.end()) extra.push_back(yarn);

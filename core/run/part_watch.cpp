@@ -47,7 +47,7 @@ PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
 
 bool PartWatch::is_watching() const
 {
-    return std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) { return !watched.told; });
+    return std::any_of(watched_.begin(), watched_.end(), [](const Watched& watched) { return !watched.reported; });
 }
 
 std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
@@ -64,9 +64,9 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
     bool sorption = scene_.rules.sorption, vapour = scene_.rules.vapour; // with those that come on now: others follow them
     for (Watched& watched : watched_) {
         SwitchedPart& part = watched.part;
-        if (watched.told) continue;
+        if (watched.reported) continue;
         part.share = share_of(part.name, frame, wet, sorption, vapour);
-        bool follows = part.name == "heat" && std::any_of(watched_.begin(), watched_.end(), [](const Watched& w) { return w.told; });
+        bool follows = part.name == "heat" && std::any_of(watched_.begin(), watched_.end(), [](const Watched& w) { return w.reported; });
         if (part.share <= part.limit) { // as in the plan, fibres that come on exchange vapour with air that changes
             follows = part.name == "vapour" && sorption && !scene_.rules.sorption && !scene_.climate.course.empty();
             if (!follows) continue;
@@ -74,7 +74,7 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
         }
         if (follows) part.estimate.reset();
         part.time = frame.time;
-        watched.told = true;
+        watched.reported = true;
         over.push_back(part);
         sorption = sorption || part.name == "sorption";
         vapour = vapour || part.name == "vapour";

@@ -26,7 +26,7 @@ public:
 private:
     struct Watched {
         SwitchedPart part;
-        bool told = false;
+        bool reported = false;
     };
     /// Of the wet cloth: segments count by wet_share(), as fibres' surfaces do.
     struct WetCloth {

@@ -128,7 +128,7 @@ private Q_SLOTS:
         collector.add(f);
         QVERIFY(!collector.metrics().absorbency_time);
     }
-    void waterAtTheEdgeIsToldOf_data()
+    void waterAtTheEdgeIsReported_data()
     {
         QTest::addColumn<ExperimentType>("type");
         QTest::addColumn<bool>("along_weft");
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QTest::newRow("sweat comes everywhere") << Type::sweat << false << 3.0 << 0.0 << QString();
         QTest::newRow("a wet sample dries") << Type::drying << false << 3.0 << 0.0 << QString();
     }
-    void waterAtTheEdgeIsToldOf()
+    void waterAtTheEdgeIsReported()
     {
         QFETCH(ExperimentType, type);
         QFETCH(bool, along_weft);

@@ -240,7 +240,7 @@ private Q_SLOTS:
         const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
         QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
     }
-    void aWrongFidelityIsToldWhichThereAre()
+    void aWrongFidelityIsRefusedWithTheValidOnes()
     {
         const QString project = example("three-candidates.hygro");
         for (const char* verb : {"plan", "simulate", "compare"}) {
@@ -292,7 +292,7 @@ private Q_SLOTS:
         QCOMPARE(first["backend"].toString(), QString("cpu"));
         QCOMPARE(first["usable"].toBool(), true);
     }
-    void checkTellsOfFloatsAndJam()
+    void checkReportsFloatsAndJam()
     {
         const QStringList call{"check", example("textile-F.hygro"), "--set", "fabrics[0].weave.pattern=satin 8/3"};
         const Answer text = run_cli(call);
@@ -304,7 +304,7 @@ private Q_SLOTS:
         QCOMPARE(fabric["weave"].toObject()["shafts"].toInt(), 8);
         QVERIFY(qAbs(fabric["jam"].toObject()["warp"].toObject()["ashenhurst_percent"].toDouble() - 87.5) < 1e-9);
     }
-    void importTellsWhatItUnderstoodAndWritesAProject()
+    void importReportsWhatItUnderstoodAndWritesAProject()
     {
         QTemporaryDir folder;
         const QString wif = HYGROLOOM_SOURCE_DIR "/tests/data/wif/basic_wpo__many_color_single_treadles.wpo.wif";
@@ -324,7 +324,7 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"import", "/nowhere.wif"}).code, 3);
         QCOMPARE(run_cli({"import", wif, "-o", folder.filePath("x.json")}).code, 2);
     }
-    void importTakesPlausibleNumbersUnlessTold()
+    void importTakesPlausibleNumbersUnlessForbidden()
     {
         QTemporaryDir folder;
         QFile wif(folder.filePath("d.wif"));

@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(measured.json()["metrics"], json["metrics"]);
         QVERIFY(run_cli({"measure", recording}).out.contains("wetted radius, top"));
     }
-    void aPartThatComesOnIsToldByRunAndRecording()
+    void aPartThatComesOnIsReportedByRunAndRecording()
     {
         const QString recording = folder_.filePath("watched.hygrorec");
         // Nearly saturated air, in which a small stain has minutes to spread farther than the plan expects.
@@ -124,7 +124,7 @@ private Q_SLOTS:
         for (const QByteArray& text : {run.err, run_cli({"measure", recording}).out})
             QVERIFY2(text.contains("Yarns side by side went in bundles: 28 ends and 28 picks as 9 and 9."), text);
     }
-    void aKnobWithoutEffectIsTold()
+    void aKnobWithoutEffectIsReported()
     {
         const QString recording = folder_.filePath("idle.hygrorec");
         const QStringList call{"simulate",
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY2(script.err.contains(sentence) && !script.json().isEmpty(), script.err);
         QVERIFY2(quiet.code == 0 && quiet.err.isEmpty(), quiet.err);
     }
-    void aProfileTellsWhereTheTimeWent()
+    void aProfileShowsWhereTheTimeWent()
     {
         const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);
         QCOMPARE(run.code, 0);

@@ -11,11 +11,11 @@ namespace hygroloom {
 
 constexpr double drop_volume_ul = 15;
 
-/// A drop of so many particles, falling so far, that is not drunk, on yarns that take steps only when they are asked for.
+/// A falling drop that is not absorbed, on yarns that step only on request.
 inline Scene drop_scene(int particles, double height_mm)
 {
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
-    design.fabrics[0].contact_angle_deg = 120; // nothing is drunk: the number of particles stays
+    design.fabrics[0].contact_angle_deg = 120; // nothing is absorbed: the number of particles stays
     Experiment experiment = standard_experiment(ExperimentType::droplet);
     experiment.sample_mm = {20, 20};
     experiment.droplets[0].volume_ul = drop_volume_ul;

@@ -43,7 +43,7 @@ double volume(const YarnMesh& mesh, const MeshGroup& group)
 class TestMesh : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void sizesAreAsForetold()
+    void sizesAreAsEstimated()
     {
         const Textile textile = cloth("twill 2/1 Z", 7, 5);
         const YarnMesh mesh = mesh_yarns(textile, 6, 8);

@@ -411,7 +411,7 @@ private Q_SLOTS:
         }
         QCOMPARE(materials.size(), std::size_t(2));
     }
-    void theFilesAreForetold()
+    void theFilesAreListedBeforehand()
     {
         const Textile textile = cloth();
         ExportOptions wet = with(MeshDetail::yarn);
@@ -427,7 +427,7 @@ private Q_SLOTS:
     }
     void glTFBuffersAreNumbered()
     {
-        // A buffer ends at 2 GiB: foretold, not written.
+        // A buffer ends at 2 GiB: computed beforehand, not written.
         const Textile large = build_textile({}, fabric(), {0, 0, 1500, 1500});
         const ExportEstimate size = export_estimate(large, fabric(), with(MeshDetail::yarn), MeshFormat::gltf);
         QVERIFY(size.bytes > 4294967296.0);

@@ -34,7 +34,7 @@ private Q_SLOTS:
         QVERIFY(near(per_cm_from_per_inch(88.9), 35, 1e-9));
     }
     void waterFreezesAtTwoHundredSeventyThreeKelvin() { QCOMPARE(kelvin_from_celsius(0), 273.15); }
-    void bytesAreToldInTheUnitThatReadsBest()
+    void bytesArePrintedInTheUnitThatReadsBest()
     {
         QCOMPARE(bytes_text(80), std::string("0.1 kB"));
         QCOMPARE(bytes_text(820e3), std::string("820 kB"));
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(bytes_text(1.25e9 - 1), std::string("1.2 GB"));
         QCOMPARE(bytes_text(123456e9), std::string("123456 GB"));
     }
-    void whatIsLeftIsToldOnceSomethingIsKnown()
+    void theRemainingTimeIsPrintedOnceSomethingIsKnown()
     {
         QVERIFY(!time_left(0.001, 600) && !time_left(0.5, 0.1) && !time_left(0, 0));
         QCOMPARE(*time_left(0.25, 30), 90.0);

@@ -168,7 +168,7 @@ private Q_SLOTS:
             QVERIFY(weave.warp_up(17, pick) != weave.warp_up(18, pick));
         }
     }
-    void ripstopDoublesOneThreadInSoMany()
+    void ripstopDoublesEveryNthThread()
     {
         for (int grid : {3, 4, 11, 12}) {
             const Weave weave = weave_from_pattern("ripstop " + std::to_string(grid));

@@ -29,7 +29,7 @@ std::string drawn(const Weave& weave)
 
 std::string path_of(const char* file) { return std::string(HYGROLOOM_SOURCE_DIR "/tests/data/wif/") + file; }
 
-std::string told(const DraftImport& draft, const std::string& words)
+std::string reported(const DraftImport& draft, const std::string& words)
 {
     for (const ImportLine& line : draft.report)
         if (line.text.find(words) != std::string::npos) return line.text;
@@ -91,7 +91,7 @@ private Q_SLOTS:
         const DraftImport draft = import_text(twill());
         QCOMPARE(drawn(draft.fabric.weave), twill_rows);
         QVERIFY(draft.fabric.weave.draft() && draft.fabric.weave.draft()->shafts == 4);
-        QCOMPARE(told(draft, "Read "), std::string("Read 4 ends on 4 shafts and 4 picks with 4 treadles."));
+        QCOMPARE(reported(draft, "Read "), std::string("Read 4 ends on 4 shafts and 4 picks with 4 treadles."));
     }
     void aSinkingShedIsTheComplement()
     {
@@ -145,7 +145,7 @@ private Q_SLOTS:
         QFETCH(QString, sentence);
         const DraftImport draft = import_draft(path_of(qPrintable(file)));
         QCOMPARE(QString::fromStdString(drawn(draft.fabric.weave)), rows);
-        QVERIFY(!told(draft, sentence.toStdString()).empty());
+        QVERIFY(!reported(draft, sentence.toStdString()).empty());
         Design design;
         design.fabrics.push_back(draft.fabric);
         QVERIFY(!has_error(validate(design)));
@@ -180,7 +180,7 @@ private Q_SLOTS:
     {
         const DraftImport draft = import_text(twill({}, "Threads=1200\n"));
         QCOMPARE(draft.fabric.weave.ends(), 4);
-        QVERIFY(!told(draft, "declares 1200 threads").empty());
+        QVERIFY(!reported(draft, "declares 1200 threads").empty());
     }
     void oddity2_missingLinesHaveDefaults()
     {
@@ -199,13 +199,13 @@ private Q_SLOTS:
         text.replace(text.find("Treadles=4"), 10, "Treadles=2");
         const DraftImport draft = import_text(text);
         QCOMPARE(drawn(draft.fabric.weave), twill_rows);
-        QVERIFY(!told(draft, "says 2 treadles, but [TIEUP] has 4").empty());
+        QVERIFY(!reported(draft, "says 2 treadles, but [TIEUP] has 4").empty());
     }
     void oddity4_aLiftplanWinsOverATieUp()
     {
         const DraftImport draft = import_text(twill("[LIFTPLAN]\n1=1,3\n2=2,4\n"));
         QCOMPARE(drawn(draft.fabric.weave), std::string("01 10"));
-        QVERIFY(!told(draft, "the liftplan counts").empty());
+        QVERIFY(!reported(draft, "the liftplan counts").empty());
         QCOMPARE(draft.fabric.weave.draft()->treadles, 0);
     }
     void oddity5_zeroAndNothingInListsMeanNone()
@@ -214,14 +214,14 @@ private Q_SLOTS:
         text.replace(text.find("1=1,4\n2=1,2"), 11, "1=0,1,4\n2=1,,2");
         QCOMPARE(drawn(import_text(text).fabric.weave), twill_rows);
     }
-    void oddity6_emptyAndUndeclaredSectionsAreTold()
+    void oddity6_emptyAndUndeclaredSectionsAreReported()
     {
         std::string text = twill("[WARP SPACING]\n[NOTES]\n1=Wash before use\n");
         text.insert(text.find("WEAVING=true"), "WARP SPACING=true\n");
         const DraftImport draft = import_text(text);
-        QCOMPARE(told(draft, "declares"), std::string("[CONTENTS] declares sections that are missing or empty: [WARP SPACING]."));
-        QVERIFY(!told(draft, "were read: [NOTES]").empty());
-        QVERIFY(!told(draft, "Wash before use").empty());
+        QCOMPARE(reported(draft, "declares"), std::string("[CONTENTS] declares sections that are missing or empty: [WARP SPACING]."));
+        QVERIFY(!reported(draft, "were read: [NOTES]").empty());
+        QVERIFY(!reported(draft, "Wash before use").empty());
     }
     void oddity7_strayTextAndWordsAfterHeadersDoNoHarm()
     {
@@ -229,8 +229,8 @@ private Q_SLOTS:
         text.replace(text.find("[TIEUP]"), 7, "[TIEUP] (as on my loom)\nwritten by hand");
         const DraftImport draft = import_text(text);
         QCOMPARE(drawn(draft.fabric.weave), twill_rows);
-        QVERIFY(!told(draft, "\"(as on my loom)\"").empty());
-        QVERIFY(!told(draft, "1 line of [TIEUP] left out").empty());
+        QVERIFY(!reported(draft, "\"(as on my loom)\"").empty());
+        QVERIFY(!reported(draft, "1 line of [TIEUP] left out").empty());
     }
     void oddity8_privateSectionsWithAndWithoutTheirPrefixAreKept()
     {
@@ -249,7 +249,7 @@ private Q_SLOTS:
         const DraftImport draft =
             import_text(twill("[COLOR PALETTE]\nEntries=2\nRange=0,255\n1=255,255,0\n2=1,2,3\n", "Threads=4\nColor=2\n"));
         QVERIFY(draft.fabric.warp.color == (Color{1, 2, 3}));
-        QVERIFY(!told(draft, "in [COLOR PALETTE] in place of [COLOR TABLE]").empty());
+        QVERIFY(!reported(draft, "in [COLOR PALETTE] in place of [COLOR TABLE]").empty());
     }
     void oddity10_blanksCommentsAndNumbersWithoutAZeroAreUnderstood()
     {
@@ -269,17 +269,17 @@ private Q_SLOTS:
             "[TREADLING]\n0=0\n1=1\n2=2\n3=3\n";
         const DraftImport draft = import_text(text);
         QCOMPARE(drawn(draft.fabric.weave), twill_rows);
-        QVERIFY(!told(draft, "counts threads, shafts, treadles and colours from 0").empty());
+        QVERIFY(!reported(draft, "counts threads, shafts, treadles and colours from 0").empty());
     }
     void oddity12_otherDatesAndVersionsAreNoted()
     {
         std::string text = twill();
         text.replace(text.find("April 20, 1997"), 14, "Wednesday, June 18, 2025");
         text.replace(text.find("Version=1.1"), 11, "Version=1.2");
-        QVERIFY(!told(import_text(text), "\"Wednesday, June 18, 2025\"").empty());
-        QVERIFY(!told(import_text(text), "says that it is WIF 1.2").empty());
+        QVERIFY(!reported(import_text(text), "\"Wednesday, June 18, 2025\"").empty());
+        QVERIFY(!reported(import_text(text), "says that it is WIF 1.2").empty());
         text.replace(text.find("Version=1.2"), 11, "[Version=1.1]");
-        QVERIFY(!told(import_text(text), "an entry in brackets").empty());
+        QVERIFY(!reported(import_text(text), "an entry in brackets").empty());
         QCOMPARE(drawn(import_text(text).fabric.weave), twill_rows);
     }
     void oddity13_lineEndsAndEncodingsAreUnderstood()
@@ -339,7 +339,7 @@ private Q_SLOTS:
         const DraftImport draft = import_draft(path_of("desired_basic_wif__multi-byte_multi_treadled.wif"));
         QCOMPARE(draft.fabric.weave.ends(), 32); // a point of 17 shafts
         QCOMPARE(draft.fabric.weave.draft()->threading.at(17).at(0), 15);
-        QVERIFY(!told(draft, "641 ends are 20 repeats of 32 and 1 more").empty());
+        QVERIFY(!reported(draft, "641 ends are 20 repeats of 32 and 1 more").empty());
         QVERIFY(!draft.warp_diameter_mm.plausible);
     }
     void aDraftLargerThanAnyRepeatIsRefused()

@@ -22,7 +22,7 @@ void require(bool holds, const char* what)
 
 void keep(const DraftImport& draft)
 {
-    require(!draft.report.empty(), "an import tells what it did");
+    require(!draft.report.empty(), "an import reports what it did");
     Design design;
     design.fabrics.push_back(draft.fabric);
     if (const auto& plan = draft.fabric.weave.draft()) {

@@ -277,7 +277,7 @@ private Q_SLOTS:
         plan.particles_per_droplet /= 8;
         QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
     }
-    // On these, counted with 1c1e975, it is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are foretold.
+    // On these, counted with 1c1e975, it is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are estimated.
     void countedDropsComeOutWithinHalf()
     {
         const QString folder = HYGROLOOM_SOURCE_DIR "/tests/data/liquid_counts/";
@@ -298,10 +298,10 @@ private Q_SLOTS:
             const double ratio = row[3].toDouble() * row[4].toDouble() / (count.steps * count.particles);
             if (row[0] == "Textile F" && row[1] == "15 ul, 10 s") first = ratio;
             QVERIFY(first > 0);
-            const double foretold = first / ratio;
-            within += foretold < 1.5 && foretold > 1 / 1.5;
+            const double estimated = first / ratio;
+            within += estimated < 1.5 && estimated > 1 / 1.5;
             ++rows;
-            if (foretold >= 1.5 || foretold <= 1 / 1.5) qInfo("%s: %.2f", qPrintable(row.join(' ')), foretold);
+            if (estimated >= 1.5 || estimated <= 1 / 1.5) qInfo("%s: %.2f", qPrintable(row.join(' ')), estimated);
         }
         QCOMPARE(rows, 86);
         QVERIFY2(within >= 83, qPrintable(QString::number(within)));
@@ -309,7 +309,7 @@ private Q_SLOTS:
     // Nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees. Steep viscose was seen to be off at draft, because
     // what was left of the drop did not come to rest: the liquid was mended, not the count. Of the other drops, steps and particles (no
     // times) are among those above; what a run takes to start, and a frame, was set on the drying and the humidity step.
-    void scenesThatDoNotShipAreForetoldWithinHalf_data()
+    void scenesThatDoNotShipAreEstimatedWithinHalf_data()
     {
         QTest::addColumn<QString>("file");
         const QDir folder(HYGROLOOM_SOURCE_DIR "/tests/data/tradeoff");
@@ -319,7 +319,7 @@ private Q_SLOTS:
                 QTest::newRow(qPrintable(file)) << folder.filePath(file);
             }
     }
-    void scenesThatDoNotShipAreForetoldWithinHalf() // a factor of 1.5 up or down
+    void scenesThatDoNotShipAreEstimatedWithinHalf() // a factor of 1.5 up or down
     {
         QFETCH(QString, file);
         QFile held(file);

@@ -31,7 +31,7 @@ std::string refusal(const std::string& name, const std::string& value)
     return "";
 }
 
-/// A drop that meets the cloth and is half drunk, with one knob set.
+/// A drop that meets the cloth and is half absorbed, with one knob set.
 struct ShortRun {
     Frame end;
     std::vector<std::byte> state;
@@ -153,13 +153,13 @@ private Q_SLOTS:
             return sum / double(run.end.positions.size());
         };
         QVERIFY2(std::abs(height(single) - height(precise)) < 1e-7, qPrintable(QString("%1 %2").arg(height(single)).arg(height(precise))));
-        // And drunk, within what rounding grows to.
+        // And the yarns absorb it, within what rounding grows to.
         const Ledger a = drop_with({}).end.ledger, b = drop_with(twice).end.ledger;
         QVERIFY(std::abs(b.water_imbalance()) <= 1e-12 * b.water_delivered);
         QVERIFY2(b.water_liquid > 0 && std::abs(a.water_liquid - b.water_liquid) < 0.05 * b.water_delivered,
                  qPrintable(QString("%1 %2").arg(a.water_liquid).arg(b.water_liquid)));
     }
-    void yarnsDrinkAsOftenAsAsked()
+    void yarnsAbsorbAsOftenAsSet()
     {
         LiquidRules rules;
         rules.spacing = Real(1e-4);
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QCOMPARE(plan.knobs.fibre_shells, 3.0);
         QCOMPARE(plan.knobs.neglected_share, knobs_of(Fidelity::draft).neglected_share);
         QCOMPARE(plan.knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
-        text = plan_json(plan_with({{"settle_share", 0}}, Fidelity::draft)); // such liquid was drunk at each step
+        text = plan_json(plan_with({{"settle_share", 0}}, Fidelity::draft)); // yarns absorbed such liquid at each step
         QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
         text.erase(text.find("  \"knobs\""), text.find("  \"parts\"") - text.find("  \"knobs\""));
         QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, 1.0);

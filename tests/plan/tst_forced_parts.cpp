@@ -87,9 +87,9 @@ private Q_SLOTS:
         QTest::newRow("a drop falls") << drop_design(35, 0.1) << "liquid" << true << ForcedParts{} << 0.01;
         QTest::newRow("yarns wick") << cotton << "wicking" << true << ForcedParts{} << 0.01;
         QTest::newRow("no yarn wicks") << drop_design(120, 0.1) << "wicking" << false << ForcedParts{} << 0.01;
-        QTest::newRow("cotton drinks") << cotton << "sorption" << true << ForcedParts{} << 0.01;
+        QTest::newRow("cotton absorbs") << cotton << "sorption" << true << ForcedParts{} << 0.01;
         QTest::newRow("a humidity step") << sample(ExperimentType::conditioning, 600) << "sorption" << true << ForcedParts{} << 0.01;
-        QTest::newRow("polyester drinks little")
+        QTest::newRow("polyester absorbs little")
             << spot_design("polyester", 0.65, 10) << "sorption" << false << ForcedParts{{"vapour", false}} << 0.03;
         QTest::newRow("it dries") << spot_design("polyester", 0.5, 50) << "vapour" << true << ForcedParts{} << 0.01;
         QTest::newRow("a humidity step's vapour") << sample(ExperimentType::conditioning, 600) << "vapour" << true << ForcedParts{} << 0.01;

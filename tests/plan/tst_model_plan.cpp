@@ -56,7 +56,7 @@ private Q_SLOTS:
         QVERIFY(plan.on("liquid"));
         for (const char* part : {"wicking", "sorption", "vapour", "heat"}) QVERIFY(!plan.on(part));
     }
-    void anAngleJustUnder90IsToldInFull()
+    void anAngleJustUnder90IsPrintedInFull()
     {
         const ModelPlan plan = plan_of(drop_design(89.96));
         const auto wicking = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "wicking"; });
@@ -276,10 +276,10 @@ private Q_SLOTS:
             return notes_of(plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings));
         };
         QVERIFY(notes({{"crossings_per_even_cell", 1}}).empty());
-        const std::vector<std::string> told = notes({{"crossings_per_even_cell", 4}, {"settle_share", 0.1}});
-        QCOMPARE(told.size(), std::size_t(2));
-        QVERIFY2(told[0].starts_with("Yarns side by side went in bundles: "), told[0].c_str());
-        QCOMPARE(told[1], std::string("settle_share was set and had no effect: no drop falls."));
+        const std::vector<std::string> reported = notes({{"crossings_per_even_cell", 4}, {"settle_share", 0.1}});
+        QCOMPARE(reported.size(), std::size_t(2));
+        QVERIFY2(reported[0].starts_with("Yarns side by side went in bundles: "), reported[0].c_str());
+        QCOMPARE(reported[1], std::string("settle_share was set and had no effect: no drop falls."));
     }
     void planSurvivesJson()
     {

@@ -140,7 +140,7 @@ private Q_SLOTS:
         }
         QVERIFY2(steps > 20 && steps < 20000, qPrintable(QString::number(steps)));
     }
-    void aStripDrinksByTheRootOfTime()
+    void aStripAbsorbsByTheRootOfTime()
     {
         const Result strip = run(small(ExperimentType::vertical_wicking));
         QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(repellent.metrics.wicking->height, 0.0);
         QVERIFY(!repellent.metrics.wicking->rate);
     }
-    void aPoolIsDrunkToTheLastQuantum()
+    void aPoolIsAbsorbedToTheLastQuantum()
     {
         for (ExperimentType type : {ExperimentType::moisture_management, ExperimentType::horizontal_wicking}) {
             const Metrics m = run(small(type)).metrics;
@@ -167,7 +167,7 @@ private Q_SLOTS:
             QCOMPARE(m.management.has_value(), type == ExperimentType::moisture_management);
         }
     }
-    void aFeedThatFallsInDropsWetsAsFarAsAPool()
+    void aFeedThatFallsInDropsWetsTheSameRadiusAsAPool()
     {
         Design design = small(ExperimentType::moisture_management);
         Experiment& experiment = design.experiments[0];
@@ -277,7 +277,7 @@ private Q_SLOTS:
         QVERIFY(*m.drying->time_to_dry > 60e-3 / *m.drying->rate);
         QVERIFY(std::abs(m.series.temperature_mean.back() - air) < 0.1);
         QVERIFY(m.ledger.water_liquid < 1e-12);
-        // Both faces together begin with all of the test's water, whatever of it the fibres have drunk, and end with none.
+        // Both faces together begin with all of the test's water, whatever of it the fibres have absorbed, and end with none.
         const double both = m.series.water_top.front() + m.series.water_bottom.front();
         QVERIFY2(std::abs(both - m.ledger.water_delivered) < 1e-6 * both, qPrintable(QString::number(both)));
         for (const std::vector<double>* face : {&m.series.water_top, &m.series.water_bottom}) {

@@ -94,7 +94,7 @@ struct Run {
     std::unique_ptr<RunControl> control = std::make_unique<RunControl>();
     RunRecord record;
     std::vector<Frame> frames;
-    std::vector<std::string> told; ///< what was called back, in order
+    std::vector<std::string> reported; ///< what was called back, in order
     QString failure;
     int overlaps = 0; ///< calls while another had not come back
     std::function<void(const Frame&)> see;
@@ -107,16 +107,16 @@ struct Run {
             overlaps += inside++;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             frames.push_back(*frame);
-            told.emplace_back("frame");
+            reported.emplace_back("frame");
             --inside;
             if (see) see(*frame);
         };
         callbacks.progress = [&](const RunProgress&) {
             overlaps += inside++;
-            told.emplace_back("progress");
+            reported.emplace_back("progress");
             --inside;
         };
-        callbacks.switched_on = [&](const SwitchedPart& part) { told.push_back(part.name); };
+        callbacks.switched_on = [&](const SwitchedPart& part) { reported.push_back(part.name); };
         callbacks.device_failed = [&](const std::string& sentence) { failure += QString::fromStdString(sentence); };
         record = run_experiment(design, "cloth", "drop", options, backend, *control, callbacks);
     }
@@ -280,7 +280,7 @@ private Q_SLOTS:
         verify_same(run.frames, expected.frames);
         // The frame at which the part comes on is seen before the run goes on; then nothing is watched any more.
         const auto frames_before = [](const Run& of) {
-            return std::count(of.told.begin(), std::find(of.told.begin(), of.told.end(), "vapour"), "frame");
+            return std::count(of.reported.begin(), std::find(of.reported.begin(), of.reported.end(), "vapour"), "frame");
         };
         QCOMPARE(frames_before(run), frames_before(expected));
         QVERIFY(late.advances_meanwhile > 0);

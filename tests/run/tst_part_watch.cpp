@@ -25,7 +25,7 @@ namespace {
 /// minutes, it does not.
 Design spot(double humidity, double duration = 200) { return spot_design("polyester", humidity, duration); }
 
-/// Counts what a run asks of it, and fails or shows wet cloth when told to.
+/// Counts what a run asks of it, and fails or shows wet cloth when asked to.
 class WatchedBackend : public Backend {
 public:
     std::string name() const override { return "cuda"; }
@@ -264,7 +264,7 @@ private Q_SLOTS:
         QCOMPARE(names.join(' '), due);
         QVERIFY(watch.see(frame).empty());
     }
-    void whatComesOverTheLimitAtTheEndIsTold()
+    void whatComesOverTheLimitAtTheEndIsReported()
     {
         WatchedBackend backend;
         backend.floods_at = 50;
@@ -344,7 +344,7 @@ private Q_SLOTS:
         other->load(scene);
         other->go_on_from(one->state());
         Frame begun = other->frame();
-        begun.vapour = before.vapour; // what the liquid has squeezed is told only now, and condenses in the first exchange
+        begun.vapour = before.vapour; // what the liquid has squeezed is shown only now, and condenses in the first exchange
         QVERIFY(same(begun, before));
         const Frame without = advance(*one, 0.2), with = advance(*other, 0.2);
         QVERIFY(std::abs(with.ledger.water_imbalance()) <= 1e-12 * (with.ledger.water_initial + with.ledger.water_delivered));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth drinks and a repellent one does not.
+// Whole runs: the ledger closes at every frame, threads change nothing, a wetting cloth absorbs and a repellent one does not.
 #include "core/base/error.h"
 #include "core/plan/model_plan.h"
 #include "core/run/plan_run.h"
@@ -233,23 +233,23 @@ private Q_SLOTS:
         options.recording = QDir(folder_.path()).filePath("moved.hygrorec").toStdString();
         RunControl control;
         std::vector<Frame> frames;
-        QString told;
+        QString reported;
         RunCallbacks callbacks;
         callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { frames.push_back(*frame); };
-        callbacks.device_failed = [&](const std::string& sentence) { told += QString::fromStdString(sentence); };
+        callbacks.device_failed = [&](const std::string& sentence) { reported += QString::fromStdString(sentence); };
         {
             FailingBackend gives_up(failsAt);
             QVERIFY_EXCEPTION_THROWN(run_experiment(design, "cloth", "drop", options, gives_up, control, callbacks), DeviceError);
         }
-        QVERIFY(told.isEmpty());
+        QVERIFY(reported.isEmpty());
         frames.clear();
         options.may_go_on_on_cpu = true;
         FailingBackend fails(failsAt);
         fails.pause = std::chrono::milliseconds(pauseMs);
         const RunRecord record = run_experiment(design, "cloth", "drop", options, fails, control, callbacks);
         QCOMPARE(fails.states > 0, keepsState);
-        QCOMPARE(told.count("goes on on the CPU"), 1);
-        QVERIFY2(told.contains("The device failed."), qPrintable(told));
+        QCOMPARE(reported.count("goes on on the CPU"), 1);
+        QVERIFY2(reported.contains("The device failed."), qPrintable(reported));
         const Recording recording(options.recording);
         QVERIFY(recording.finished());
         QCOMPARE(recording.run().device, record.device);
@@ -263,13 +263,13 @@ private Q_SLOTS:
                     0.02 * expected.back().ledger.water_delivered);
         }
     }
-    void lessWettingClothDrinksMoreSlowly()
+    void lessWettingClothAbsorbsMoreSlowly()
     {
         double before = 1e9;
         for (double angle : {10.0, 50.0, 80.0, 88.0}) {
-            const double drunk = run(drop_design(angle, 0.25), 0).back().ledger.water_liquid;
-            QVERIFY(drunk < before);
-            before = drunk;
+            const double absorbed = run(drop_design(angle, 0.25), 0).back().ledger.water_liquid;
+            QVERIFY(absorbed < before);
+            before = absorbed;
         }
     }
     void stainOfABalancedPlainWeaveIsRound()

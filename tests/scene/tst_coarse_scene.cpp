@@ -95,7 +95,7 @@ std::size_t crossing_of(const Scene& scene, std::size_t segment)
     return (segment - crossings) % ends * static_cast<std::size_t>(scene.cloth.picks) + (segment - crossings) / ends;
 }
 
-/// What a scene has in all; of the faces, what drinks.
+/// What a scene has in all; of the faces, the part that absorbs.
 struct Totals {
     double face = 0, pores = 0, fibres = 0, liquid = 0, bound = 0, top = 0, bottom = 0, width = 0, height = 0, fed = 0;
 };

@@ -301,9 +301,9 @@ std::vector<NearestSkin> all_skins(const TextileShape& t, const Vec3& x, Real re
 class TestLiquid : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void nearlyDrunkParticlesDoNotKeepADropAwakeButADripDoes()
+    void nearlyAbsorbedParticlesDoNotKeepADropAwakeButADripDoes()
     {
-        Vec3 velocity[3] = {{Real(0.1), 0, 0}, {0, 0, Real(-0.3)}, {1, 0, 0}}; // full, nearly drunk, dead
+        Vec3 velocity[3] = {{Real(0.1), 0, 0}, {0, 0, Real(-0.3)}, {1, 0, 0}}; // full, nearly absorbed, dead
         std::int64_t content[3] = {1000, 20, 1000};
         std::uint8_t alive[3] = {1, 1, 0};
         ClothField cloth[3];
@@ -417,7 +417,7 @@ private Q_SLOTS:
     void nothingDependsOnThreadsOrOnFramesTaken()
     {
         Scene scene = drop_over_plate(1e-9, 0.2e-3, 0.5, 300);
-        for (YarnParameters& yarn : scene.cloth.yarns) { // so that some are drunk
+        for (YarnParameters& yarn : scene.cloth.yarns) { // so that yarns absorb some
             yarn.pore_area = 5e-8;
             yarn.intake_flux = 100;
             yarn.face_area = 1e-7;

@@ -167,7 +167,7 @@ private Q_SLOTS:
                             field[static_cast<std::size_t>(textile.segment(kind, e2, p2))]);
         };
         for (const auto* field : {&end.saturation, &end.regain, &end.vapour, &end.temperature}) {
-            // Only the direction of the eliminations tells left from right: rounding of doubles, seen through floats.
+            // Only the direction of the eliminations distinguishes left from right: rounding of doubles, seen through floats.
             const float rounding = 2e-6f * *std::max_element(field->begin(), field->end());
             for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
                 for (int e = 0; e < 21; ++e)

@@ -49,11 +49,11 @@ private Q_SLOTS:
         view.resize(900, 600);
         view.show();
         QVERIFY(view.chosen().isEmpty());
-        bool told = false;
+        bool reported = false;
         for (const QLabel* label : view.findChildren<QLabel*>()) {
-            told = told || (label->isVisible() && label->text().startsWith("Nothing has been run yet"));
+            reported = reported || (label->isVisible() && label->text().startsWith("Nothing has been run yet"));
         }
-        QVERIFY(told);
+        QVERIFY(reported);
     }
 
     void twoFabricsStandSideBySideInOneRange()
@@ -209,15 +209,15 @@ private Q_SLOTS:
         replaced.path = folder_.filePath("replaced.hygrorec");
         QVERIFY(QFile::copy(thin_.path, replaced.path));
         history.keep(replaced);
-        const auto told = [&view] {
+        const auto reported = [&view] {
             const auto labels = view.findChildren<QLabel*>();
             return std::any_of(labels.begin(), labels.end(),
                                [](const QLabel* label) { return label->isVisible() && label->text().contains("holds another run now"); });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(reported(), 10000);
         history.forget(replaced.path);
         QVERIFY(history.runs().empty());
-        QVERIFY(!told());
+        QVERIFY(!reported());
     }
 
 private:

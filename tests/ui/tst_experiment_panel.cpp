@@ -167,8 +167,8 @@ private Q_SLOTS:
         type(1, 2, "150");
         QVERIFY(table()->item(2, 0)->toolTip().contains("must rise"));
         QVERIFY(table()->item(1, 2)->toolTip().contains("relative humidity"));
-        const QString told = named<QLabel>("About the climate over time")->text();
-        QVERIFY(told.contains("Row 2: ") && told.contains("Row 1: "));
+        const QString reported = named<QLabel>("About the climate over time")->text();
+        QVERIFY(reported.contains("Row 2: ") && reported.contains("Row 1: "));
         type(0, 1, "99");
         QVERIFY(field("Temperature")->accessibleDescription().contains("temperature must be"));
     }

@@ -176,7 +176,7 @@ private Q_SLOTS:
     {
         window_->document().edit("another name", {}, [](Design& d) { d.experiments[0].name = "soon"; });
         QTRY_VERIFY_WITH_TIMEOUT(simulationPanel().canRun(), 5000);
-        const auto told = [](QWidget& panel) {
+        const auto reported = [](QWidget& panel) {
             auto* dialog = panel.findChild<PlanDialog*>();
             const QString text = dialog ? dialog->findChild<QTextBrowser*>()->toPlainText() : QString();
             delete dialog;
@@ -185,12 +185,12 @@ private Q_SLOTS:
         QString next;
         const auto ask = [&] {
             simulationPanel().showPlan();
-            next = told(simulationPanel());
+            next = reported(simulationPanel());
             return next;
         };
         QTRY_VERIFY_WITH_TIMEOUT(ask().startsWith("The next run: soon on "), 5000);
         results().showPlan();
-        const QString shown = told(results());
+        const QString shown = reported(results());
         const QString ran = QString::fromStdString(playback().run()->experiment);
         QVERIFY2(shown.startsWith("The run on screen: " + ran + " on ") && ran != "soon", qPrintable(shown));
         QVERIFY(shown.contains(QString::fromStdString(playback().run()->plan.parts[0].reason)));

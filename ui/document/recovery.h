@@ -34,8 +34,8 @@ public:
     static QString standardFolder();
     /// Newest first.
     std::vector<LeftOver> leftOver() const;
-    /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document told
-    /// why not; it is then still there.
+    /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document
+    /// said why not; the file is then still there.
     bool open(const LeftOver& left);
     static void discard(const LeftOver& left);
 
