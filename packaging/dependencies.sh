@@ -9,7 +9,7 @@ packages="
   libgl-dev libegl-dev
   libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev
   libbenchmark-dev
-  python3 clang-format
+  python3 clang-format-14
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 "
 

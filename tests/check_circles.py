@@ -23,7 +23,7 @@ for folder in ("app", "core", "gpu", "ui"):
         if path.suffix not in (".h", ".cpp", ".cu", ".cuh"):
             continue
         own = unit(path.relative_to(root))
-        named = re.findall(r'^#include "([^"]+)"', path.read_text(), re.M)
+        named = re.findall(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', path.read_text(), re.M)
         includes.setdefault(own, set()).update(unit(name) for name in named if (root / name).exists() and unit(name) != own)
 
 

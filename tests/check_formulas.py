@@ -10,7 +10,7 @@ root = pathlib.Path(sys.argv[1])
 physics = root / "core/physics"
 faults = []
 
-declaration = re.compile(r"^(?:template <[^>]*> )?(?:HL_FN|inline) [\w:<>]+ (\w+)\(", re.M)
+declaration = re.compile(r"^[ \t]*(?:template <[^>]*> )?(?:static )?(?:HL_FN|inline|constexpr)(?: constexpr| inline)? [\w:<>]+ ([a-z]\w*)\(", re.M)
 functions = {name: header.name for header in physics.glob("*.h") for name in declaration.findall(header.read_text())}
 
 tests = {path.stem: path.read_text() for path in (root / "tests").rglob("tst_*.cpp")}
@@ -45,8 +45,10 @@ for line in (physics / "README.md").read_text().splitlines():
     faults += [f"{names[0]}: {fault}" for fault in map(check_test, references) if fault]
 
 code = "".join(path.read_text() for folder in ("physics", "scene", "solver") for path in (root / "core" / folder).rglob("*.h"))
+NO_FORMULAS = {"slots_for"}  # lengths of lists
+listed = {name.split("::")[-1] for name in rows} | NO_FORMULAS
 for name, header in sorted(functions.items()):
-    if name not in rows:
+    if name not in listed:
         faults.append(f"{name} of core/physics/{header} has no row")
 for name in rows:
     if not re.search(rf"\b{name.split('::')[-1]}\b", code):
