@@ -2,6 +2,7 @@
 // import: a weaving draft, a drawing or a picture as a fabric; and its way back, a fabric as a WIF file.
 #include "app/cli.h"
 
+#include "core/base/words.h"
 #include "core/design/draft.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
@@ -49,14 +50,6 @@ Json import_json(const ImportOptions& options, const DraftImport& draft, bool ta
     return json;
 }
 
-/// A name that no fabric of the design has: "twill", "twill 2", ...
-std::string free_name(const Design& design, const std::string& wanted)
-{
-    std::string name = wanted;
-    for (int number = 2; find_fabric(design, name); ++number) name = fmt::format("{} {}", wanted, number);
-    return name;
-}
-
 int import_file(const ImportOptions& options)
 {
     Design design;
@@ -73,7 +66,7 @@ int import_file(const ImportOptions& options)
     const bool takes = !options.no_suggestions && !draft.numbers_are_ours;
     if (takes) take_suggestions(draft);
     if (!options.name.empty()) draft.fabric.name = options.name;
-    draft.fabric.name = free_name(design, draft.fabric.name);
+    draft.fabric.name = free_name(draft.fabric.name, [&design](const std::string& name) { return find_fabric(design, name) != nullptr; });
     std::vector<Issue> issues;
     if (!options.output.empty()) {
         const std::string where = fmt::format("fabrics[{}]", design.fabrics.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Which of the known words a misspelt one may have meant.
+// Words that users give: which known one a misspelt one may have meant, and names that are still free.
 #pragma once
 
 #include <string>
@@ -9,5 +9,13 @@ namespace hygroloom {
 
 /// The known word with the fewest letters to change, or empty when more than half of the letters, and more than two, would change.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
+
+/// The wish itself where it is free, else followed by the first number from 2 on that makes it free. taken(name): whether it is not.
+template <typename Taken> std::string free_name(const std::string& wish, const Taken& taken)
+{
+    std::string name = wish;
+    for (int number = 2; taken(name); ++number) name = wish + " " + std::to_string(number);
+    return name;
+}
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A library is a list of projects of one fabric each, so that it is read, checked and migrated as projects are.
 #include "core/project/library.h"
+#include "core/base/words.h"
 
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
@@ -51,14 +52,11 @@ std::vector<Preset> presets_from(std::string_view text, const std::string& name)
     return presets;
 }
 
-template <typename Thing> std::string free_name(const std::vector<Thing>& taken, const std::string& name)
+template <typename Thing> std::string name_beside(const std::vector<Thing>& things, const std::string& name)
 {
-    const auto has = [&](const std::string& wanted) {
-        return std::any_of(taken.begin(), taken.end(), [&](const Thing& thing) { return thing.name == wanted; });
-    };
-    std::string free = name;
-    for (int number = 2; has(free); ++number) free = fmt::format("{} {}", name, number);
-    return free;
+    return free_name(name, [&](const std::string& wanted) {
+        return std::any_of(things.begin(), things.end(), [&](const Thing& thing) { return thing.name == wanted; });
+    });
 }
 
 template <typename Change> void each_yarn(Fabric& fabric, const Change& change)
@@ -120,14 +118,14 @@ std::size_t add_preset(Design& design, const Preset& preset)
             return own == material;
         });
         Material added = material;
-        added.name = same != design.materials.end() ? same->name : free_name(design.materials, material.name);
+        added.name = same != design.materials.end() ? same->name : name_beside(design.materials, material.name);
         if (same == design.materials.end()) design.materials.push_back(added);
         each_yarn(fabric, [&](Yarn& yarn) {
             for (MaterialShare& part : yarn.material)
                 if (part.name == material.name) part.name = added.name;
         });
     }
-    fabric.name = free_name(design.fabrics, fabric.name);
+    fabric.name = name_beside(design.fabrics, fabric.name);
     design.fabrics.push_back(fabric);
     return design.fabrics.size() - 1;
 }

@@ -2,9 +2,9 @@
 #include "ui/panels/candidates_panel.h"
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
-#include "ui/document/free_name.h"
 #include "ui/panels/preset_gallery.h"
 
 #include <QAction>
@@ -41,7 +41,7 @@ QPixmap swatch(const Weave& weave, const QPalette& palette, double ratio)
 
 std::string freeFabricName(const Design& design, const std::string& wish)
 {
-    return freeName(wish, [&design](const std::string& name) { return find_fabric(design, name) != nullptr; });
+    return free_name(wish, [&design](const std::string& name) { return find_fabric(design, name) != nullptr; });
 }
 
 /// A project with a fabric has an experiment.

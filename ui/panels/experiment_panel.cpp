@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/experiment_panel.h"
 
+#include "core/base/words.h"
+
 #include "ui/basics/icon_button.h"
-#include "ui/document/free_name.h"
 #include "ui/panels/climate_course.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/liquid_panel.h"
@@ -305,7 +306,7 @@ void ExperimentPanel::addExperiment()
     document_.editState(tr("add experiment"), [this](Design& design, DesignState& state) {
         Experiment experiment = document_.experiment() ? *document_.experiment() : Experiment{};
         const std::string wish = experiment.name.empty() ? tr("one drop").toStdString() : experiment.name;
-        experiment.name = freeName(wish, [&design](const std::string& name) { return find_experiment(design, name) != nullptr; });
+        experiment.name = free_name(wish, [&design](const std::string& name) { return find_experiment(design, name) != nullptr; });
         design.experiments.push_back(experiment);
         state.experiment = static_cast<int>(design.experiments.size()) - 1;
     });

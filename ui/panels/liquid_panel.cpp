@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/liquid_panel.h"
 
+#include "core/base/words.h"
+
 #include "ui/basics/icon_button.h"
-#include "ui/document/free_name.h"
 
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -27,7 +28,7 @@ QString shownName(const std::string& name)
 
 std::string freeLiquidName(const Design& design, const std::string& wish)
 {
-    return freeName(wish, [&design](const std::string& name) { return name.empty() || find_liquid(design, name) != nullptr; });
+    return free_name(wish, [&design](const std::string& name) { return name.empty() || find_liquid(design, name) != nullptr; });
 }
 
 } // namespace

@@ -159,7 +159,8 @@ void MainWindow::setWorkspace(Workspace workspace)
     simulate_->setShown(workspace == Workspace::simulate);
     middle_->setCurrentIndex(workspace == Workspace::compare ? 1 : 0);
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
-    statusBar()->clearMessage(); // the sentence of the command that led here
+    for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
+        if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
     refreshPicture();
 }
 
