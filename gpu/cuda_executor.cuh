@@ -156,7 +156,7 @@ public:
             const auto blocks = static_cast<unsigned>((counted.most + elements - 1) / elements);
             const Lap lap(stage_clock_.get(), name);
             constexpr auto kernel = [] {
-                if constexpr (blocks_beside < Stage >> 0)
+                if constexpr (constexpr int beside = blocks_beside<Stage>; beside > 0)
                     return run_bounded_stage<Stage, Next>;
                 else
                     return run_stage<Stage, Next>;

@@ -23,8 +23,6 @@ constexpr double pascal_second_from_mpa_s(double mpa_s) { return mpa_s * 1e-3; }
 constexpr double kelvin_from_celsius(double c) { return c + zero_celsius; }
 constexpr double celsius_from_kelvin(double k) { return k - zero_celsius; }
 constexpr double radian_from_degree(double d) { return d * (pi / 180.0); }
-constexpr double kg_per_metre_from_tex(double tex) { return tex * 1e-6; }
-constexpr double tex_from_kg_per_metre(double kg_per_metre) { return kg_per_metre * 1e6; }
 
 // Yarn counts: tex is g/km; Ne hanks of 840 yd per lb; Nm km per kg; denier g per 9 km.
 constexpr double ne_from_tex(double tex) { return 590.5 / tex; }

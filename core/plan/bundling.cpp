@@ -77,11 +77,11 @@ void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentT
     else if (wanted_in_bundle(plan.knobs, textile, type) > 1 && plan.crossings_per_cell == 1)
         at_fronts = where_even = mixing;
     else if (fronts < even)
-        at_fronts = "crossings_per_even_cell asks for larger bundles";
+        at_fronts = "crossings_per_even_cell sets larger bundles";
     else if (plan.knobs.crossings_per_even_cell > 1 && even <= 1)
         where_even = "the sample has too few yarns for bundles";
     else if (even < fronts)
-        where_even = "crossings_per_cell asks for larger bundles";
+        where_even = "crossings_per_cell sets larger bundles";
 }
 
 } // namespace hygroloom

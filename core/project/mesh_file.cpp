@@ -132,8 +132,9 @@ TextileRegion region_of_repeats(const Fabric& fabric, int across, int along)
     };
     const long ends = threads(weave.ends(), fabric.warp_order, across), picks = threads(weave.picks(), fabric.weft_order, along);
     if (ends > largest_yarn_order || picks > largest_yarn_order)
-        throw Error(fmt::format("So many repeats have {} ends and {} picks, and at most {} are exported; take fewer, or give a size.", ends,
-                                picks, largest_yarn_order));
+        throw Error(
+            fmt::format("These repeats have {} ends and {} picks; at most {} of each are exported. Take fewer repeats, or give a size.",
+                        ends, picks, largest_yarn_order));
     return {0, 0, static_cast<int>(ends), static_cast<int>(picks)};
 }
 

@@ -73,7 +73,7 @@ private:
             note(fmt::format("The file says that it is WIF {}; it was read as WIF 1.1.", cut_text(*version, 40)));
         const auto date = file_.value("WIF", "Date");
         if (date && *date != "April 20, 1997")
-            note(fmt::format("The file's date is \"{}\", where the format asks for its own date, April 20, 1997; it has no meaning.",
+            note(fmt::format("The file's date is \"{}\", where the format requires April 20, 1997; it has no meaning.",
                              cut_text(*date, 60)));
     }
 

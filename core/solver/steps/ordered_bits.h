@@ -4,26 +4,12 @@
 
 #include "core/base/portable.h"
 
+#include <bit>
+
 namespace hygroloom::inline HL_PRECISION {
 
 /// Bits of a positive number, which order like integers.
-HL_FN int ordered_bits(float positive)
-{
-    union {
-        float value;
-        int bits;
-    } both;
-    both.value = positive;
-    return both.bits;
-}
-HL_FN float from_ordered_bits(int bits)
-{
-    union {
-        int bits;
-        float value;
-    } both;
-    both.bits = bits;
-    return both.value;
-}
+HL_FN int ordered_bits(float positive) { return std::bit_cast<int>(positive); }
+HL_FN float from_ordered_bits(int bits) { return std::bit_cast<float>(bits); }
 
 } // namespace hygroloom::inline HL_PRECISION
