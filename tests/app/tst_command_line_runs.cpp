@@ -150,7 +150,7 @@ private Q_SLOTS:
     {
         const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);
         QCOMPARE(run.code, 0);
-        for (const char* line : {"stage ", "sort ", "between the stages"}) QVERIFY2(run.out.contains(line), run.out);
+        for (const char* line : {"stage ", "sort ", "outside the stages"}) QVERIFY2(run.out.contains(line), run.out);
         const Answer json = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile"
                                                                                   << "--json",
                                     300);
