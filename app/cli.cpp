@@ -2,6 +2,7 @@
 // hygroloom-cli: one verb per task. Results go to stdout, everything else to stderr.
 #include "app/cli.h"
 
+#include "core/base/words.h"
 #include "core/project/project_file.h"
 #include "core/run/recording.h"
 #include "gpu/backends.h"
@@ -207,6 +208,23 @@ int report_failure(bool json, ExitCode code, const std::string& sentence)
     return code;
 }
 
+/// The refusal of a verb that does not exist; empty when it exists or none is given.
+std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& given)
+{
+    const auto verb = std::find_if(given.begin(), given.end(), [](const std::string& word) { return !word.starts_with('-'); });
+    if (verb == given.end()) return {};
+    std::vector<std::string> names;
+    std::string all;
+    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (known->get_name() == *verb) return {};
+        names.push_back(known->get_name());
+        all += (all.empty() ? "" : ", ") + known->get_name();
+    }
+    const std::string near = nearest_word(*verb, names);
+    return near.empty() ? fmt::format("There is no verb \"{}\". The verbs are: {}.", *verb, all)
+                        : fmt::format("There is no verb \"{}\"; did you mean \"{}\"?", *verb, near);
+}
+
 int run(int count, char** values)
 {
     CLI::App app("Simulates how woven fabric absorbs, spreads and loses water.", "hygroloom-cli");
@@ -230,6 +248,7 @@ int run(int count, char** values)
 
     std::vector<std::string> given = arguments(count, values);
     const bool json = std::find(given.begin(), given.end(), "--json") != given.end();
+    if (const std::string sentence = unknown_verb(app, given); !sentence.empty()) return report_failure(json, exit_usage, sentence);
     std::reverse(given.begin(), given.end());
     try {
         app.parse(given);

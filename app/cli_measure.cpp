@@ -171,7 +171,7 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "°C");
     const std::optional<double>& error = run.plan.expected_error;
-    if (error && *error > 0) fmt::print("  {:<34} {:>10} %\n", "expected error", rounded_text(100 * *error, 2));
+    if (error && *error > 0) fmt::print("  {:<34} {:>10} %\n", "largest numerical error", rounded_text(100 * *error, 2));
     for (const std::string& note : notes_of(run.plan)) fmt::print("  {}\n", note);
     for (const std::string& note : m.notes) fmt::print("  {}\n", note);
 }

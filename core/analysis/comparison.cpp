@@ -59,7 +59,7 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
         if (outcome.rank > 0 && outcome.value) candidate.numbers[outcome.key] = *outcome.value;
     for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
     if (const std::optional<double>& error = run->plan.expected_error; error && *error > 0)
-        candidate.notes.push_back(fmt::format("The expected error is {} %.", rounded_text(100 * *error, 2)));
+        candidate.notes.push_back(fmt::format("The largest numerical error is {} %.", rounded_text(100 * *error, 2)));
     candidate.run = std::move(run);
     candidate.metrics = std::move(metrics);
     return candidate;

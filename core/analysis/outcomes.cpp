@@ -248,6 +248,13 @@ Outcome outcome_of(const Metric& metric, M m)
     return outcome;
 }
 
+/// mg; what is below 1e-6 mg is rounding and shown as 0.
+double mg_of(double kg)
+{
+    const double mg = 1e6 * kg;
+    return std::abs(mg) < 1e-6 ? 0.0 : mg;
+}
+
 } // namespace
 
 void compute_results(Metrics& metrics, const Experiment& experiment, double area)
@@ -293,20 +300,19 @@ std::vector<OutcomeInfo> compared_by(ExperimentType type)
 
 std::vector<BalanceRow> water_balance(const Ledger& l)
 {
-    constexpr double mg = 1e6;
     const bool from_air = l.water_evaporated < 0;
-    return {{"water delivered", mg * l.water_delivered, "mg"},
-            {"free water", mg * l.water_free, "mg"},
-            {"water in the pores", mg * l.water_liquid, "mg"},
-            {"water absorbed by the fibres", mg * (l.water_bound + l.water_vapour - l.water_initial), "mg"},
-            {from_air ? "water taken from the air" : "water evaporated", mg * (from_air ? -l.water_evaporated : l.water_evaporated), "mg"},
-            {"water dripped off", mg * l.water_dripped, "mg"}};
+    return {{"water delivered", mg_of(l.water_delivered), "mg"},
+            {"free water", mg_of(l.water_free), "mg"},
+            {"water in the pores", mg_of(l.water_liquid), "mg"},
+            {"water absorbed by the fibres", mg_of(l.water_bound + l.water_vapour - l.water_initial), "mg"},
+            {from_air ? "water taken from the air" : "water evaporated", mg_of(from_air ? -l.water_evaporated : l.water_evaporated), "mg"},
+            {"water dripped off", mg_of(l.water_dripped), "mg"}};
 }
 
 std::vector<BalanceRow> balance_check(const Ledger& l)
 {
-    constexpr double mg = 1e6, mj = 1e3;
-    return {{"water imbalance", mg * l.water_imbalance(), "mg"},
+    constexpr double mj = 1e3;
+    return {{"water imbalance", mg_of(l.water_imbalance()), "mg"},
             {"energy released", mj * l.energy_released, "mJ"},
             {"energy imbalance", mj * l.energy_imbalance(), "mJ"}};
 }

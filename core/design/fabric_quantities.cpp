@@ -158,8 +158,7 @@ FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
     };
     note_crimp("warp", fabric.warp_crimp_percent ? fabric.warp_crimp_percent : fabric.measured.crimp_percent, q.warp.crimp_percent);
     note_crimp("weft", fabric.weft_crimp_percent ? fabric.weft_crimp_percent : fabric.measured.crimp_percent, q.weft.crimp_percent);
-    if (q.jammed)
-        q.notes.push_back("Round yarns lie too close to bend round each other in full arcs; they are squeezed where they change sides.");
+    if (q.jammed) q.notes.push_back("Yarns are flattened at crossings: the sett is too dense for round yarns (Peirce).");
     return q;
 }
 

@@ -109,8 +109,13 @@ void validate_climate(const Climate& climate, const std::string& where, IssueLis
     if (list.range(where + ".temperature_c", "temperature", climate.temperature_c, -10, 60, "C") && climate.temperature_c < 0)
         list.add(Severity::warning, "supercooled", where + ".temperature_c",
                  fmt::format("At {} C the water is modelled as supercooled liquid; freezing is not modelled.", climate.temperature_c));
-    if (list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, most_humidity) &&
-        climate.relative_humidity > 1)
+    const bool percent = climate.relative_humidity > most_humidity && climate.relative_humidity <= 100;
+    if (percent)
+        list.error("range", where + ".relative_humidity",
+                   fmt::format("The relative humidity must be from 0 to {}; given is {}. It is a fraction: {:.4g} for {:.4g} %.",
+                               most_humidity, climate.relative_humidity, climate.relative_humidity / 100, climate.relative_humidity));
+    else if (list.range(where + ".relative_humidity", "relative humidity", climate.relative_humidity, 0, most_humidity) &&
+             climate.relative_humidity > 1)
         list.add(Severity::warning, "supersaturated", where + ".relative_humidity",
                  fmt::format("At a relative humidity of {} the air has more vapour than it can hold; it condenses on the cloth.",
                              climate.relative_humidity));
@@ -141,7 +146,7 @@ void validate_immersion(const Experiment& e, const std::string& where, IssueList
 {
     if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) return;
     list.error("range", where + ".immersion_mm",
-               fmt::format("The strip's end must hang in the liquid more than 0 mm and less than the strip's length of {} mm; given is {}.",
+               fmt::format("The strip must dip into the liquid by more than 0 mm and less than the strip's length of {} mm; given is {}.",
                            e.sample_mm[1], e.immersion_mm));
 }
 

@@ -126,7 +126,7 @@ void warn_of_closed_yarns(const FittedFabric& fabric, const std::string& where, 
             list.add(
                 Severity::warning, "closed_yarns", where + yarn + ".packing_factor",
                 fmt::format("Packed to {:.4g}, fibres touch all round (round ones from {:.4g}): liquid wicks along such yarns, but they "
-                            "neither absorb through their skin nor pass liquid on where they cross others.",
+                            "neither absorb through their surface nor pass liquid on where they cross others.",
                             packing, closest_round_fibres));
             break;
         }
@@ -168,13 +168,14 @@ void validate_fit(const Fabric& fabric, const FittedYarns& fitted, const std::st
         if (!yarn.too_dense()) return;
         list.error(
             "ends_do_not_fit", where + "." + key,
-            fmt::format("{} {} {:.3g} tex ({:.3g} mm across) do not fit: squeezed to {:.3g} x {:.3g} mm they would be packed to {:.3g}; "
-                        "{} is the most. Lower the sett, or give a finer yarn or more thickness.",
-                        sett, name, yarn.free.linear_density_tex, yarn.free.diameter, yarn.section.width, yarn.section.height,
-                        yarn.packing_factor, yarn.most_packing()));
+            fmt::format(
+                "{} {} do not fit: a yarn of {:.3g} mm ({:.3g} tex) has {:.2g} x {:.2g} mm of room; the packing would be {:.3g}, the "
+                "limit is {}. Lower the sett, or give a finer yarn or more thickness.",
+                sett, name, yarn.free.diameter, yarn.free.linear_density_tex, yarn.section.width, yarn.section.height, yarn.packing_factor,
+                yarn.most_packing()));
     };
     const auto name = [](const char* threads, int yarn) {
-        return yarn > 0 ? fmt::format("{} per cm of extra yarn {},", threads, yarn) : fmt::format("{} per cm of", threads);
+        return yarn > 0 ? fmt::format("{}/cm of extra yarn {}", threads, yarn) : fmt::format("{}/cm", threads);
     };
     for (std::size_t i = 0; i < fitted.warp.size(); ++i)
         check(name("ends", fitted.warp_order.yarns[i]), "ends_per_cm", fabric.ends_per_cm, fitted.warp[i]);

@@ -8,12 +8,12 @@ namespace hygroloom {
 
 namespace {
 
-void warn_of_unbound(const char* name, const std::vector<int>& unbound, int threads, const std::string& where, IssueList& list)
+void warn_of_unbound(const char* name, const std::vector<int>& unbound, const std::string& where, IssueList& list)
 {
     if (unbound.empty()) return;
     list.add(Severity::warning, "unbound_thread", where,
-             fmt::format("{} of the repeat's {} {} never change sides and lie loose, the first is number {}.", unbound.size(), threads,
-                         name, unbound.front() + 1));
+             unbound.size() == 1 ? fmt::format("{} {} never interlaces.", name, unbound.front() + 1)
+                                 : fmt::format("{} {} and {} more never interlace.", name, unbound.front() + 1, unbound.size() - 1));
 }
 
 void warn_of_floats(const char* name, const Floats& face, const Floats& back, double crossed_per_cm, const std::string& where,
@@ -23,7 +23,7 @@ void warn_of_floats(const char* name, const Floats& face, const Floats& back, do
     const double mm = 10 * longest / crossed_per_cm;
     if (!std::isfinite(mm) || mm <= longest_float_mm) return;
     list.add(Severity::warning, "long_float", where,
-             fmt::format("The longest {} float passes {} {} threads, {:.3g} mm on the {}; floats over {} mm catch on things.", name,
+             fmt::format("The longest {} float passes {} {} threads, {:.3g} mm on the {}; floats over {} mm snag.", name,
                          face.longest >= back.longest ? "over" : "under", longest, mm, face.longest >= back.longest ? "face" : "back",
                          longest_float_mm));
 }
@@ -51,8 +51,8 @@ void validate_weave(const Fabric& fabric, const std::string& where, IssueList& l
         return;
     }
     const WeaveAnalysis analysis = analyse(weave);
-    warn_of_unbound("ends", analysis.unbound_ends, weave.ends(), at, list);
-    warn_of_unbound("picks", analysis.unbound_picks, weave.picks(), at, list);
+    warn_of_unbound("End", analysis.unbound_ends, at, list);
+    warn_of_unbound("Pick", analysis.unbound_picks, at, list);
     if (analysis.cloths > 1)
         list.add(Severity::warning, "separate_cloths", at,
                  fmt::format("The weave falls into {} cloths that lie on one another without being joined; the upper one has {} of the "

@@ -6,7 +6,7 @@
 
 namespace hygroloom {
 
-constexpr double longest_float_mm = 10; ///< longer ones catch on things; validate() warns
+constexpr double longest_float_mm = 10; ///< longer ones snag; validate() warns
 
 /// Floats of one system on one face, counted round one repeat. A thread that never changes sides has none; see unbound_ends.
 struct Floats {

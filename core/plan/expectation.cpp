@@ -249,17 +249,17 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const bool as_set = set_alike(run.plan, plan) && !cut;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
-        fmt::format("From {} on {}, measured on {} ({}): {} s there, times {:.3g} for this scene's counts.{}", scene.experiment,
-                    scene.fabric, scene.device, scene.date, rounded_text(run.seconds, 3), plan.expected_seconds / run.seconds,
-                    run.error && as_set ? " The error is that scene's against its reference."
-                    : as_set            ? " Its error against the reference was not measured."
+        fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
+                    scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
+                    run.error && as_set ? (*run.error > 0 ? " The error was measured on that run." : "")
+                    : as_set            ? " The error was not measured on that run."
                                         : " The error with these knobs and parts was not measured.");
 }
 
 std::string error_text(const ModelPlan& plan)
 {
     if (!plan.expected_error) return "error not measured";
-    if (*plan.expected_error <= 0) return "no error, as errors are measured against it";
+    if (*plan.expected_error <= 0) return "error not known (this is the reference)";
     return fmt::format("error {} %", rounded_text(100 * *plan.expected_error, 2));
 }
 

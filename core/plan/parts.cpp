@@ -110,25 +110,25 @@ public:
             {effect, moist_ && (effect > 0 || may_follow),
              "how far what fibres have really taken up and what evaporates change the temperature"},
             fmt::format("Sorption warms the wet area by at most {:.3g} K, {} it by at most {:.3g} K and the climate "
-                        "changes by {:.3g} K; at 2 % a kelvin that changes rates by {}. The cooling holds back at most {:.3g} % of the "
+                        "changes by {:.3g} K. This changes the rates by {} (2 % per kelvin). Cooling prevents at most {:.3g} % of the "
                         "water from evaporating; {}.",
                         warming, b_.condenses ? "condensation warms" : "evaporation cools", cooling, change,
-                        rates < 1 ? fmt::format("{:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed, left_out_),
+                        rates < 1 ? fmt::format("up to {:.3g} %", 100 * rates) : "more than 100 %", 100 * slowed, left_out_),
             knobs_, forced_));
     }
-    /// Whether only the cloth near the water is visited, a region that grows.
+    /// Whether only cloth near the water is computed, an area that grows.
     void growth()
     {
         const auto [width, height] = sample_extent_mm(experiment_);
         const bool everywhere = changes_everywhere(experiment_.type) || !experiment_.climates.empty() || b_.condenses;
         const double wet = 1e6 * b_.wet_area / (width * height);
-        const bool on =
-            add(decide("growth", !everywhere,
-                       everywhere ? std::string("All of the sample changes from the start.")
-                                  : fmt::format("Only the cloth near the liquid is visited: it can wet {} of the sample. What is visited "
-                                                "grows before the air in its pores changes by {:.3g} % humidity at its border.",
-                                                wet < 1 ? fmt::format("at most {:.3g} %", 100 * wet) : "all", 100 * knobs_.rest_tolerance),
-                       forced_));
+        const bool on = add(decide(
+            "growth", !everywhere,
+            everywhere ? std::string("All of the sample changes from the start.")
+                       : fmt::format("Only cloth near the water is computed; the area grows with the stain, before the air's humidity "
+                                     "changes by {1:.3g} % at its border. The liquid can wet {0} of the sample.",
+                                     wet < 1 ? fmt::format("at most {:.3g} %", 100 * wet) : "all", 100 * knobs_.rest_tolerance),
+            forced_));
         plan_.rest_tolerance = on ? knobs_.rest_tolerance : 0;
     }
 

@@ -50,7 +50,7 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
     const auto may_be_on = [&](const char* part) { return plan.on(part) || plan.watches(part); };
     idle(!may_be_on("sorption"), "fibre_shells", "sorption is left out");
     idle(!plan.on("wicking") && !may_be_on("sorption") && !may_be_on("vapour"), "step_error", "the yarns stay dry");
-    idle(!plan.on("growth"), "rest_tolerance", "all of the sample is visited");
+    idle(!plan.on("growth"), "rest_tolerance", "all of the sample is computed");
     const bool estimated = std::any_of(plan.parts.begin(), plan.parts.end(),
                                        [](const PlannedPart& part) { return part.share && !part.forced && (part.on || part.watched); });
     idle(!estimated, "neglected_share", "no part is left to an estimate");
@@ -88,7 +88,8 @@ std::string resolution_in_words(const ModelPlan& plan, bool set_by_user)
     if (liquid) text += fmt::format("{} particles a drop, ", plan.particles_per_droplet);
     text += fmt::format("one cell per {} and crossing, ", plan.crossings_per_cell > 1 ? "bundle" : "yarn");
     if (plan.on("sorption")) text += fmt::format("{} shells in a fibre, ", plan.fibre_shells);
-    if (!liquid) return text + fmt::format("steps that misplace at most {:.2g} % of the water and heat at stake.", 100 * knobs.step_error);
+    if (!liquid)
+        return text + fmt::format("steps with an error of at most {:.2g} % of the water and heat at stake.", 100 * knobs.step_error);
     text += fmt::format("network steps of at most {:.3g} ms that change no saturation by more than about {:.2g}; ",
                         1e3 * knobs.network_step_limit, knobs.saturation_change);
     return text + (knobs.settle_share > 0

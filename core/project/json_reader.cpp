@@ -180,7 +180,7 @@ const ProjectJson* ObjectReader::find(const std::string& key)
 const ProjectJson& ObjectReader::require(const std::string& key)
 {
     const ProjectJson* member = find(key);
-    if (!member) refuse_at(file_, path_, fmt::format("The key \"{}\" is missing.", key));
+    if (!member) refuse_missing(key);
     return *member;
 }
 
@@ -226,7 +226,7 @@ void ObjectReader::read(const std::string& key, std::array<double, 2>& value)
     for (std::size_t i = 0; i < 2; ++i) value[i] = number_in((*member)[i], file_, fmt::format("{}[{}]", path_of(key), i));
 }
 
-void ObjectReader::finish() const
+void ObjectReader::finish(const std::vector<std::string>& required) const
 {
     for (const auto& [key, member] : value_.items()) {
         if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
@@ -237,7 +237,11 @@ void ObjectReader::finish() const
                   near.empty() ? fmt::format("The key {} is not known here. Known are: {}.", in_words(key), all)
                                : fmt::format("The key {} is not known here; did you mean \"{}\"?", in_words(key), near));
     }
+    for (const std::string& key : required)
+        if (!value_.contains(key)) refuse_missing(key);
 }
+
+void ObjectReader::refuse_missing(const std::string& key) const { refuse_at(file_, path_, fmt::format("The key \"{}\" is missing.", key)); }
 
 std::string ObjectReader::path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
 

@@ -44,14 +44,16 @@ public:
     void read(const std::string& key, std::string& value);
     void read(const std::string& key, std::optional<double>& value);
     void read(const std::string& key, std::array<double, 2>& value);
-    /// Refuses unknown keys, with the nearest known one.
-    void finish() const;
+    /// Refuses unknown keys, with the nearest known one, then a missing key of the required ones.
+    void finish(const std::vector<std::string>& required = {}) const;
 
     std::string path_of(const std::string& key) const;
     const std::string& file() const { return file_; }
     [[noreturn]] void refuse(const std::string& key, const std::string& sentence) const;
 
 private:
+    [[noreturn]] void refuse_missing(const std::string& key) const;
+
     const ProjectJson& value_;
     std::string file_;
     std::string path_;

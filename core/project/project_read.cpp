@@ -48,9 +48,9 @@ void read_diffusion(ObjectReader& object, FibreDiffusion& diffusion)
 Material read_material(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
-    object.require("name");
     Material material;
     std::string name, based_on;
+    std::vector<std::string> required{"name"};
     object.read("name", name);
     object.read("based_on", based_on);
     if (!based_on.empty()) {
@@ -65,7 +65,7 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     material.name = name;
     material.based_on = based_on;
     const auto number = [&](const char* key, double& field) {
-        if (based_on.empty()) object.require(key);
+        if (based_on.empty()) required.emplace_back(key);
         object.read(key, field);
     };
     number("density_kg_m3", material.density_kg_m3);
@@ -73,7 +73,7 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     number("standard_regain", material.standard_regain);
     number("saturation_regain", material.saturation_regain);
     read_isotherm(object, material.gab);
-    if (based_on.empty()) object.require("fibre_diffusivity_m2_s");
+    if (based_on.empty()) required.emplace_back("fibre_diffusivity_m2_s");
     read_diffusion(object, material.diffusion);
     number("contact_angle_deg", material.contact_angle_deg);
     number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
@@ -82,7 +82,7 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     if (object.find("sorption_heat_j_g") && object.find("heat_of_wetting_j_g"))
         object.refuse("sorption_heat_j_g", "This is another name of heat_of_wetting_j_g; give one of them.");
     object.read("sorption_heat_j_g", material.heat_of_wetting_j_g);
-    object.finish();
+    object.finish(required);
     return material;
 }
 
@@ -95,12 +95,10 @@ std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::strin
     std::vector<MaterialShare> shares;
     for (std::size_t i = 0; i < value.size(); ++i) {
         ObjectReader object(value[i], file, fmt::format("{}[{}]", path, i));
-        object.require("name");
-        object.require("share");
         MaterialShare share;
         object.read("name", share.name);
         object.read("share", share.share);
-        object.finish();
+        object.finish({"name", "share"});
         shares.push_back(share);
     }
     return shares;
@@ -134,11 +132,10 @@ std::vector<YarnRun> read_order(ObjectReader& object, const char* key)
     array_in(*list, object.file(), object.path_of(key));
     for (std::size_t i = 0; i < list->size(); ++i) {
         ObjectReader run((*list)[i], object.file(), fmt::format("{}[{}]", object.path_of(key), i));
-        run.require("yarn");
         YarnRun read;
         run.read("yarn", read.yarn);
         run.read("count", read.count);
-        run.finish();
+        run.finish({"yarn"});
         order.push_back(read);
     }
     return order;
@@ -148,7 +145,7 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
 {
     ObjectReader object(value, file, path);
     Yarn yarn;
-    yarn.material = read_blend(object.require("material"), file, object.path_of("material"));
+    if (const ProjectJson* material = object.find("material")) yarn.material = read_blend(*material, file, object.path_of("material"));
     object.read("diameter_mm", yarn.diameter_mm);
     object.read("linear_density_tex", yarn.linear_density_tex);
     object.read("packing_factor", yarn.packing_factor);
@@ -159,7 +156,7 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     object.read("ply_twist_per_m", yarn.ply_twist_per_m);
     yarn.ply_twist_direction = read_direction(object, "ply_twist_direction", yarn.ply_twist_direction);
     yarn.color = read_color(object);
-    object.finish();
+    object.finish({"material"});
     return yarn;
 }
 
@@ -211,13 +208,10 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
 {
     ObjectReader object(value, file, path);
     Fabric fabric;
-    object.require("name");
     object.read("name", fabric.name);
-    fabric.warp = read_yarn(object.require("warp"), file, object.path_of("warp"));
-    fabric.weft = read_yarn(object.require("weft"), file, object.path_of("weft"));
-    fabric.weave = read_weave(object.require("weave"), file, object.path_of("weave"));
-    object.require("ends_per_cm");
-    object.require("picks_per_cm");
+    if (const ProjectJson* warp = object.find("warp")) fabric.warp = read_yarn(*warp, file, object.path_of("warp"));
+    if (const ProjectJson* weft = object.find("weft")) fabric.weft = read_yarn(*weft, file, object.path_of("weft"));
+    if (const ProjectJson* weave = object.find("weave")) fabric.weave = read_weave(*weave, file, object.path_of("weave"));
     object.read("ends_per_cm", fabric.ends_per_cm);
     object.read("picks_per_cm", fabric.picks_per_cm);
     if (const ProjectJson* extra = object.find("extra_yarns")) {
@@ -244,7 +238,7 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     object.read("capillary_radius_um", fabric.measured.capillary_radius_um);
     object.read("tortuosity", fabric.measured.tortuosity);
     object.read("crimp_percent", fabric.measured.crimp_percent);
-    object.finish();
+    object.finish({"name", "warp", "weft", "weave", "ends_per_cm", "picks_per_cm"});
     return fabric;
 }
 
@@ -252,13 +246,12 @@ Droplet read_droplet(const ProjectJson& value, const std::string& file, const st
 {
     ObjectReader object(value, file, path);
     Droplet droplet;
-    object.require("volume_ul");
     object.read("volume_ul", droplet.volume_ul);
     object.read("time_s", droplet.time_s);
     object.read("at_mm", droplet.at_mm);
     object.read("height_mm", droplet.height_mm);
     object.read("speed_m_s", droplet.speed_m_s);
-    object.finish();
+    object.finish({"volume_ul"});
     return droplet;
 }
 
@@ -357,17 +350,17 @@ Experiment read_experiment(const ProjectJson& value, const std::string& file, co
     object.require("type");
     Experiment experiment = standard_experiment(kind_in(object, "type", ExperimentType::droplet, experiment_types));
     const ExperimentTypeInfo& type = info_of(experiment.type);
-    object.require("name");
+    std::vector<std::string> required{"name"};
     object.read("name", experiment.name);
     read_climates(object, experiment);
     object.read("liquid", experiment.liquid);
     experiment.closure = kind_in(object, "closure", experiment.closure, closures);
     object.read("swelling", experiment.swelling);
     object.read(type.sample_key, experiment.sample_mm);
-    if (!type.has_usual_duration) object.require("duration_s");
+    if (!type.has_usual_duration) required.emplace_back("duration_s");
     object.read("duration_s", experiment.duration_s);
     for (const ExperimentField& field : type.fields) std::visit(FieldReader{object, experiment, field.key}, field.value);
-    object.finish();
+    object.finish(required);
     return experiment;
 }
 
@@ -375,12 +368,11 @@ Liquid read_liquid(const ProjectJson& value, const std::string& file, const std:
 {
     ObjectReader object(value, file, path);
     Liquid liquid;
-    object.require("name");
     object.read("name", liquid.name);
     object.read("surface_tension_mn_m", liquid.surface_tension_mn_m);
     object.read("viscosity_mpa_s", liquid.viscosity_mpa_s);
     object.read("density_kg_m3", liquid.density_kg_m3);
-    object.finish();
+    object.finish({"name"});
     return liquid;
 }
 

@@ -72,6 +72,15 @@ private:
         (*at_)[key] = ProjectJson::object();
     }
 
+    [[noreturn]] void refuse_number(std::size_t number) const
+    {
+        const std::string list = path_.substr(0, path_.size() - rest_.size());
+        const std::size_t size = at_->size();
+        std::string known = size == 0 ? "none" : fmt::format("{} ({}[0]", size, list);
+        if (size > 0) known += size == 1 ? ")" : fmt::format(" to {}[{}])", list, size - 1);
+        refuse(path_, fmt::format("There is no {}[{}]; this project has {}.", list, number, known));
+    }
+
     std::size_t index()
     {
         const bool bracketed = !rest_.empty() && rest_.front() == '[';
@@ -84,7 +93,7 @@ private:
         std::size_t number = 0;
         const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (bracketed && failure == std::errc() && end == text.data() + text.size()) {
-            if (number >= at_->size()) refuse(path_, fmt::format("There is no [{}]; the list has {}.", number, at_->size()));
+            if (number >= at_->size()) refuse_number(number);
             rest_.remove_prefix(text.size() + 2);
             return number;
         }

@@ -216,7 +216,8 @@ try : file_(std::make_unique<File>()) {
     const h5::Quiet quiet;
     if (!std::filesystem::exists(path)) throw FileError("there is no such file.");
     if (path.extension() == ".hygro" && H5Fis_hdf5(path.c_str()) <= 0)
-        throw FileError("this is a project, not a recording; simulate -o makes one of it.");
+        throw FileError(fmt::format("this is a project, not a recording. Run it first: hygroloom-cli simulate {} -o {}.", path.string(),
+                                    std::filesystem::path(path).replace_extension(".hygrorec").string()));
     file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                              "this is not a recording, or it is damaged or incomplete.");
     const hid_t file = file_->file.get();

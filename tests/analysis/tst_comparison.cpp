@@ -65,7 +65,7 @@ private Q_SLOTS:
     void candidatesNoteTheExpectedError()
     {
         const std::vector<std::string> notes = full_candidate(ExperimentType::droplet).notes;
-        QVERIFY(!notes.empty() && notes.back().starts_with("The expected error is "));
+        QVERIFY(!notes.empty() && notes.back().starts_with("The largest numerical error is "));
     }
     void everyTypeReportsWhatItIsComparedBy_data()
     {

@@ -222,6 +222,12 @@ private Q_SLOTS:
         QVERIFY2(drop.contains("although the fidelity would put 2 ends and picks into one: free liquid meets single yarns."), drop);
         QVERIFY2(drying.contains("are simulated as 53 and 53 bundles; what a frame shows of a yarn is its bundle's."), drying);
     }
+    void aMisspeltVerbIsNamed()
+    {
+        const Answer near = run_cli({"mesure", "a.hygrorec"}), far = run_cli({"knit"});
+        QVERIFY2(near.err.contains("There is no verb \"mesure\"; did you mean \"measure\"?"), near.err);
+        QVERIFY2(far.err.contains("The verbs are: check, plan, simulate, measure,"), far.err);
+    }
     void planLeavesOutWhatIsNotInTheScene()
     {
         const auto plan = [](const char* experiment, const char* fidelity) {
@@ -234,7 +240,7 @@ private Q_SLOTS:
         const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
         for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
             QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
-        QVERIFY(plan("one drop", "reference").contains("no error, as errors are measured against it"));
+        QVERIFY(plan("one drop", "reference").contains("error not known (this is the reference)"));
         const QRegularExpression error(", error ([0-9.]+) %");
         const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
         const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();

@@ -302,6 +302,10 @@ private Q_SLOTS:
         row("a list", "[1, 2]", "must be an object");
         row("unknown key", replaced(good, "\"diameter_mm\"", "\"diametr_mm\""),
             "fabrics[0].warp: The key \"diametr_mm\" is not known here; did you mean \"diameter_mm\"?");
+        row("required key misspelt", replaced(good, "\"picks_per_cm\"", "\"pick_per_cm\""),
+            "fabrics[0]: The key \"pick_per_cm\" is not known here; did you mean \"picks_per_cm\"?");
+        row("required key in another unit", replaced(good, "\"ends_per_cm\"", "\"ends_per_inch\""),
+            "The key \"ends_per_inch\" is not known here; did you mean \"ends_per_cm\"?");
         row("unknown key far from all", replaced(good, "\"thickness_mm\"", "\"q\""), "Known are: name, warp, weft");
         row("twice", replaced(good, "\"ends_per_cm\"", "\"picks_per_cm\""), "stands twice");
         row("text for number", replaced(good, "0.635", "\"0.635\""), "fabrics[0].thickness_mm: This must be a number; given is \"0.635\"");
@@ -515,7 +519,7 @@ private Q_SLOTS:
             return has(message, part) || (qWarning("%s", message.c_str()), false);
         };
         QVERIFY(says("", "1", "empty"));
-        QVERIFY(says("fabrics[9].ends_per_cm", "1", "There is no [9]"));
+        QVERIFY(says("fabrics[9].ends_per_cm", "1", "There is no fabrics[9]; this project has "));
         QVERIFY(says("fabrics[0.ends_per_cm", "1", "\"]\" is missing"));
         QVERIFY(says("fabrics.no.ends_per_cm", "1", "\"Textile F\""));
         QVERIFY(says("fabrics[0].ends_per_cmm", "1", "did you mean \"ends_per_cm\""));

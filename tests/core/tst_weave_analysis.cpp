@@ -178,7 +178,7 @@ private Q_SLOTS:
         // 7 picks at 5 per cm are 14 mm; at 8 per cm 8.75 mm.
         const std::string text = text_of(validate(with_weave(weave_from_pattern("satin 8/3"), 5, 1)), "long_float");
         QCOMPARE(QString::fromStdString(text), QString("fabrics[0].weave: The longest warp float passes over 7 threads, 14 mm on the face; "
-                                                       "floats over 10 mm catch on things."));
+                                                       "floats over 10 mm snag."));
         QCOMPARE(text_of(validate(with_weave(weave_from_pattern("satin 8/3"), 8, 0.8)), "long_float"), std::string());
     }
 

@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(run->plan.expected_error);
         QVERIFY2(line.contains(QRegularExpression("^Draft, expected error [0-9.]+ %, on ")) && line.contains(", took "), qPrintable(line));
         const QString text = results().text();
-        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. From ")), qPrintable(text));
+        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. Estimated from ")), qPrintable(text));
         QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nStarted: "), qPrintable(text));
         RunRecord other = *run;
         other.wall = 0;
