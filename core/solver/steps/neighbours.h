@@ -96,24 +96,32 @@ struct Reorder {
     HL_FN void operator()(int i) const
     {
         const int from = order[i];
-        to.position[i] = p.position[from];
-        to.velocity[i] = p.velocity[from];
-        to.wall_normal[i] = p.wall_normal[from];
-        to.wall_distance[i] = p.wall_distance[from];
-        to.wall_segment[i] = p.wall_segment[from];
-        to.content[i] = p.content[from];
-        copy_together(to.cloth_from[i], p.cloth_from[from]);
-        if (p.mirrored) to.mirrored[i] = p.mirrored[from];
-        if (p.stress) to.stress[i] = p.stress[from];
-        to.alive[i] = key[from] != *dead_key;
+        SortedFields<Pointer>::each(
+            [&](const auto&, const auto& array, const auto& sorted) {
+                if (!is_place(&array) && array) copy(sorted[i], array[from]);
+            },
+            p, to);
+        const bool lives = key[from] != *dead_key;
+        to.alive[i] = lives;
         const Vec3 &x = p.position[from], &v = p.velocity[from];
-        to.place[i] = to.alive[i] ? Quad{x.x, x.y, x.z, p.place[from].w} : far_away();
+        to.place[i] = lives ? Quad{x.x, x.y, x.z, p.place[from].w} : far_away();
         to.motion[i] = {v.x, v.y, v.z, to.size(i)};
         to.standing[i] = {to.place[i].x, to.place[i].y, to.place[i].z, to.size(i)};
         to.predicted[i] = far_away(); // a living one's is foreseen before anyone asks for it
         to.listed_x[i] = x.x;
         to.listed_y[i] = x.y;
         to.listed_z[i] = x.z;
+    }
+
+private:
+    /// The one array that is not copied: each particle's place is found anew.
+    HL_FN bool is_place(const void* array) const { return array == &p.place; }
+    template <typename T> HL_FN static void copy(T& to, const T& from)
+    {
+        if constexpr (sizeof(T) > sizeof(Quad))
+            copy_together(to, from);
+        else
+            to = from;
     }
 };
 
