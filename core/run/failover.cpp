@@ -42,12 +42,12 @@ void Failover::go_on_with(const ModelPlan& plan)
 
 void Failover::go_on_on_cpu(const DeviceError& error)
 {
-    if (!options_.may_go_on_on_cpu || cpu_) throw DeviceError(error);
+    if (!options_.may_go_on_on_cpu || session_.has_moved()) throw DeviceError(error);
     session_.backend().unload();
     if (options_.one_on_cpu) turn_ = std::unique_lock(*options_.one_on_cpu);
-    cpu_ = make_cpu_backend();
-    cpu_->set_threads(options_.threads);
-    session_.move_to(*cpu_);
+    std::unique_ptr<Backend> cpu = make_cpu_backend();
+    cpu->set_threads(options_.threads);
+    session_.move_to(std::move(cpu));
     if (frame_ > 0)
         session_.go_on_from(state_);
     else

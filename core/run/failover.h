@@ -32,11 +32,10 @@ public:
 private:
     static constexpr double least_pause = 2; // s of wall time
 
-    bool may_fail_over() const { return options_.may_go_on_on_cpu && !cpu_ && session_.backend().name() != "cpu"; }
+    bool may_fail_over() const { return options_.may_go_on_on_cpu && !session_.has_moved() && session_.backend().name() != "cpu"; }
 
     Session& session_;
     const RunOptions& options_;
-    std::unique_ptr<Backend> cpu_;
     std::unique_lock<std::mutex> turn_; ///< on the CPU
     std::vector<std::byte> state_;
     long frame_ = 0;

@@ -12,6 +12,12 @@ Session::Session(Backend& backend, Scene scene, int crossings_per_cell) : backen
     scene_ = coarsened(*single_, crossings_per_cell);
 }
 
+void Session::move_to(std::unique_ptr<Backend> backend)
+{
+    backend_ = backend.get();
+    moved_to_ = std::move(backend);
+}
+
 Frame Session::of_single_yarns(Frame frame) const
 {
     if (!single_) return frame; // a conditional expression would copy it

@@ -5,6 +5,7 @@
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 
+#include <memory>
 #include <optional>
 
 namespace hygroloom {
@@ -28,15 +29,17 @@ public:
     void go_on_from(const std::vector<std::byte>& state);
     /// The same with the parts that the plan has on.
     void go_on_from(const std::vector<std::byte>& state, const ModelPlan& plan);
-    /// The next load() goes to this machine.
-    void move_to(Backend& backend) { backend_ = &backend; }
+    /// The next load() goes to this machine, which the session keeps.
+    void move_to(std::unique_ptr<Backend> backend);
+    bool has_moved() const { return moved_to_ != nullptr; }
 
     Backend& backend() const { return *backend_; }
     /// As it is simulated: of bundles where yarns go in bundles.
     const Scene& scene() const { return scene_; }
 
 private:
-    Backend* backend_;
+    std::unique_ptr<Backend> moved_to_;
+    Backend* backend_; ///< the one it began on, or moved_to_
     Scene scene_;
     std::optional<Scene> single_; ///< where scene_ has bundles
 };
