@@ -20,6 +20,12 @@ HL_FN double air_density(double temperature) { return standard_pressure * 0.0289
 /// Diffusivity of vapour in air, m2/s. Massman 1998, within 3 %.
 HL_FN double vapour_diffusivity(double temperature) { return 2.178e-5 * std::pow(temperature / zero_celsius, 1.81); }
 
+/// The same where air fills only this share of the space, m2/s (Bruggeman 1935).
+HL_FN double vapour_diffusivity_between(double temperature, double open_share)
+{
+    return vapour_diffusivity(temperature) * std::pow(open_share, 1.5);
+}
+
 /// Convective heat transfer at a face, W/(m2 K): laminar flow along a plate of the given length, not less than still air.
 HL_FN double convective_heat_transfer(double air_speed, double length)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A liquid at a temperature (K), and how much easier it flows where it is warmer: its own values at 20 C, changing as water's do.
+// A liquid at a temperature (K), and how much easier it flows where it is warmer: its own values at 20 C, changing as water's do. How fast
+// its surface moves it.
 #pragma once
 
 #include "core/physics/water.h"
@@ -9,6 +10,9 @@ namespace hygroloom {
 struct LiquidAt {
     double surface_tension, viscosity, density; ///< N/m, Pa s, kg/m3
 };
+
+/// Time in which surface tension (N/m) brings a volume (m3) of this density (kg/m3) into shape, s.
+HL_FN double capillary_time(double volume, double density, double surface_tension) { return std::sqrt(density * volume / surface_tension); }
 
 /// From what it is at 20 C.
 inline LiquidAt liquid_at(const LiquidAt& at_20_c, double temperature)

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/base/units.h"
+#include "core/physics/liquid.h"
 #include "core/physics/particle_steps.h"
 #include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
@@ -171,18 +171,18 @@ LiquidCount count_liquid(const ModelPlan& plan)
     const SceneCounts& scene = plan.counts;
     const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
     const double particles = std::max(1, plan.particles_per_droplet);
-    const auto capillary_time = [&](double of) { return std::sqrt(of / scene.capillarity); };
     constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
     constexpr double moving_times = 7, waking_times = 6;            // capillary times
     constexpr double usual_step = 0.85;                             // of the longest
     constexpr double absorption_time = 0.68;                        // times its volume over the cloth's uptake
     constexpr double scarce_pores = 0.13e-3;              // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double least_left = 0.15, most_left = 0.97; // of the particles, on average while the drop is absorbed
+    const auto time_of_shape = [&](double of) { return capillary_time(of, 1.0, scene.capillarity); }; // tension over density
     const double spacing = std::cbrt(volume / particles);
     const LiquidSteps longest =
         longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
     const double step = plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
-    const double moves = std::min(moving_times * capillary_time(volume), scene.duration), rest = scene.duration - moves;
+    const double moves = std::min(moving_times * time_of_shape(volume), scene.duration), rest = scene.duration - moves;
     const bool is_absorbed = plan.on("wicking") && scene.uptake > 0;
     const double until_empty = is_absorbed ? absorption_time * volume / scene.uptake : 0,
                  absorbing = is_absorbed ? std::min(rest, until_empty) : 0;
@@ -190,7 +190,7 @@ LiquidCount count_liquid(const ModelPlan& plan)
     double flows = is_absorbed ? absorbing : rest;
     if (settle_share > 0) {
         const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
-        flows = std::min(awake_share * absorbing, gone / settle_share * waking_times * capillary_time(settle_share * volume));
+        flows = std::min(awake_share * absorbing, gone / settle_share * waking_times * time_of_shape(settle_share * volume));
     }
     const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
     const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles), least_left, most_left);

@@ -191,8 +191,7 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
                                                 textile.thickness);
     for (std::size_t type = 0; type < scene.cloth.yarns.size(); ++type) {
         const double pitch = type < warps ? textile.warp.pitch : textile.weft.pitch;
-        scene.cloth.yarns[type].open_vapour =
-            vapour_diffusivity(scene.climate.temperature) * std::pow(open, 1.5) * pitch * textile.thickness; // Bruggeman
+        scene.cloth.yarns[type].open_vapour = vapour_diffusivity_between(scene.climate.temperature, open) * pitch * textile.thickness;
     }
     scene.cloth.warp_pitch = textile.warp.pitch;
     scene.cloth.weft_pitch = textile.weft.pitch;

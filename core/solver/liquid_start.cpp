@@ -20,16 +20,13 @@ double viscosity(const ClimateParameters& climate, const LiquidStart& start)
                                   static_cast<double>(start.spacing));
 }
 
-/// Rounds of pressure press liquid together that stands deep, by its depth x gravity over the square of spacing / step, and longer steps
-/// than this have a column bounce: at 0.2 by 5 % of its pressure, at 0.25 by 10 %. Counts what is there from the start; on cloth no drop
-/// stands as deep.
+/// Longest step for what stands in the vessel from the start, s; on cloth no drop stands as deep.
 double weight_step(const Scene& scene, const LiquidStart& start)
 {
     double depth = 0;
     if (scene.liquid.vessel)
         for (const Vec3d& place : scene.liquid.places) depth = std::max(depth, place.z - scene.liquid.vessel->low.z);
-    const double fall = std::sqrt(scene.liquid.gravity * depth);
-    return fall > 0 ? 0.09 * static_cast<double>(start.spacing) / fall : std::numeric_limits<double>::infinity();
+    return longest_weight_step(static_cast<double>(start.spacing), scene.liquid.gravity, depth);
 }
 
 Vessel vessel_of(const Scene& scene)

@@ -92,6 +92,12 @@ private Q_SLOTS:
         QVERIFY(within(warm.viscosity, 10e-3 * 0.705 / 1.0016, 2e-3));
         QVERIFY(within(warm.density, 1200 * 993.68 / 998.20, 1e-4));
     }
+    void fiveMicrolitresOfWaterFindTheirShapeInEightMilliseconds()
+    {
+        // sqrt(998.2 kg/m3 x 5e-9 m3 / 72.74e-3 N/m) = sqrt(6.8614e-5 s2) = 8.283 ms.
+        QVERIFY(within(capillary_time(5e-9, 998.2, 72.74e-3), 8.283e-3, 2e-4));
+        QVERIFY(within(capillary_time(5e-9, 1.0, 72.74e-3 / 998.2), 8.283e-3, 2e-4));
+    }
     void warmLiquidFlowsAsSurfaceTensionOverViscositySays()
     {
         // From the steam tables above: (70.24 / 0.705) / (72.74 / 1.0016) = 1.3719 at 36 C over its value at 20 C.
@@ -105,6 +111,13 @@ private Q_SLOTS:
     {
         QVERIFY(within(vapour_diffusivity(293.15), 2.475e-5, 2e-3));
         QVERIFY(within(vapour_diffusivity(333.15), 3.120e-5, 2e-3));
+    }
+    void vapourDiffusesSlowerBetweenYarnsAsBruggemanSays()
+    {
+        // 0.25^1.5 = 0.125; 2.475e-5 m2/s at 20 C.
+        QVERIFY(within(vapour_diffusivity_between(293.15, 0.25), 0.125 * 2.475e-5, 2e-3));
+        QCOMPARE(vapour_diffusivity_between(293.15, 0.0), 0.0);
+        QCOMPARE(vapour_diffusivity_between(293.15, 1.0), vapour_diffusivity(293.15));
     }
     void airAtAMetrePerSecondOverEightCentimetresTakesFourteenWatts()
     {

@@ -65,6 +65,13 @@ private Q_SLOTS:
         QVERIFY(std::abs(finer.capillary / steps.capillary - std::pow(0.5, 1.5)) < 1e-12);
         QVERIFY(std::abs(finer.viscous / steps.viscous - 0.25) < 1e-12);
     }
+    void deepLiquidTakesStepsThatItsWeightAllows()
+    {
+        // 10 mm deep: sqrt(9.81 x 0.01) = 0.31321 m/s; 0.09 x 0.1 mm / 0.31321 m/s = 28.73 us.
+        QVERIFY(std::abs(longest_weight_step(1e-4, 9.81, 0.01) - 28.73e-6) < 0.01e-6);
+        QVERIFY(std::isinf(longest_weight_step(1e-4, 9.81, 0.0)));
+        QVERIFY(std::isinf(longest_weight_step(1e-4, 0.0, 0.01)));
+    }
     void particlesAreMoreViscousThanTheirLiquidAndLessSoTheFinerTheyAre()
     {
         const double capillarity = 72.74e-3 / 998.2, own = 1.0016e-3 / 998.2;

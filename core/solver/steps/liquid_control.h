@@ -4,6 +4,7 @@
 // answer.
 #pragma once
 
+#include "core/physics/liquid.h"
 #include "core/solver/steps/contact.h"
 #include "core/solver/steps/liquid.h"
 
@@ -51,7 +52,7 @@ struct LiquidRules {
         return flowing < weight_dt ? flowing : weight_dt;
     }
     /// In which a volume of liquid finds its shape, s.
-    HL_FN double capillary_time(double volume) const { return std::sqrt(density * volume / surface_tension); }
+    HL_FN double capillary_time(double volume) const { return hygroloom::capillary_time(volume, density, surface_tension); }
     HL_FN double advective_step(double speed) const { return courant * static_cast<double>(spacing) / (speed > 1e-6 ? speed : 1e-6); }
 };
 
