@@ -21,10 +21,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <span>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace hygroloom {

@@ -4,7 +4,6 @@
 
 #include <hdf5.h>
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,8 +3,6 @@
 
 #include "core/physics/heat_moisture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -4,7 +4,6 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hygroloom {
 namespace {
