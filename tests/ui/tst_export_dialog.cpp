@@ -295,7 +295,7 @@ private Q_SLOTS:
         type("Repeats along the weft", "many");
         waitForNote("does not begin with a number");
         type("Repeats along the weft", "60000");
-        waitForNote("So many repeats have");
+        waitForNote("These repeats have");
         type("Repeats along the weft", "1");
         type("Sides", "2");
         waitForNote("Allowed: 3 to");
