@@ -369,7 +369,7 @@ template <typename Executor> template <typename Archive> void FreeLiquid<Executo
     if constexpr (Archive::reads) flow_ = moved_to(flow, flow_);
     Particles::each(
         [&](const auto& field, auto& buffer) {
-            if (field.saved) archive.buffer(buffer);
+            if (field.saved) archive.buffer(buffer, field.name);
         },
         particles_);
 }

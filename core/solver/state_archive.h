@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,14 @@ public:
     static constexpr bool reads = false;
 
     template <typename T> void value(const T&) { bytes_ += sizeof(T); }
-    template <typename T> void values(const std::vector<T>& values) { bytes_ += sizeof(std::size_t) + values.size() * sizeof(T); }
-    template <typename Buffer> void buffer(Buffer& buffer) { bytes_ += sizeof(std::size_t) + buffer.size() * sizeof(*buffer.data()); }
+    template <typename T> void values(const std::vector<T>& values, const char*)
+    {
+        bytes_ += sizeof(std::size_t) + values.size() * sizeof(T);
+    }
+    template <typename Buffer> void buffer(Buffer& buffer, const char*)
+    {
+        bytes_ += sizeof(std::size_t) + buffer.size() * sizeof(*buffer.data());
+    }
     std::size_t bytes() const { return bytes_; }
 
 private:
@@ -32,12 +39,12 @@ public:
 
     explicit StateWriter(std::size_t bytes) { bytes_.reserve(bytes); }
     template <typename T> void value(const T& value) { append(&value, sizeof value); }
-    template <typename T> void values(const std::vector<T>& values)
+    template <typename T> void values(const std::vector<T>& values, const char*)
     {
         value(values.size());
         append(values.data(), values.size() * sizeof(T));
     }
-    template <typename Buffer> void buffer(const Buffer& buffer) { values(buffer.download()); }
+    template <typename Buffer> void buffer(const Buffer& buffer, const char* name) { values(buffer.download(), name); }
     std::vector<std::byte> take() { return std::move(bytes_); }
 
 private:
@@ -56,17 +63,20 @@ public:
 
     explicit StateReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
     template <typename T> void value(T& value) { take(&value, sizeof value); }
-    template <typename T> void values(std::vector<T>& values)
+    /// The name is for the sentence of the error.
+    template <typename T> void values(std::vector<T>& values, const char* name)
     {
         std::size_t count = 0;
         value(count);
-        if (count != values.size()) throw Error("The state of a run is of another scene.");
+        if (count != values.size())
+            throw Error("The state of a run is of another scene: it has " + std::to_string(count) + " values of \"" + name +
+                        "\", the scene " + std::to_string(values.size()) + ".");
         take(values.data(), count * sizeof(T));
     }
-    template <typename Buffer> void buffer(Buffer& buffer)
+    template <typename Buffer> void buffer(Buffer& buffer, const char* name)
     {
         auto all = buffer.download();
-        values(all);
+        values(all, name);
         buffer.upload(all);
     }
 

@@ -405,13 +405,13 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     archive.value(exchange_time_);
     archive.value(pools_.pumped);
     archive.value(pools_.ran_off);
-    archive.values(pools_.standing);
+    archive.values(pools_.standing, "standing in pools");
     archive.value(region_.unvisited());
-    archive.buffer(reach_);
+    archive.buffer(reach_, "reach");
     pass_regain(archive);
     Segments::each(
         [&](const auto& field, auto& buffer) {
-            if (field.saved && field.count != SegmentCount::shells) archive.buffer(buffer);
+            if (field.saved && field.count != SegmentCount::shells) archive.buffer(buffer, field.name);
         },
         fields_);
 }
@@ -423,11 +423,11 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     auto shells = own;
     archive.value(shells);
     if (shells == own || shells != 1) {
-        archive.buffer(fields_.regain);
+        archive.buffer(fields_.regain, "regain");
         return;
     }
     std::vector<double> one(fields_.regain.size() / own), all(fields_.regain.size());
-    archive.values(one);
+    archive.values(one, "regain");
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = one[i / own];
     fields_.regain.upload(all);
 }

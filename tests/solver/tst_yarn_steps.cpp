@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The network's stages alone: conserved, bounded, and in agreement with what they approximate.
+#include "core/solver/state_archive.h"
 #include "tests/solver/network.h"
 
 #include <QTest>
@@ -27,6 +28,20 @@ double total(const std::vector<double>& v) { return std::accumulate(v.begin(), v
 class TestYarnSteps : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aStateOfAnotherSceneIsRefusedWithTheFieldThatDiffers()
+    {
+        StateWriter writer(64);
+        writer.values(std::vector<double>(3), "liquid");
+        const std::vector<std::byte> state = writer.take();
+        StateReader reader(state);
+        std::vector<double> four(4);
+        try {
+            reader.values(four, "liquid");
+            QFAIL("three values were read as four");
+        } catch (const Error& e) {
+            QCOMPARE(QString(e.what()), QString("The state of a run is of another scene: it has 3 values of \"liquid\", the scene 4."));
+        }
+    }
     void segmentsFindTheirYarns()
     {
         const std::vector<std::uint8_t> type{0, 1, 0, 2, 4, 3, 2}; // three ends of two types, four picks of three
