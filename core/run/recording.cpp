@@ -269,7 +269,7 @@ bool Recording::finished() const { return file_->finished; }
 int Recording::frames() const { return static_cast<int>(file_->ledgers.size()); }
 const std::vector<Ledger>& Recording::ledgers() const { return file_->ledgers; }
 
-Frame Recording::frame(int index) const
+Frame Recording::frame(int index, std::span<const FrameField> fields) const
 {
     const h5::Quiet quiet;
     const h5::Handle group = h5::open_group(file_->file.get(), frame_name(index));
@@ -279,8 +279,9 @@ Frame Recording::frame(int index) const
     frame.water_top = h5::read_number(g, "water_top_kg");
     frame.water_bottom = h5::read_number(g, "water_bottom_kg");
     const auto n = static_cast<std::size_t>(file_->run.textile.segments());
-    for (const FrameField& field : frame_fields) {
-        frame.*field.values = h5::read_floats(g, field.name);
+    for (const FrameField& field : fields) {
+        const bool is_older = field.absent && !h5::exists(g, field.name);
+        frame.*field.values = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name);
         if ((frame.*field.values).size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
     }
     frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];

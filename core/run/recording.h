@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 namespace hygroloom {
 
@@ -42,8 +43,8 @@ public:
     const RunRecord& run() const;
     bool finished() const;
     int frames() const;
-    /// Throws FileError. 0 <= index < frames().
-    Frame frame(int index) const;
+    /// With these values of each segment. Throws FileError. 0 <= index < frames().
+    Frame frame(int index, std::span<const FrameField> fields = frame_fields) const;
     /// The ledger of every frame, without reading the fields.
     const std::vector<Ledger>& ledgers() const;
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace hygroloom {
@@ -78,10 +79,12 @@ struct FrameField {
     const char* name;
     std::vector<float> Frame::*values;
     const char* unit;
-    bool is_amount; ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
+    bool is_amount;                ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
+    const char* shows = nullptr;   ///< the solver's field of segments that it is a copy of; none: its formula stands in frame_of()
+    std::optional<float> absent{}; ///< its value in scenes without that field and in recordings made before it; none: all have it
 };
 inline constexpr FrameField frame_fields[] = {
-    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true},
+    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true, "liquid"},
     {"bound_water", &Frame::regain, "kg/kg", false},  {"vapour_concentration", &Frame::vapour, "kg/m3", false},
     {"temperature", &Frame::temperature, "K", false},
 };

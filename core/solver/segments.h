@@ -125,6 +125,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<double> evaporated{};                 ///< to the air since the start
     Array<double> released{};                   ///< by phase change since the start
     Array<double> lost{};                       ///< to the air since the start
+    Array<double> stored{};                     ///< heat over the climate's temperature, found when stock is taken: see TakeStock
     Array<double> work0{}, work1{}, work2{};    ///< scratch of what goes along lines
     Array<double> flux{};                       ///< that crossed to the next segment along the yarn in this step
     Array<double> liquid_before{};              ///< at the start of this step
@@ -155,6 +156,7 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"evaporated", "kg", Count::segments, saved, shown}, of.evaporated...);
         visit(Row{"released", "J", Count::segments, saved, shown}, of.released...);
         visit(Row{"lost", "J", Count::segments, saved, shown}, of.lost...);
+        visit(Row{"stored", "J", Count::segments, !saved, shown}, of.stored...);
         visit(Row{"work0", "1", Count::segments}, of.work0...);
         visit(Row{"work1", "1", Count::segments}, of.work1...);
         visit(Row{"work2", "1", Count::segments}, of.work2...);

@@ -4,6 +4,8 @@
 #include "core/solver/steps/yarn_lines.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 namespace hygroloom::inline HL_PRECISION {
 namespace {
@@ -37,21 +39,76 @@ void show_particles(const Stock& stock, const Scene& scene, Frame& f)
     }
 }
 
-/// Of segment i on a line.
+/// One segment as formulas of frame fields see it. SI.
+struct SegmentNow {
+    const Scene& scene;
+    double fibres; ///< kg, dry
+    double liquid, bound, pores, vapour, temperature;
+};
+
+double saturation(const SegmentNow& s) { return s.liquid / (s.scene.climate.density * s.pores); }
+double regain(const SegmentNow& s) { return s.bound / s.fibres; }
+/// Where vapour is not modelled, none of it makes way for the liquid or condenses.
+double vapour_concentration(const SegmentNow& s)
+{
+    const double vapour = s.vapour / pore_air(s.pores, s.liquid, s.scene.climate.density);
+    return s.scene.rules.vapour ? vapour : std::min(vapour, saturation_concentration(s.temperature));
+}
+double temperature(const SegmentNow& s) { return s.temperature; }
+
+/// Of a frame field that is no copy of a solver's field.
+struct FrameFormula {
+    std::vector<float> Frame::*values;
+    double (*of)(const SegmentNow&);
+};
+constexpr FrameFormula frame_formulas[] = {
+    {&Frame::saturation, saturation},
+    {&Frame::regain, regain},
+    {&Frame::vapour, vapour_concentration},
+    {&Frame::temperature, temperature},
+};
+
+/// Whether frame_of() fills it: by one formula, or as a copy of a field that is shown, has one value a segment and has its unit.
+constexpr bool is_filled(const FrameField& field)
+{
+    int sources = 0;
+    for (const FrameFormula& formula : frame_formulas) sources += formula.values == field.values;
+    if (field.shows == nullptr) return sources == 1;
+    SegmentFields<Shown>::each([&](const Field<SegmentCount>& row) {
+        using Count = SegmentCount;
+        const bool of_all = row.count == Count::segments,
+                   of_some = row.count == Count::fed_segments || row.count == Count::watched_segments;
+        const bool fits = row.shown && (of_all || (of_some && field.absent)) && std::string_view(row.unit) == field.unit;
+        sources += fits && std::string_view(row.name) == field.shows;
+    });
+    return sources == 1;
+}
+static_assert(std::all_of(std::begin(frame_fields), std::end(frame_fields), is_filled));
+
+void copy_shown_fields(const SegmentFields<Shown>& segments, Frame& f)
+{
+    for (const FrameField& field : frame_fields) {
+        if (field.shows == nullptr) continue;
+        std::vector<float>& to = f.*field.values;
+        SegmentFields<Shown>::each(
+            [&](const auto& row, const auto& from) {
+                if (std::string_view(row.name) != field.shows) return;
+                if (from.empty()) std::fill(to.begin(), to.end(), field.absent.value_or(0.0F));
+                std::transform(from.begin(), from.end(), to.begin(), [](auto value) { return static_cast<float>(value); });
+            },
+            segments);
+    }
+}
+
+/// Segment i on a line: its formulas, and what it adds to its face.
 void show_segment(const Stock& stock, const Scene& scene, const YarnLine& line, std::size_t i, bool on_top, Frame& f)
 {
     const SegmentFields<Shown>& s = stock.segments;
     const double fibre_mass = line.yarn.fibre_area * line.yarn.fibre_density;
-    const double fibres = scene.cloth.length[i] * fibre_mass, liquid = s.liquid[i], bound = s.bound[i], pores = s.pores[i];
-    f.saturation[i] = static_cast<float>(liquid / (scene.climate.density * pores));
-    f.liquid[i] = static_cast<float>(liquid);
-    f.regain[i] = static_cast<float>(bound / fibres);
-    const double temperature = scene.climate.temperature + s.warmth[i];
-    const double vapour = s.vapour[i] / pore_air(pores, liquid, scene.climate.density);
-    // Where vapour is not modelled, none of it makes way for the liquid or condenses.
-    f.vapour[i] = static_cast<float>(scene.rules.vapour ? vapour : std::min(vapour, saturation_concentration(temperature)));
-    f.temperature[i] = static_cast<float>(temperature);
-    (on_top ? f.water_top : f.water_bottom) += liquid + bound - line.yarn.initial_regain * fibres;
+    const SegmentNow now{scene,       scene.cloth.length[i] * fibre_mass,     s.liquid[i], s.bound[i], s.pores[i],
+                         s.vapour[i], scene.climate.temperature + s.warmth[i]};
+    for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
+    (on_top ? f.water_top : f.water_bottom) += now.liquid + now.bound - line.yarn.initial_regain * now.fibres;
 }
 
 } // namespace
@@ -75,7 +132,7 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     l.water_vapour = sum_of_all(s.vapour);
     l.water_evaporated = sum_visited(s.evaporated);
     l.water_dripped = stock.dripped;
-    l.energy_stored = sum_visited(stock.stored);
+    l.energy_stored = sum_visited(s.stored);
     l.energy_delivered = stock.initial_energy;
     l.energy_released = sum_visited(s.released);
     l.energy_lost = sum_visited(s.lost);
@@ -89,6 +146,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
     f.ledger = ledger_of(stock, scene);
     f.shells.assign(stock.segments.regain.begin(), stock.segments.regain.end());
     f.resize_fields(stock.segments.liquid.size());
+    copy_shown_fields(stock.segments, f);
     Segments s;
     static_cast<Yarns&>(s) = yarns_of(scene);
     for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited

@@ -36,7 +36,6 @@ struct Stock {
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
     SegmentFields<Shown> segments;
-    std::span<const double> stored;  ///< J over the climate's temperature, of each segment
     ParticleFields<Shown> particles; ///< also those that yarns have absorbed
     std::vector<Real> stress;        ///< of each particle; empty unless the scene asks
 };

@@ -381,7 +381,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
 
 template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock)
 {
-    each_segment("take stock", TakeStock{segments(), fields_.work1.data()});
+    each_segment("take stock", TakeStock{segments()});
     stock.delivered += pools_.pumped.mass();
     stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), std::int64_t(0));
     stock.dripped += pools_.ran_off.mass();
@@ -396,7 +396,6 @@ template <typename Executor> template <typename LookAt> void YarnNetwork<Executo
             shown = look_at(buffer, wanted ? buffer.size() : 0);
         },
         fields_, stock.segments);
-    stock.stored = look_at(fields_.work1, fields_.work1.size());
 }
 
 template <typename Executor> template <typename Archive> void YarnNetwork<Executor>::pass_state(Archive& archive)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Recordings: what is written is read back, a cut one reads to its last frame, and anything else is refused with a sentence.
 #include "core/base/error.h"
+#include "core/run/hdf5_file.h"
 #include "core/run/recording.h"
 #include "core/solver/backend.h"
 #include "tests/support/drop_design.h"
@@ -67,6 +68,31 @@ private Q_SLOTS:
             QCOMPARE(frame.temperature, was.temperature);
             QVERIFY(frame.positions == was.positions);
             QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
+        }
+    }
+    void aRecordingMadeBeforeAFieldOfItsFramesStillOpens()
+    {
+        record_run(at("older.hygrorec"), 0.02);
+        const Recording recording(at("older.hygrorec"));
+        const FrameField newer[] = {{"liquid", &Frame::liquid, "kg", true},
+                                    {"water_between_yarns", &Frame::saturation, "kg", true, nullptr, 0.25F}};
+        const Frame frame = recording.frame(recording.frames() - 1, newer);
+        QCOMPARE(frame.saturation, std::vector<float>(std::size_t(recording.run().textile.segments()), 0.25F));
+        QCOMPARE(frame.liquid, recording.frame(recording.frames() - 1).liquid);
+    }
+    void aRecordingThatLacksARequiredFieldIsRefusedByName()
+    {
+        record_run(at("lacking.hygrorec"), 0.02);
+        const hid_t file = H5Fopen(at("lacking.hygrorec").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+        QVERIFY(H5Ldelete(file, "frames/000001/temperature", H5P_DEFAULT) >= 0);
+        H5Fclose(file);
+        const Recording recording(at("lacking.hygrorec"));
+        QCOMPARE(recording.frame(0).temperature.size(), std::size_t(recording.run().textile.segments()));
+        try {
+            recording.frame(1);
+            QFAIL("a frame without temperatures was read");
+        } catch (const FileError& e) {
+            QCOMPARE(QString(e.what()), QString("The recording lacks \"temperature\"; it is damaged or not a recording."));
         }
     }
     void aKilledRunLeavesAReadableRecording()

@@ -26,11 +26,10 @@ struct TakeAbsorbed {
 /// What heat each segment stores, for those who sum up.
 struct TakeStock {
     Segments s;
-    double* stored; ///< J over the climate's temperature
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+        s.stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
     }
 };
 
