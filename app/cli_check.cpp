@@ -30,6 +30,8 @@ Json yarn_json(const YarnQuantities& yarn)
             {"cover", yarn.cover},
             {"pore_radius_um", yarn.pore_radius_um},
             {"contact_angle_deg", yarn.contact_angle_deg},
+            {"receding_angle_deg", yarn.receding_angle_deg},
+            {"helix_tortuosity", yarn.helix_tortuosity},
             {"flattened", yarn.flattened}};
 }
 
@@ -167,6 +169,8 @@ void print_stripes(const std::vector<StripeYarn>& stripes)
         both("crimp", &YarnQuantities::crimp_percent, "%");
         both("pore radius in yarn", &YarnQuantities::pore_radius_um, "um");
         both("contact angle", &YarnQuantities::contact_angle_deg, "deg");
+        both("receding angle", &YarnQuantities::receding_angle_deg, "deg");
+        both("tortuosity of the twist", &YarnQuantities::helix_tortuosity, "");
     }
 }
 
@@ -196,6 +200,8 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), range(m.warp.pores), range(m.weft.pores), "um",
         text(fabric.measured.capillary_radius_um));
     row("contact angle", text(a.contact_angle_deg), text(b.contact_angle_deg), "", "", "deg");
+    row("receding angle", text(a.receding_angle_deg), text(b.receding_angle_deg), "", "", "deg");
+    row("tortuosity of the twist", text(a.helix_tortuosity), text(b.helix_tortuosity), "", "", "", text(fabric.measured.tortuosity));
     row("pore radius between yarns", text(q.inter_yarn_pore_radius_um), "", range(m.holes), "", "um");
     row("cover factor", text(q.cover_factor), "", text(m.cover_factor), "", "");
     row("areal density", text(q.areal_density_g_m2), "", text(m.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
@@ -208,7 +214,6 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("permeability, through", text(1e12 * f.permeability.through), "", text(1e12 * m.permeability.through), "", "um2");
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
-    if (fabric.measured.tortuosity) row("tortuosity", "", "", "", "", "", text(fabric.measured.tortuosity));
     print_stripes(stripes);
     if (fabric.measured != Measured{})
         fmt::print("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");

@@ -42,6 +42,16 @@ const Liquid* find_liquid(const Design& design, const std::string& name)
     return own ? own : find_by_name(library_liquids(), name);
 }
 
+double receding_angle_of(const Design& design, const std::vector<MaterialShare>& shares, std::optional<double> finish_deg)
+{
+    double mean = 0;
+    for (const MaterialShare& part : shares) {
+        const Material& fibre = *find_material(design, part.name);
+        mean += part.share * receding_angle_under(fibre, finish_deg.value_or(fibre.contact_angle_deg));
+    }
+    return mean;
+}
+
 const Fabric* find_fabric(const Design& design, const std::string& name) { return find_by_name(design.fabrics, name); }
 const Experiment* find_experiment(const Design& design, const std::string& name) { return find_by_name(design.experiments, name); }
 
@@ -50,7 +60,7 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
     if (shares.size() == 1) return *find_material(design, shares.front().name);
 
     Material blend;
-    double volume = 0, surface = 0, monolayer = 0; // per kg of the blend
+    double volume = 0, surface = 0, perimeter = 0, monolayer = 0; // per kg of the blend
     std::string law;
     bool all_two_stage = true, all_heats = true;
     for (const MaterialShare& part : shares) {
@@ -63,6 +73,7 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
         blend.saturation_regain += share * fibre.saturation_regain;
         blend.diffusion.constant_m2_s += share * fibre.diffusion.constant_m2_s;
         blend.contact_angle_deg += share * fibre.contact_angle_deg;
+        perimeter += 2 * share / (fibre.density_kg_m3 * fibre.fibre_radius_um) * fibre.cross_section.perimeter_factor;
         blend.thermal_conductivity_w_mk += share * fibre.thermal_conductivity_w_mk;
         blend.specific_heat_j_kgk += share * fibre.specific_heat_j_kgk;
         blend.heat_of_wetting_j_g += share * fibre.heat_of_wetting_j_g;
@@ -77,6 +88,8 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
     }
     blend.density_kg_m3 = 1 / volume;
     blend.fibre_radius_um = 2 * volume / surface;
+    blend.cross_section.perimeter_factor = perimeter / surface; // of the fibres' real surface over that of round ones
+    blend.receding_angle_deg = receding_angle_of(design, shares, {});
     if (monolayer > 0) {
         blend.gab.c /= monolayer;
         blend.gab.k /= monolayer;

@@ -23,9 +23,13 @@ const Material* find_material(const Design& design, const std::string& name);
 const Liquid* find_liquid(const Design& design, const std::string& name);
 
 /// The substance of a blend: density by volume, the rest weighted by mass; radius of equal mean surface. The isotherm has the shape of
-/// the hygroscopic fibres' and passes through the blend's standard regain.
+/// the hygroscopic fibres' and passes through the blend's standard regain. The cross-section's factor is weighted by surface.
 /// Precondition: validate() found no error in it.
 Material blended_material(const Design& design, const std::vector<MaterialShare>& shares);
+
+/// Receding angle of water on a blend's fibres, by mass, whose contact angle is their own or a finish's. Degrees; at most the contact
+/// angle. Precondition as above.
+double receding_angle_of(const Design& design, const std::vector<MaterialShare>& shares, std::optional<double> finish_deg);
 
 const Fabric* find_fabric(const Design& design, const std::string& name);
 const Experiment* find_experiment(const Design& design, const std::string& name);

@@ -50,6 +50,8 @@ struct Fabric {
     std::optional<double> weft_crimp_percent;
     Flyaway flyaway;
     std::optional<double> contact_angle_deg; ///< of the finish; without it, each yarn's fibres
+    std::optional<double> finish_face;       ///< contact angle, degrees, of what lies on the upper face; without it, the yarns' own
+    std::optional<double> finish_back;       ///< the same of the lower face
     Measured measured;
     bool operator==(const Fabric&) const = default;
 };

@@ -4,17 +4,32 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace hygroloom {
 
 extern const char fibres_json[];
 
 namespace {
 
+const nlohmann::json& library_file()
+{
+    static const nlohmann::json file = nlohmann::json::parse(fibres_json);
+    return file;
+}
+
+/// How far the receding angle of a library's fibre lies below its contact angle.
+double assumed_hysteresis_deg(const std::string& name)
+{
+    for (const auto& entry : library_file().at("materials"))
+        if (entry.at("name") == name) return entry.at("contact_angle_hysteresis_deg").at("value").get<double>();
+    return 20; // as of the library's fibres that do not swell; an assumption
+}
+
 std::vector<Material> read_library()
 {
-    const nlohmann::json file = nlohmann::json::parse(fibres_json);
     std::vector<Material> library;
-    for (const auto& entry : file.at("materials")) {
+    for (const auto& entry : library_file().at("materials")) {
         const auto value = [&](const char* key) { return entry.at(key).at("value").get<double>(); };
         Material material;
         material.name = entry.at("name").get<std::string>();
@@ -46,11 +61,29 @@ const std::vector<Material>& material_library()
     return library;
 }
 
+const std::vector<CrossSection>& cross_sections()
+{
+    static const std::vector<CrossSection> all = [] {
+        std::vector<CrossSection> shapes;
+        for (const auto& entry : library_file().at("cross_sections"))
+            shapes.push_back({entry.at("perimeter_factor").at("value").get<double>(), entry.at("name").get<std::string>()});
+        return shapes;
+    }();
+    return all;
+}
+
 const Material* find_library_material(const std::string& name)
 {
     for (const Material& material : material_library())
         if (material.name == name) return &material;
     return nullptr;
+}
+
+double receding_angle_under(const Material& material, double contact_angle_deg)
+{
+    if (material.receding_angle_deg) return std::min(*material.receding_angle_deg, contact_angle_deg);
+    const std::string& fibre = find_library_material(material.name) || material.based_on.empty() ? material.name : material.based_on;
+    return std::max(0.0, contact_angle_deg - assumed_hysteresis_deg(fibre));
 }
 
 std::string two_stage_law(const Material& material)

@@ -2,6 +2,7 @@
 // Fibre materials and their blends. Values as a designer or a data sheet gives them, in the unit their name ends with.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,16 @@ struct FibreDiffusion {
     bool operator==(const FibreDiffusion&) const = default;
 };
 
+/// How much surface a fibre has: its perimeter over that of a circle of the same area.
+struct CrossSection {
+    double perimeter_factor = 1; ///< 1 .. 3
+    std::string shape;           ///< of cross_sections(), whose factor it is; empty: given as a number, or round
+    bool operator==(const CrossSection&) const = default;
+};
+
+/// Shapes that have a name, with their factors: round, trilobal, bean, channelled. Sources stand in resources/materials/fibres.json.
+const std::vector<CrossSection>& cross_sections();
+
 /// One fibre substance, dry.
 struct Material {
     std::string name;
@@ -33,7 +44,9 @@ struct Material {
     double saturation_regain = 0; ///< at 100 % relative humidity, fraction
     GabIsotherm gab;
     FibreDiffusion diffusion;
-    double contact_angle_deg = 0; ///< of water, advancing
+    double contact_angle_deg = 0;             ///< of water, advancing
+    std::optional<double> receding_angle_deg; ///< of water; without it, as receding_angle_under() assumes
+    CrossSection cross_section;
     double thermal_conductivity_w_mk = 0;
     double specific_heat_j_kgk = 0;
     double heat_of_wetting_j_g = 0; ///< from dry to saturated, per g of fibre; 0: what the law of sorption heats gives
@@ -52,6 +65,11 @@ const std::vector<Material>& material_library();
 
 /// nullptr when the library has none of that name.
 const Material* find_library_material(const std::string& name);
+
+/// The receding angle of water on a fibre, or on a finish of another contact angle: as given; else less than the contact angle by what
+/// the library assumes of the fibre that the material is, or is based on (fibres.json: all of it for celluloses, 20 degrees for others).
+/// Never above the contact angle, never below 0. Degrees.
+double receding_angle_under(const Material& material, double contact_angle_deg);
 
 /// "cotton" or "wool", whichever two-stage diffusion law the material has by its own name or by what it is based on; empty for others.
 std::string two_stage_law(const Material& material);

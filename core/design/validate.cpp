@@ -61,6 +61,15 @@ void validate_material(const Material& material, const std::string& where, Issue
         list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-30, 1e-9,
                    "m2/s");
     list.range(where + ".contact_angle_deg", "contact angle", material.contact_angle_deg, 0, 180, "degrees");
+    if (const std::optional<double>& receding = material.receding_angle_deg) {
+        if (list.range(where + ".receding_angle_deg", "receding angle", *receding, 0, 180, "degrees") &&
+            *receding > material.contact_angle_deg)
+            list.error("receding_above_advancing", where + ".receding_angle_deg",
+                       fmt::format("The receding angle, {} degrees, cannot be above the contact angle, {}.", *receding,
+                                   material.contact_angle_deg));
+    }
+    list.range(where + ".cross_section", "perimeter of a fibre over that of a circle of the same area",
+               material.cross_section.perimeter_factor, 1, 3);
     list.range(where + ".thermal_conductivity_w_mk", "thermal conductivity of a fibre", material.thermal_conductivity_w_mk, 0.005, 10,
                "W/(m K)");
     list.range(where + ".specific_heat_j_kgk", "specific heat of a fibre", material.specific_heat_j_kgk, 100, 10000, "J/(kg K)");

@@ -49,6 +49,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
     list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
     list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
+    list.range(where + ".irregularity_cv", "coefficient of variation of the linear density", yarn.irregularity_cv, 0, 0.4);
     if (yarn.plies > yarn.fibres_per_yarn)
         list.error("range", where + ".fibres_per_yarn",
                    fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));
@@ -266,6 +267,8 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     list.range(where + ".flyaway.loop_height_mm", "height of the loops", flyaway.loop_height_mm, 0, 20, "mm");
     list.range(where + ".flyaway.hair_length_mm", "length of the hairs", flyaway.hair_length_mm, 0, 50, "mm");
     list.range_if_given(where + ".contact_angle_deg", "contact angle", fabric.contact_angle_deg, 0, 180, "degrees");
+    list.range_if_given(where + ".finish_face", "contact angle of the upper face's finish", fabric.finish_face, 0, 180, "degrees");
+    list.range_if_given(where + ".finish_back", "contact angle of the lower face's finish", fabric.finish_back, 0, 180, "degrees");
     validate_measured(fabric.measured, where, list);
 
     // The arithmetic needs sound numbers, those of the materials included.

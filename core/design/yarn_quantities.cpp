@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/yarn_quantities.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -52,6 +55,13 @@ std::optional<YarnQuantities> of_yarn(int yarn, const YarnOrder& order, const st
 
 } // namespace
 
+double helix_tortuosity(const Yarn& yarn, double diameter_mm)
+{
+    const auto mean = [](double mm, double turns_per_m) { return 1 + 0.5 * std::pow(pi * metre_from_mm(mm) * turns_per_m, 2); };
+    if (yarn.plies < 2) return mean(diameter_mm, yarn.twist_per_m);
+    return mean(diameter_mm, yarn.ply_twist_per_m) * mean(diameter_mm / std::sqrt(yarn.plies), yarn.twist_per_m);
+}
+
 WovenYarns woven_yarns(const Fabric& fabric, const FittedYarns& fitted)
 {
     return {fabric, fitted, share_of_changes(fabric.weave, true), share_of_changes(fabric.weave, false)};
@@ -93,6 +103,8 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     // Void area over wetted perimeter of parallel cylinders, twice.
     yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
     yarn.contact_angle_deg = yarns.fabric.contact_angle_deg.value_or(fitted.fibre.contact_angle_deg);
+    yarn.receding_angle_deg = fitted.receding_angle_deg;
+    yarn.helix_tortuosity = helix_tortuosity(yarn_in(yarns.fabric, warp, yarns.order(warp).yarns[type]), fitted.free.diameter);
     yarn.flattened = fitted.flattened || fitted.narrowed;
     return yarn;
 }

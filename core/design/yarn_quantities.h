@@ -18,8 +18,15 @@ struct YarnQuantities {
     double cover = 0;          ///< sett x mean width, 1 = touching
     double pore_radius_um = 0; ///< between the fibres: 2 x void area / wetted perimeter
     double contact_angle_deg = 0;
-    bool flattened = false; ///< section is not the free circle
+    double receding_angle_deg = 0;
+    double helix_tortuosity = 1; ///< of the twisted fibres' way, see helix_tortuosity(); of the free yarn
+    bool flattened = false;      ///< section is not the free circle
 };
+
+/// How much longer than the yarn the way along its fibres is, squared: mean of 1 / cos2 of the helix angle over the section of an ideal
+/// helix, 1 + (pi d T)2 / 2; of a plied yarn that of the plies in the yarn times that of the fibres in a ply, whose section is the yarn's
+/// share. Derived here. Diameter of the free yarn; meant for pi d T up to about 1, twist angles of 45 degrees at the skin.
+double helix_tortuosity(const Yarn& yarn, double diameter_mm);
 
 /// A fabric's yarns in their places.
 struct WovenYarns {

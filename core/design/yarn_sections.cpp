@@ -217,6 +217,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
         for (int number : order.yarns) {
             FittedYarn yarn;
             yarn.fibre = blended_material(design, yarn_in(fabric, warp, number).material);
+            yarn.receding_angle_deg = receding_angle_of(design, yarn_in(fabric, warp, number).material, fabric.contact_angle_deg);
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }

@@ -39,11 +39,12 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp);
 
 struct FittedYarn {
     FreeYarn free;
-    Material fibre;            ///< the blend's mean substance
-    Section section;           ///< mm, in the fabric
-    double packing_factor = 0; ///< in the fabric
-    bool flattened = false;    ///< by the thickness, the crimp or the neighbours
-    bool narrowed = false;     ///< by the neighbours
+    Material fibre;                ///< the blend's mean substance
+    double receding_angle_deg = 0; ///< of the fibres, or of the fabric's finish over them
+    Section section;               ///< mm, in the fabric
+    double packing_factor = 0;     ///< in the fabric
+    bool flattened = false;        ///< by the thickness, the crimp or the neighbours
+    bool narrowed = false;         ///< by the neighbours
 
     /// How close it can be packed: as close as it can be squeezed, or as it is given where it is given closer.
     double most_packing() const

@@ -3,6 +3,7 @@
 #include "core/geometry/textile.h"
 
 #include "core/base/units.h"
+#include "core/design/yarn_quantities.h"
 #include "core/design/yarn_sections.h"
 
 #include <algorithm>
@@ -93,6 +94,10 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
     type.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(pore_radius_um));
     type.tortuosity = fabric.measured.tortuosity.value_or(default_tortuosity);
     type.contact_angle = radian_from_degree(fabric.contact_angle_deg.value_or(type.fibre.contact_angle_deg));
+    type.helix_tortuosity = fabric.measured.tortuosity.value_or(helix_tortuosity(yarn, fitted.free.diameter));
+    type.receding_angle = radian_from_degree(fitted.receding_angle_deg);
+    type.perimeter_factor = type.fibre.cross_section.perimeter_factor;
+    type.irregularity_cv = yarn.irregularity_cv;
     type.fibres = yarn.fibres_per_yarn;
     type.plies = yarn.plies;
     type.twist = yarn.twist_direction == TwistDirection::z ? yarn.twist_per_m : -yarn.twist_per_m;
@@ -247,6 +252,8 @@ Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const Te
     textile.weft = make_system(fabric, fitted.yarns, false, region.picks, fitted.fibre_scale);
     textile.weave = fabric.weave;
     textile.flyaway = fabric.flyaway;
+    if (fabric.finish_face) textile.face_angle = radian_from_degree(*fabric.finish_face);
+    if (fabric.finish_back) textile.back_angle = radian_from_degree(*fabric.finish_back);
     textile.first_end = region.first_end;
     textile.first_pick = region.first_pick;
     return textile;

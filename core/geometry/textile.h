@@ -27,9 +27,13 @@ struct YarnType {
     double packing = 0;     ///< fibre volume / yarn volume, in the fabric
     double pore_radius = 0; ///< m, effective, between the fibres
     double tortuosity = 1;
-    double contact_angle = 0; ///< radian
-    Material fibre;           ///< the blend's mean substance
-    int fibres = 30;          ///< drawn
+    double helix_tortuosity = 1; ///< as the fabric gives it, else of twist and plies on the free diameter, see helix_tortuosity()
+    double contact_angle = 0;    ///< radian, advancing
+    double receding_angle = 0;   ///< radian, at most the contact angle
+    double perimeter_factor = 1; ///< of a fibre's section: perimeter over that of a circle of the same area
+    double irregularity_cv = 0;  ///< coefficient of variation of the linear density along the yarn
+    Material fibre;              ///< the blend's mean substance
+    int fibres = 30;             ///< drawn
     int plies = 1;
     double twist = 0;                     ///< turns per m of yarn, more than 0 for Z
     double ply_twist = 0;                 ///< the same of the plies
@@ -60,7 +64,9 @@ struct Textile {
     YarnSystem weft;
     Weave weave;
     Flyaway flyaway;
-    int first_end = 0; ///< of the region in the fabric, which goes on to both sides
+    std::optional<double> face_angle; ///< radian, contact angle of what lies on the upper face; without it, each yarn's own
+    std::optional<double> back_angle; ///< the same of the lower face
+    int first_end = 0;                ///< of the region in the fabric, which goes on to both sides
     int first_pick = 0;
     double thickness = 0; ///< m, of the interlaced yarns, from face to face
     FabricQuantities quantities;

@@ -45,6 +45,27 @@ void read_diffusion(ObjectReader& object, FibreDiffusion& diffusion)
     diffusion.constant_m2_s = value->get<double>();
 }
 
+/// A number, or the name of a shape.
+void read_cross_section(ObjectReader& object, CrossSection& section)
+{
+    const ProjectJson* value = object.find("cross_section");
+    if (!value) return;
+    std::string known;
+    for (const CrossSection& shape : cross_sections()) {
+        if (*value == shape.shape) {
+            section = shape;
+            return;
+        }
+        known += fmt::format("\"{}\", ", shape.shape);
+    }
+    if (!value->is_number())
+        object.refuse("cross_section",
+                      fmt::format("This must be one of {}or a number from 1 to 3, perimeter over that of a circle of the same "
+                                  "area; given is {}.",
+                                  known, in_words(*value)));
+    section = {value->get<double>(), {}};
+}
+
 Material read_material(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
@@ -76,6 +97,8 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     if (based_on.empty()) required.emplace_back("fibre_diffusivity_m2_s");
     read_diffusion(object, material.diffusion);
     number("contact_angle_deg", material.contact_angle_deg);
+    object.read("receding_angle_deg", material.receding_angle_deg);
+    read_cross_section(object, material.cross_section);
     number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
     number("specific_heat_j_kgk", material.specific_heat_j_kgk);
     object.read("heat_of_wetting_j_g", material.heat_of_wetting_j_g);
@@ -155,6 +178,7 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     object.read("plies", yarn.plies);
     object.read("ply_twist_per_m", yarn.ply_twist_per_m);
     yarn.ply_twist_direction = read_direction(object, "ply_twist_direction", yarn.ply_twist_direction);
+    object.read("irregularity_cv", yarn.irregularity_cv);
     yarn.color = read_color(object);
     object.finish({"material"});
     return yarn;
@@ -233,6 +257,8 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
         fibres.finish();
     }
     object.read("contact_angle_deg", fabric.contact_angle_deg);
+    object.read("finish_face", fabric.finish_face);
+    object.read("finish_back", fabric.finish_back);
     object.read("porosity", fabric.measured.porosity);
     object.read("areal_density_g_m2", fabric.measured.areal_density_g_m2);
     object.read("capillary_radius_um", fabric.measured.capillary_radius_um);

@@ -12,6 +12,11 @@ namespace hygroloom {
 
 namespace {
 
+void write_if_given(ProjectJson& json, const char* key, const std::optional<double>& value)
+{
+    if (value) json[key] = *value;
+}
+
 ProjectJson write_material(const Material& material)
 {
     const Material* base = material.based_on.empty() ? nullptr : find_library_material(material.based_on);
@@ -35,15 +40,17 @@ ProjectJson write_material(const Material& material)
     else if (!base || base->diffusion != material.diffusion)
         json["fibre_diffusivity_m2_s"] = material.diffusion.constant_m2_s;
     number("contact_angle_deg", &Material::contact_angle_deg);
+    write_if_given(json, "receding_angle_deg", material.receding_angle_deg);
+    if (const CrossSection& section = material.cross_section; section != (base ? base->cross_section : CrossSection{})) {
+        if (section.shape.empty())
+            json["cross_section"] = section.perimeter_factor;
+        else
+            json["cross_section"] = section.shape;
+    }
     number("thermal_conductivity_w_mk", &Material::thermal_conductivity_w_mk);
     number("specific_heat_j_kgk", &Material::specific_heat_j_kgk);
     if (material.heat_of_wetting_j_g != (base ? base->heat_of_wetting_j_g : 0)) json["heat_of_wetting_j_g"] = material.heat_of_wetting_j_g;
     return json;
-}
-
-void write_if_given(ProjectJson& json, const char* key, const std::optional<double>& value)
-{
-    if (value) json[key] = *value;
 }
 
 ProjectJson write_yarn(const Yarn& yarn)
@@ -67,6 +74,7 @@ ProjectJson write_yarn(const Yarn& yarn)
         json["ply_twist_per_m"] = yarn.ply_twist_per_m;
         json["ply_twist_direction"] = letter(yarn.ply_twist_direction);
     }
+    if (yarn.irregularity_cv != 0) json["irregularity_cv"] = yarn.irregularity_cv;
     if (yarn.color) json["color"] = fmt::format("#{:02x}{:02x}{:02x}", yarn.color->red, yarn.color->green, yarn.color->blue);
     return json;
 }
@@ -111,6 +119,8 @@ ProjectJson write_fabric(const Fabric& fabric)
                        {"loop_height_mm", fabric.flyaway.loop_height_mm},
                        {"hair_length_mm", fabric.flyaway.hair_length_mm}};
     write_if_given(json, "contact_angle_deg", fabric.contact_angle_deg);
+    write_if_given(json, "finish_face", fabric.finish_face);
+    write_if_given(json, "finish_back", fabric.finish_back);
     write_if_given(json, "porosity", fabric.measured.porosity);
     write_if_given(json, "areal_density_g_m2", fabric.measured.areal_density_g_m2);
     write_if_given(json, "capillary_radius_um", fabric.measured.capillary_radius_um);

@@ -90,6 +90,62 @@ private Q_SLOTS:
         const double surface = 0.25 * 2 / (1300 * 10) + 0.75 * 2 / (1390 * 6.5);
         QVERIFY(near(2 / (blend.density_kg_m3 * blend.fibre_radius_um), surface, 1e-12));
     }
+    void waterDrawsBackFromCelluloseAtNoAngleAndFromOthersTwentyDegreesLower()
+    {
+        for (const Material& fibre : material_library()) {
+            const bool cellulose = fibre.name == "cotton" || fibre.name == "flax" || fibre.name == "hemp" || fibre.name == "viscose";
+            const double expected = cellulose ? 0 : fibre.contact_angle_deg - 20;
+            QVERIFY2(receding_angle_under(fibre, fibre.contact_angle_deg) == expected, fibre.name.c_str());
+            QVERIFY2(receding_angle_under(fibre, 10) == 0, fibre.name.c_str()); // never below 0
+            QVERIFY2(receding_angle_under(fibre, 110) == (cellulose ? 0 : 90), fibre.name.c_str());
+        }
+    }
+    void aMaterialOfTheProjectRecedesAsGivenElseAsItsBase()
+    {
+        Material own = *find_library_material("viscose");
+        own.name = "my viscose";
+        own.based_on = "viscose";
+        own.contact_angle_deg = 60;
+        QCOMPARE(receding_angle_under(own, 60), 0.0);
+        own.based_on.clear();
+        QCOMPARE(receding_angle_under(own, 60), 40.0); // what it is made of is not known
+        own.receding_angle_deg = 30;
+        QCOMPARE(receding_angle_under(own, 60), 30.0);
+        QCOMPARE(receding_angle_under(own, 25), 25.0); // a finish: never above the contact angle
+    }
+    void aBlendRecedesAndHasSurfaceByItsShares()
+    {
+        // Polyester 45 - 20, cotton 0; under a finish of 70 degrees polyester 50, cotton 0.
+        const std::vector<MaterialShare> shares{{"cotton", 0.6}, {"polyester", 0.4}};
+        QVERIFY(near(*blended_material({}, shares).receding_angle_deg, 0.4 * 25, 1e-12));
+        QVERIFY(near(receding_angle_of({}, shares, 70), 0.4 * 50, 1e-12));
+        Design design;
+        Material twin = *find_library_material("cotton");
+        twin.name = "twin";
+        twin.cross_section = {1.5, {}};
+        design.materials.push_back(twin);
+        QVERIFY(near(blended_material(design, {{"cotton", 0.5}, {"twin", 0.5}}).cross_section.perimeter_factor, 1.25, 1e-12));
+        for (const Material& fibre : material_library()) QCOMPARE(fibre.cross_section.perimeter_factor, 1.0);
+    }
+    void theShapesOfFibresHaveTheFactorsOfTheirOutlines()
+    {
+        const auto factor = [](const char* name) {
+            for (const CrossSection& one : cross_sections())
+                if (one.shape == name) return one.perimeter_factor;
+            return 0.0;
+        };
+        QCOMPARE(factor("round"), 1.0);
+        QVERIFY(near(factor("bean"), 1 / std::sqrt(0.577), 0.005));
+        QVERIFY(factor("channelled") > 1);
+        double perimeter = 0, area = 0; // of r = 1 + cos(3 phi) / 3
+        constexpr int steps = 3000;
+        for (int i = 0; i < steps; ++i) {
+            const double angle = 2 * M_PI * (i + 0.5) / steps, r = 1 + std::cos(3 * angle) / 3;
+            perimeter += std::hypot(r, std::sin(3 * angle)) * 2 * M_PI / steps;
+            area += 0.5 * r * r * 2 * M_PI / steps;
+        }
+        QVERIFY(near(factor("trilobal"), perimeter / std::sqrt(4 * M_PI * area), 0.005));
+    }
     void blendsWithoutIsothermUseTheMasterCurve() { QVERIFY(!blended_material({}, {{"acrylic", 0.5}, {"polyester", 0.5}}).gab.given()); }
 };
 

@@ -58,11 +58,14 @@ Design rich()
     own.name = "my cotton \"β\"";
     own.based_on = "cotton";
     own.contact_angle_deg = 31.25;
+    own.receding_angle_deg = 12.5;
+    own.cross_section = cross_sections().at(2);
     own.diffusion.two_stage = true;
     Material free = *find_library_material("polyester");
     free.name = "free";
     free.density_kg_m3 = 1401.0 / 3.0;
     free.heat_of_wetting_j_g = 12.5;
+    free.cross_section = {1.375, {}};
     design.materials = {own, free};
     Fabric fabric = design.fabrics[0];
     fabric.name = "satin";
@@ -72,6 +75,9 @@ Design rich()
     fabric.weft.twist_direction = TwistDirection::s;
     fabric.weave = weave_from_pattern("satin 5/2").toggled(1, 0);
     fabric.contact_angle_deg = 1e-7;
+    fabric.finish_face = 110.5;
+    fabric.finish_back = 0;
+    fabric.weft.irregularity_cv = 0.125;
     fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
     fabric.thickness_mm.reset();
     design.fabrics.push_back(fabric);
@@ -211,6 +217,8 @@ private Q_SLOTS:
                                  << "/experiments/0/droplets/0";
         QTest::newRow("material") << "/$defs/material"
                                   << "/materials/1";
+        QTest::newRow("fabric") << "/$defs/fabric"
+                                << "/fabrics/0";
         QTest::newRow("yarn") << "/$defs/yarn"
                               << "/fabrics/0/warp";
         QTest::newRow("liquid") << "/$defs/liquid"
@@ -247,6 +255,26 @@ private Q_SLOTS:
             }
         }
         QVERIFY(limits >= 5);
+    }
+    void aFibresShapeIsANameOrANumber()
+    {
+        const std::string text = format_project(rich());
+        QVERIFY(has(text, "\"cross_section\": \"bean\""));
+        QVERIFY(has(text, "\"cross_section\": 1.375"));
+        const auto with = [&](const char* shape) { return replaced(text, "\"bean\"", shape); };
+        QCOMPARE(parse_project(with("\"trilobal\""), "text").materials.at(0).cross_section.perimeter_factor, 1.19);
+        QVERIFY(!has(format_project(parse_project(with("\"round\""), "text")), "\"bean\""));
+        const std::string wrong = message_of([&] { parse_project(with("\"beam\""), "text"); });
+        QVERIFY2(has(wrong,
+                     "materials[0].cross_section: This must be one of \"round\", \"trilobal\", \"bean\", \"channelled\", or a number "
+                     "from 1 to 3, perimeter over that of a circle of the same area; given is \"beam\"."),
+                 wrong.c_str());
+        QVERIFY(has(message_of([&] { parse_project(with("true"), "text"); }), "given is true."));
+        const ProjectJson schema =
+            ProjectJson::parse(bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/schema/hygroloom-project-1.schema.json"));
+        std::vector<std::string> names;
+        for (const CrossSection& shape : cross_sections()) names.push_back(shape.shape);
+        QVERIFY(schema.at("$defs").at("material").at("properties").at("cross_section").at("oneOf").at(0).at("enum") == names);
     }
     void theHeatOfWettingHasTwoNames()
     {

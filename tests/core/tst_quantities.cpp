@@ -251,6 +251,51 @@ private Q_SLOTS:
         fabric.contact_angle_deg = 20;
         QCOMPARE(derive_quantities({}, fabric).warp.contact_angle_deg, 20.0);
     }
+    void waterDrawsBackFromAFinishNoLaterThanItAdvances()
+    {
+        Fabric fabric = square_cloth(yarn("wool", 0.2), 20);
+        QCOMPARE(derive_quantities({}, fabric).warp.receding_angle_deg, 35.0);
+        fabric.contact_angle_deg = 80;
+        QCOMPARE(derive_quantities({}, fabric).warp.receding_angle_deg, 60.0);
+        fabric.weft.material = {{"cotton", 1.0}};
+        QCOMPARE(derive_quantities({}, fabric).weft.receding_angle_deg, 0.0);
+        Design design;
+        design.materials.push_back(*find_library_material("wool"));
+        design.materials[0].receding_angle_deg = 50; // the project's wool
+        fabric.contact_angle_deg = 20;
+        QCOMPARE(derive_quantities(design, fabric).warp.receding_angle_deg, 20.0);
+    }
+    void twistMakesTheWayAlongTheFibresLonger()
+    {
+        // 0.2 mm, 800 turns/m: (pi x 0.16)2 / 2 = 0.1263.
+        Yarn single = yarn("cotton", 0.2);
+        single.twist_per_m = 800;
+        QVERIFY(near(helix_tortuosity(single, 0.2), 1.1263, 5e-5));
+        single.twist_direction = TwistDirection::s;
+        QVERIFY(near(helix_tortuosity(single, 0.2), 1.1263, 5e-5));
+        // Two plies of 0.4 / sqrt 2 mm at 500 turns/m, 300 turns/m round each other: (1 + 0.07106) x (1 + 0.09870).
+        Yarn plied = yarn("cotton", 0.4);
+        plied.plies = 2;
+        plied.twist_per_m = 500;
+        plied.ply_twist_per_m = 300;
+        QVERIFY(near(helix_tortuosity(plied, 0.4), 1.07106 * 1.09870, 5e-5));
+        plied.twist_per_m = plied.ply_twist_per_m = 0;
+        QCOMPARE(helix_tortuosity(plied, 0.4), 1.0);
+        QVERIFY(near(derive_quantities({}, square_cloth(single, 20)).weft.helix_tortuosity, 1.1263, 5e-5));
+    }
+    void theMeanOverTheSectionOfAnIdealHelixIsThatTortuosity()
+    {
+        // Mean of 1 + (2 pi r T)2 over rings of equal area of a disc of 0.1 mm.
+        double sum = 0;
+        constexpr int rings = 1000;
+        for (int i = 0; i < rings; ++i) {
+            const double radius = 1e-4 * std::sqrt((i + 0.5) / rings), cosine = std::cos(std::atan(2 * pi * radius * 800));
+            sum += 1 / (cosine * cosine) / rings;
+        }
+        Yarn single = yarn("cotton", 0.2);
+        single.twist_per_m = 800;
+        QVERIFY(near(helix_tortuosity(single, 0.2), sum, 1e-9));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestQuantities)

@@ -145,6 +145,9 @@ private Q_SLOTS:
         row("fabrics[0].flyaway.loop_density_per_mm", "range", [nan](Design& d) { d.fabrics[0].flyaway.loop_density_per_mm = nan; });
         row("fabrics[0].flyaway.hair_density_per_mm", "range", [](Design& d) { d.fabrics[0].flyaway.hair_density_per_mm = 1e9; });
         row("fabrics[0].contact_angle_deg", "range", [](Design& d) { d.fabrics[0].contact_angle_deg = 181; });
+        row("fabrics[0].finish_face", "range", [](Design& d) { d.fabrics[0].finish_face = -1; });
+        row("fabrics[0].finish_back", "range", [nan](Design& d) { d.fabrics[0].finish_back = nan; });
+        row("fabrics[0].weft.irregularity_cv", "range", [](Design& d) { d.fabrics[0].weft.irregularity_cv = 0.41; });
         row("fabrics[0].porosity", "range", [](Design& d) { d.fabrics[0].measured.porosity = 1; });
         row("fabrics[0].areal_density_g_m2", "range", [nan](Design& d) { d.fabrics[0].measured.areal_density_g_m2 = nan; });
         row("fabrics[0].capillary_radius_um", "range", [](Design& d) { d.fabrics[0].measured.capillary_radius_um = 0; });
@@ -212,6 +215,18 @@ private Q_SLOTS:
             d.experiments[0].droplets.assign(50, Droplet{5000});
         });
         row("experiments[0].droplets[1]", "droplets_overlap", [](Design& d) { d.experiments[0].droplets.resize(2); });
+        row("materials[0].receding_angle_deg", "range", [nan](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].receding_angle_deg = nan;
+        });
+        row("materials[0].receding_angle_deg", "receding_above_advancing", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].receding_angle_deg = d.materials[0].contact_angle_deg + 1;
+        });
+        row("materials[0].cross_section", "range", [](Design& d) {
+            d.materials.push_back(material_library()[0]);
+            d.materials[0].cross_section.perimeter_factor = 0.99;
+        });
         row("materials[0].density_kg_m3", "range", [](Design& d) {
             d.materials.push_back(material_library()[0]);
             d.materials[0].density_kg_m3 = 0;

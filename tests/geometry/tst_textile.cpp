@@ -66,6 +66,38 @@ double worst_overlap(const Textile& t)
 class TestTextile : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void whatActsInTheClosurePoresReachesTheYarns()
+    {
+        Design design = example("textile-F");
+        Fabric& fabric = design.fabrics[0];
+        Material fibre = *find_library_material("polyester");
+        fibre.name = "channels";
+        fibre.based_on = "polyester";
+        fibre.cross_section = {1.25, {}};
+        design.materials.push_back(fibre);
+        fabric.warp.material = {{"channels", 1.0}};
+        fabric.warp.irregularity_cv = 0.14;
+        fabric.warp.diameter_mm = 0.2;
+        fabric.warp.linear_density_tex.reset();
+        fabric.warp.twist_per_m = 800;
+        fabric.contact_angle_deg = 50;
+        fabric.finish_back = 110;
+        fabric.measured.tortuosity.reset();
+        const Textile derived = build_textile(design, fabric, {0, 0, 4, 4});
+        const YarnType& warp = derived.warp.types[0];
+        QCOMPARE(warp.contact_angle, radian_from_degree(50));
+        QCOMPARE(warp.receding_angle, radian_from_degree(30));
+        QCOMPARE(derived.weft.types[0].receding_angle, 0.0); // cotton
+        QCOMPARE(warp.perimeter_factor, 1.25);
+        QCOMPARE(warp.irregularity_cv, 0.14);
+        QCOMPARE(derived.weft.types[0].irregularity_cv, 0.0);
+        QVERIFY(std::abs(warp.helix_tortuosity - 1.1263) < 5e-5);
+        QCOMPARE(warp.tortuosity, 1.2); // the other closures' own
+        QVERIFY(!derived.face_angle);
+        QCOMPARE(*derived.back_angle, radian_from_degree(110));
+        fabric.measured.tortuosity = 1.7;
+        QCOMPARE(build_textile(design, fabric, {0, 0, 4, 4}).warp.types[0].helix_tortuosity, 1.7);
+    }
     void roundYarnsKeepPeircesLimit() // plain square cloth jams at pitch / D = 0.866, D the sum of the diameters
     {
         QVERIFY(!interlace(0.867 * 2, {1, 1}, {1, 1}).jammed);
