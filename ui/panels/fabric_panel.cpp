@@ -74,6 +74,7 @@ void FabricPanel::addConstruction()
             tr("Weft yarns per centimetre. You can type “89 ppi”."));
     addThickness();
     addFinish();
+    addFaces();
     addCrimps();
     addDerived();
 }
@@ -165,6 +166,36 @@ void FabricPanel::addFinish()
             row = f->contact_angle_deg == finishes()[i].contact_angle_deg ? static_cast<int>(i) + 1 : row;
         }
         finish->setCurrentIndex(row);
+    });
+}
+
+/// What lies on one face only, and the angle at which water draws back.
+void FabricPanel::addFaces()
+{
+    QLabel* receding =
+        form_->addDerived(tr("Receding angle"),
+                          tr("Contact angle of water that draws back, of warp and weft; 0 on cotton, flax, hemp and viscose, else 20° less "
+                             "than the contact angle, both assumed, unless the material gives one. Acts in the closure “pores” only."));
+    const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
+        return form_->addQuantity(
+            Quantity::angle(0, 180),
+            field(
+                label, undo, where, [member](const Fabric& f) { return f.*member; },
+                [member](Fabric& f, std::optional<double> v) { f.*member = v; },
+                tr("Contact angle of a finish on this face alone. Leave empty for the yarns' own. Acts in the closure "
+                   "“pores” only.")),
+            true);
+    };
+    QuantityEdit* face = add(tr("Finish, top face"), tr("finish of the top face"), "finish_face", &Fabric::finish_face);
+    QuantityEdit* back = add(tr("Finish, back"), tr("finish of the back"), "finish_back", &Fabric::finish_back);
+    form_->onRefresh([=, this] {
+        const FabricQuantities* q = document_.quantities();
+        for (QuantityEdit* edit : {face, back}) {
+            edit->setEnabled(document_.fabric() != nullptr);
+            edit->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
+        }
+        receding->setText(q ? tr("%1° × %2°").arg(shownNumber(q->warp.receding_angle_deg, 0), shownNumber(q->weft.receding_angle_deg, 0))
+                            : QStringLiteral("–"));
     });
 }
 

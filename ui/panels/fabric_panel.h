@@ -28,6 +28,7 @@ private:
     void addSett(const QString& label, const QString& undo, const char* where, double Fabric::*member, const QString& help);
     void addThickness();
     void addFinish();
+    void addFaces();
     void addCrimps();
     void addFlyaway();
     void addMeasured();

@@ -55,10 +55,17 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                      [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
                                      [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
                                      tr("Per yarn, in pictures and exports. Each represents a bundle of real fibres.")));
+    QuantityEdit* evenness = form.addQuantity(
+        Quantity::percent(0, 0.4),
+        field(
+            tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return std::optional(y.irregularity_cv); },
+            [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v.value_or(0); },
+            tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Acts in the closure "
+               "“pores” only.")));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist_,
-               twist_direction_, plies_, ply_twist_, ply_direction_, color_,   fibres};
+               twist_direction_, plies_, ply_twist_, ply_direction_, color_,   fibres,   evenness};
     form.onRefresh([this] { refresh(); });
 }
 
