@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/run/session.h"
 
+#include "core/base/error.h"
 #include "core/scene/coarse_scene.h"
+#include "core/solver/liquid_start.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -10,6 +15,57 @@ Session::Session(Backend& backend, Scene scene, int crossings_per_cell) : backen
     if (crossings_per_cell <= 1) return;
     single_ = std::move(scene_);
     scene_ = coarsened(*single_, crossings_per_cell);
+}
+
+void Session::load()
+{
+    backend_->load(scene_);
+    time_ = until_ = 0;
+}
+
+double Session::advance(double until)
+{
+    until_ = until;
+    return time_ = backend_->advance(until);
+}
+
+void Session::poke(const PutDrop& put)
+{
+    if (scene_.rules.particles_per_droplet <= 0)
+        throw Error("This scene is planned without drops. Plan it with one, or with \"liquid\" on.");
+    if (single_) throw Error("Drops meet single yarns. Simulate this scene with crossings_per_cell=1.");
+    if (!(put.volume > 0)) throw Error("A drop needs a volume over 0.");
+    while (time_ < until_) advance(until_);
+    if (scene_.liquid.particle_volume <= 0) // of the drops so far; from now on it stays
+        scene_.liquid.particle_volume =
+            scene_.supply.droplets.empty() ? put.volume / scene_.rules.particles_per_droplet : liquid_start(scene_).volume;
+    const double radius = std::cbrt(3.0 * put.volume / (4.0 * pi));
+    const SceneDroplet drop{time_, put.volume, {put.x, put.y, scene_.cloth.half_thickness + put.height + radius}, put.speed};
+    std::vector<SceneDroplet>& drops = scene_.supply.droplets; // those that have been released come first
+    drops.insert(
+        std::upper_bound(drops.begin(), drops.end(), drop, [](const SceneDroplet& a, const SceneDroplet& b) { return a.time < b.time; }),
+        drop);
+    go_on_changed();
+}
+
+void Session::poke(const AirMoment& air)
+{
+    while (time_ < until_) advance(until_);
+    AirMoment before = air_at(scene_.climate, time_), after = air;
+    before.time = after.time = time_;
+    std::vector<AirMoment>& course = scene_.climate.course;
+    if (course.empty()) course.push_back(air_at(scene_.climate, 0));
+    std::erase_if(course, [this](const AirMoment& moment) { return moment.time > time_; });
+    if (course.back().time < time_) course.push_back(before);
+    course.push_back(after);
+    go_on_changed();
+}
+
+void Session::go_on_changed()
+{
+    const std::vector<std::byte> state = backend_->state();
+    backend_->load(scene_);
+    backend_->go_on_from(state);
 }
 
 void Session::move_to(std::unique_ptr<Backend> backend)

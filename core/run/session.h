@@ -10,15 +10,23 @@
 
 namespace hygroloom {
 
+/// A drop that is put over a running scene. SI.
+struct PutDrop {
+    double x = 0, y = 0; ///< m, from the cloth's middle
+    double volume = 0;   ///< m3
+    double height = 0;   ///< m, of its lowest point over the cloth
+    double speed = 0;    ///< m/s, downwards
+};
+
 class Session {
 public:
     /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
     Session(Backend& backend, Scene scene, int crossings_per_cell);
 
     /// Puts the scene on the machine, at its start.
-    void load() { backend_->load(scene_); }
+    void load();
     /// Advances towards a time (s), by at least one step and by about 0.05 s of wall time at most; returns the time reached.
-    double advance(double until) { return backend_->advance(until); }
+    double advance(double until);
     /// What the scene has come to, as it is simulated; see Backend::take_frame().
     std::future<Frame> take_frame() { return backend_->take_frame(); }
     /// Such a frame with the values of each single yarn.
@@ -29,6 +37,11 @@ public:
     void go_on_from(const std::vector<std::byte>& state);
     /// The same with the parts that the plan has on.
     void go_on_from(const std::vector<std::byte>& state, const ModelPlan& plan);
+    /// Puts a drop over the cloth, which falls from now on. Throws Error where the scene was planned without drops, or in bundles of yarns.
+    /// Precondition of both: no frame is on its way, and the session has advanced since it last went on from a state.
+    void poke(const PutDrop& put);
+    /// The air is another from now on; its own time does not count. See air_of().
+    void poke(const AirMoment& air);
     /// The next load() goes to this machine, which the session keeps.
     void move_to(std::unique_ptr<Backend> backend);
     bool has_moved() const { return moved_to_ != nullptr; }
@@ -38,6 +51,10 @@ public:
     const Scene& scene() const { return scene_; }
 
 private:
+    /// Goes on with what the scene is now.
+    void go_on_changed();
+
+    double time_ = 0, until_ = 0; ///< s: reached, and asked for
     std::unique_ptr<Backend> moved_to_;
     Backend* backend_; ///< the one it began on, or moved_to_
     Scene scene_;

@@ -27,10 +27,7 @@ void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, con
 {
     ClimateParameters& climate = scene.climate;
     climate.temperature = kelvin_from_celsius(experiment.climate.temperature_c);
-    const auto [width, height] = sample_extent_mm(experiment);
-    const double sample = metre_from_mm(std::max(width, height));
-    const double hair = std::max(0.0, 0.5 * (metre_from_mm(textile.quantities.thickness_mm) - textile.thickness));
-    const auto at = [&](const Climate& air, double time) { return scene_climate(air, time, climate.temperature, sample, hair); };
+    const auto at = [&](const Climate& air, double time) { return air_of(air, time, textile, experiment); };
     const AirMoment start = at(experiment.climate, 0);
     climate.humidity = start.humidity;
     climate.vapour = climate.humidity * saturation_concentration(climate.temperature);
@@ -294,6 +291,14 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 }
 
 } // namespace
+
+AirMoment air_of(const Climate& air, double time, const Textile& textile, const Experiment& experiment)
+{
+    const auto [width, height] = sample_extent_mm(experiment);
+    const double sample = metre_from_mm(std::max(width, height));
+    const double hair = std::max(0.0, 0.5 * (metre_from_mm(textile.quantities.thickness_mm) - textile.thickness));
+    return scene_climate(air, time, kelvin_from_celsius(experiment.climate.temperature_c), sample, hair);
+}
 
 AirMoment air_at(const SceneClimate& climate, double time)
 {

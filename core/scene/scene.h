@@ -122,6 +122,8 @@ struct SceneClimate : ClimateParameters {
     std::vector<AirMoment> course; ///< the first at 0 s; empty: constant
 };
 AirMoment air_at(const SceneClimate& climate, double time);
+/// The air of a climate in a scene of this textile and experiment, from a time (s) on.
+AirMoment air_of(const Climate& air, double time, const Textile& textile, const Experiment& experiment);
 
 struct SceneDroplet {
     double time = 0;   ///< s
@@ -156,7 +158,7 @@ struct SceneVessel {
 struct FreeLiquidStart {
     std::vector<Vec3d> places;     ///< m
     std::vector<Vec3d> velocities; ///< m/s
-    double particle_volume = 0;    ///< m3; drops that come later are made of the same
+    double particle_volume = 0;    ///< m3; drops that come later are made of the same; 0 and no places: follows from the drops
     std::optional<SceneVessel> vessel;
     double gravity = gravity_acceleration; ///< m/s2, downwards, on the free liquid
 };

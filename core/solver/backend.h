@@ -40,7 +40,7 @@ public:
     /// All that its scene has come to at a frame, on whatever machine it is to go on.
     virtual std::vector<std::byte> state() = 0;
     /// After load() of the same scene: goes on from what a backend had come to. Parts that were off may be on now (see set_parts()); fibres
-    /// then begin with the regain they had. Throws Error if it was another scene.
+    /// then begin with the regain they had. Drops to come and the air from then on may differ. Throws Error if it was another scene.
     virtual void go_on_from(const std::vector<std::byte>& state) = 0;
     virtual long liquid_steps() const = 0;
     virtual int particles() const = 0;

@@ -366,10 +366,17 @@ template <typename Executor> template <typename Archive> void FreeLiquid<Executo
     archive.value(stress_since_);
     LiquidControl flow = flow_;
     archive.value(flow);
-    if constexpr (Archive::reads) flow_ = moved_to(flow, flow_);
+    Real mass = start_.mass;
+    archive.value(mass);
+    if constexpr (Archive::reads) {
+        if (flow.count > start_.room || (mass > 0 && mass != start_.mass))
+            throw Error("The state of a run is of another scene: its particles are larger, smaller or more.");
+        flow_ = moved_to(flow, flow_);
+    }
+    const auto count = static_cast<std::size_t>(flow_.count); // there may be room for more drops than before
     Particles::each(
         [&](const auto& field, auto& buffer) {
-            if (field.saved) archive.buffer(buffer, field.name);
+            if (field.saved) archive.first(buffer, count, field.name);
         },
         particles_);
 }

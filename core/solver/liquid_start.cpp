@@ -50,8 +50,9 @@ LiquidStart liquid_start(const Scene& scene)
     if (drops + standing == 0) return start;
     double volume = 0;
     for (const SceneDroplet& d : scene.supply.droplets) volume += d.volume;
-    start.volume = standing > 0 ? scene.liquid.particle_volume
-                                : volume / (static_cast<double>(scene.rules.particles_per_droplet) * static_cast<double>(drops));
+    start.volume = scene.liquid.particle_volume > 0
+                       ? scene.liquid.particle_volume
+                       : volume / (static_cast<double>(scene.rules.particles_per_droplet) * static_cast<double>(drops));
     start.mass = static_cast<Real>(start.volume * scene.climate.density);
     start.lattice_spacing = std::cbrt(start.volume);
     start.spacing = static_cast<Real>(start.lattice_spacing);

@@ -100,13 +100,14 @@ public:
         pass_state(writer);
         return writer.take();
     }
-    /// After load() of the same scene, or of one with more parts on (see set_parts()), goes on from there. Throws Error if it is another
-    /// one's.
+    /// After load() of the same scene, or of one with more parts on (see set_parts()), with more drops to come or with other air from then
+    /// on, goes on from there. Throws Error if it is another one's.
     void go_on_from(const std::vector<std::byte>& state)
     {
         StateReader reader(state);
         pass_state(reader);
         yarns_.expect_liquid();
+        if (yarns_.air_jumps_at(time_)) yarns_.begin_anew(liquid_.is_about());
     }
 
 private:

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -26,6 +27,10 @@ public:
     {
         bytes_ += sizeof(std::size_t) + buffer.size() * sizeof(*buffer.data());
     }
+    template <typename Buffer> void first(Buffer& buffer, std::size_t count, const char*)
+    {
+        bytes_ += sizeof(std::size_t) + std::min(count, buffer.size()) * sizeof(*buffer.data());
+    }
     std::size_t bytes() const { return bytes_; }
 
 private:
@@ -45,6 +50,12 @@ public:
         append(values.data(), values.size() * sizeof(T));
     }
     template <typename Buffer> void buffer(const Buffer& buffer, const char* name) { values(buffer.download(), name); }
+    template <typename Buffer> void first(const Buffer& buffer, std::size_t count, const char* name)
+    {
+        auto some = buffer.download();
+        some.resize(std::min(count, some.size()));
+        values(some, name);
+    }
     std::vector<std::byte> take() { return std::move(bytes_); }
 
 private:
@@ -78,6 +89,14 @@ public:
         auto all = buffer.download();
         values(all, name);
         buffer.upload(all);
+    }
+    /// The first elements alone; the others stay as they are.
+    template <typename Buffer> void first(Buffer& buffer, std::size_t count, const char* name)
+    {
+        auto some = buffer.download();
+        some.resize(std::min(count, some.size()));
+        values(some, name);
+        buffer.write_range(0, some);
     }
 
 private:

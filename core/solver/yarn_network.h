@@ -61,6 +61,8 @@ public:
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
     double next_event(double time) const;
+    /// Whether the air changes at once at this time.
+    bool air_jumps_at(double time) const;
     void begin_anew(bool drops_about) { steps_.begin_anew(drops_about); }
 
     /// From now on, until the next step, free liquid may come to the yarns.
@@ -215,6 +217,12 @@ template <typename Executor> double YarnNetwork<Executor>::next_event(double tim
     }
     for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
     return next;
+}
+
+template <typename Executor> bool YarnNetwork<Executor>::air_jumps_at(double time) const
+{
+    const std::vector<AirMoment>& course = scene_->climate.course;
+    return std::count_if(course.begin(), course.end(), [time](const AirMoment& moment) { return moment.time == time; }) > 1;
 }
 
 template <typename Executor> void YarnNetwork<Executor>::set_climate(double time)
@@ -406,6 +414,7 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     archive.value(pools_.ran_off);
     archive.values(pools_.standing, "standing in pools");
     archive.value(region_.unvisited());
+    if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far
     archive.buffer(reach_, "reach");
     pass_regain(archive);
     Segments::each(
