@@ -4,7 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
-#include "core/analysis/comparison.h"
+#include "core/analysis/sweep.h"
 #include "core/project/atomic_file.h"
 #include "gpu/backends.h"
 
@@ -55,85 +55,38 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
     }
 }
 
-/// The comparison's runs, as they go on side by side.
-class CandidateRuns {
-public:
-    CandidateRuns(const Design& design, const std::vector<std::string>& fabrics, const RunOptions& how, const CompareOptions& options,
-                  RunControl& control, Comparison& comparison)
-        : design_(design), fabrics_(fabrics), how_(how), options_(options), control_(control), comparison_(comparison),
-          experiment_(comparison.experiment), maps_(fabrics.size()), candidates_(fabrics.size()), bar_(options.quiet, fabrics.size())
-    {
-    }
-
-    /// The numbers are written after every run. Throws what writing them threw.
-    void run(const std::vector<std::unique_ptr<Backend>>& backends)
-    {
-        how_.one_on_cpu = &one_on_cpu_;
-        run_side_by_side(backends, fabrics_.size(), control_, [this](std::size_t i, Backend& backend) {
-            bool device_failed = false;
-            keep(i, run_one(i, backend, device_failed));
-            return device_failed;
-        });
-        bar_.clear();
-    }
-    std::vector<std::optional<CandidateMaps>>& maps() { return maps_; }
-
-private:
-    /// One run, with maps when there is an output folder. An error concerns this candidate alone. Throws Cancelled.
-    Candidate run_one(std::size_t i, Backend& backend, bool& device_failed)
-    try {
+/// The numbers are written after every run, the maps kept where there is an output folder. Throws what writing threw.
+void run_candidates(const Design& design, const std::vector<std::string>& fabrics, RunOptions how, const CompareOptions& options,
+                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
+                    std::vector<std::optional<CandidateMaps>>& maps)
+{
+    std::mutex one_on_cpu;
+    how.one_on_cpu = &one_on_cpu;
+    RunBar bar(options.quiet, fabrics.size());
+    const auto run = [&](std::size_t i, Backend& backend) {
         std::shared_ptr<const Frame> first, last;
-        FinishedRun finished = run_with_bar(design_, fabrics_[i], experiment_, how_, backend, control_, bar_, i,
+        FinishedRun finished = run_with_bar(design, fabrics[i], comparison.experiment, how, backend, control, bar, i,
                                             [&](const std::shared_ptr<const Frame>& frame) {
                                                 if (!first) first = frame;
                                                 last = frame;
                                             });
-        if (!options_.output.empty()) {
+        if (!options.output.empty()) {
             const Frame start = start_of_maps(finished.run, *first);
-            maps_[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
-                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
+            maps[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
+                       map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
         }
         finished.run.textile = {}; // the comparison needs the numbers alone
-        Candidate candidate = candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
-                                           std::make_shared<const Metrics>(std::move(finished.metrics)));
-        device_failed = !finished.device_failure.empty();
-        if (device_failed) candidate.notes.push_back(finished.device_failure);
+        CandidateRun candidate{candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
+                                            std::make_shared<const Metrics>(std::move(finished.metrics))),
+                               !finished.device_failure.empty()};
+        if (candidate.device_failed) candidate.candidate.notes.push_back(finished.device_failure);
         return candidate;
-    } catch (const Cancelled&) {
-        throw;
-    } catch (const std::exception& error) {
-        Candidate candidate;
-        candidate.fabric = fabrics_[i];
-        candidate.failure = error.what();
-        return candidate;
-    }
-    /// In the order of the fabrics, whichever ends first.
-    void keep(std::size_t i, Candidate candidate)
-    {
-        const std::lock_guard lock(mutex_);
-        bar_.end(i);
-        candidates_[i] = std::move(candidate);
-        comparison_.candidates.clear();
-        for (const auto& known : candidates_)
-            if (known) comparison_.candidates.push_back(*known);
-        comparison_.complete = comparison_.candidates.size() == fabrics_.size();
-        rank(comparison_);
-        write_numbers(comparison_, options_.output);
-    }
-
-    const Design& design_;
-    const std::vector<std::string>& fabrics_;
-    RunOptions how_;
-    const CompareOptions& options_;
-    RunControl& control_;
-    Comparison& comparison_;
-    const std::string experiment_;
-    std::vector<std::optional<CandidateMaps>> maps_; // each thread writes its own
-    std::mutex one_on_cpu_;
-    std::mutex mutex_; // of what follows, and of the comparison
-    std::vector<std::optional<Candidate>> candidates_;
-    RunBar bar_;
-};
+    };
+    run_comparison(comparison, fabrics, backends, control, run, [&](std::size_t i) {
+        bar.end(i);
+        write_numbers(comparison, options.output);
+    });
+}
 
 int compare(const CompareOptions& options)
 {
@@ -160,15 +113,15 @@ int compare(const CompareOptions& options)
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
-    CandidateRuns runs(design, fabrics, how, options, control, comparison);
-    runs.run(backends);
+    std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
+    run_candidates(design, fabrics, how, options, control, backends, comparison, maps);
     const bool some = !comparison.candidates.empty();
     if (options.json)
         fmt::print("{}", comparison_json(comparison));
     else if (some)
         fmt::print("{}{}", comparison_table(comparison), fidelity_text(choice));
     if (!options.output.empty() && some) {
-        write_pictures(runs.maps(), fabrics, options.output);
+        write_pictures(maps, fabrics, options.output);
         if (!options.quiet) fmt::print(stderr, "Table and maps: {}\n", options.output);
     }
     if (!comparison.complete) {

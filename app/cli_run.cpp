@@ -106,23 +106,11 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
                          const std::function<void(const std::shared_ptr<const Frame>&)>& see)
 {
-    MetricsCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
-    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
-        collector.add(*frame);
-        if (see) see(frame);
-    };
-    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
-    callbacks.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
-    FinishedRun finished;
-    callbacks.device_failed = [&](const std::string& sentence) {
-        bar.say(fabric + ": " + sentence);
-        finished.device_failure = sentence;
-    };
-    finished.run = run_experiment(design, fabric, experiment, options, backend, control, callbacks);
-    finished.metrics = collector.metrics();
-    return finished;
+    RunCallbacks beside;
+    if (see) beside.frame = see;
+    beside.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
+    beside.device_failed = [&](const std::string& sentence) { bar.say(fabric + ": " + sentence); };
+    return run_and_measure(design, fabric, experiment, options, backend, control, beside);
 }
 
 void add_at_once_option(CLI::App& verb, int& at_once)

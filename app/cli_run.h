@@ -4,8 +4,7 @@
 
 #include "app/cli.h"
 
-#include "core/analysis/metrics.h"
-#include "core/run/side_by_side.h"
+#include "core/analysis/sweep.h"
 #include "core/solver/backend.h"
 
 #include <chrono>
@@ -70,12 +69,6 @@ private:
     std::mutex mutex_;
     std::vector<RunProgress> runs_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), drawn_;
-};
-
-struct FinishedRun {
-    RunRecord run;
-    Metrics metrics;
-    std::string device_failure; ///< a sentence, after which the run went on on the CPU; empty: none
 };
 
 /// Runs to the end and shows its progress in the bar. Throws Cancelled and Error.

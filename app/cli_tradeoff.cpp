@@ -4,6 +4,7 @@
 #include "app/cli_run.h"
 #include "app/run_apart.h"
 
+#include "core/analysis/sweep.h"
 #include "core/base/text.h"
 #include "core/plan/expectation.h"
 #include "core/project/atomic_file.h"
@@ -62,112 +63,31 @@ std::vector<TradeoffVariant> chosen_variants(const TradeoffOptions& options, con
     return variants;
 }
 
-/// One measurement of a scene, run by run.
-class Measurement {
-public:
-    Measurement(const ApartRun& scene, Tradeoff& result, const TradeoffOptions& options)
-        : scene_(scene), result_(result), options_(options), bar_(!options.quiet && isatty(STDERR_FILENO))
-    {
-    }
+void write_results(const Tradeoff& result, const std::filesystem::path& folder)
+{
+    if (folder.empty()) return;
+    write_file(folder / "tradeoff.json", tradeoff_json(result));
+    write_file(folder / "tradeoff.csv", tradeoff_csv(result));
+    write_file(folder / "tradeoff.svg", tradeoff_svg(result));
+}
 
-    /// Leaves out a variant whose run would be the same as another's.
-    void add(const TradeoffVariant& variant)
-    {
-        TradeoffPoint point;
-        point.variant = variant;
-        point.plan = plan_run(scene_.design, *find_fabric(scene_.design, scene_.fabric), *find_experiment(scene_.design, scene_.experiment),
-                              variant.fidelity, scene_.options.forced, variant.settings);
-        for (TradeoffPoint& other : result_.points)
-            if (variant.timed && run_alike(other.plan, point.plan)) {
-                other.stands_for.push_back(variant.name);
-                return;
-            }
-        result_.points.push_back(std::move(point));
-    }
-
-    /// All variants once, then once more, and so on, so that a noisy machine favours none. Throws Cancelled.
-    void run(const std::atomic<bool>& cancel)
-    {
-        outcomes_.resize(result_.points.size());
-        for (int repeat = 0; repeat < options_.repeats; ++repeat)
-            for (std::size_t i = 0; i < result_.points.size(); ++i) {
-                if (repeat > 0 && !result_.points[i].variant.timed) continue;
-                run_one(i, repeat, cancel);
-                write();
-            }
-        result_.complete = true;
-        write();
-    }
-
-    void write() const
-    {
-        if (options_.output.empty()) return;
-        const std::filesystem::path folder = options_.output;
-        write_file(folder / "tradeoff.json", tradeoff_json(result_));
-        write_file(folder / "tradeoff.csv", tradeoff_csv(result_));
-        write_file(folder / "tradeoff.svg", tradeoff_svg(result_));
-    }
-
-private:
-    void run_one(std::size_t i, int repeat, const std::atomic<bool>& cancel)
-    {
-        TradeoffPoint& point = result_.points[i];
-        const std::string about =
-            fmt::format("repeat {} of {}, {} ({} of {})", repeat + 1, options_.repeats, point.variant.name, i + 1, result_.points.size());
-        const auto show = [&](double share) {
-            if (bar_) fmt::print(stderr, "\r\033[K{}: {:.0f} %", about, 100 * share);
-        };
-        show(0);
-        TradeoffOutcome outcome = run_apart(scene_, point.variant, cancel, show);
-        if (bar_) fmt::print(stderr, "\r\033[K");
-        if (!options_.quiet) fmt::print(stderr, "{}: {} s, {}\n", about, rounded_text(outcome.wall, 3), bytes_text(outcome.peak_bytes));
-        if (point.variant.timed) {
-            point.walls.push_back(outcome.wall);
-            point.peaks.push_back(outcome.peak_bytes);
-        }
-        point.closed_forms = closed_form_errors(outcome);
-        point.liquid_steps = outcome.liquid_steps;
-        point.switched_on = outcome.switched_on;
-        point.stages.clear();
-        for (const StageTime& stage : outcome.stages) point.stages[stage.name] = 100 * stage.seconds / outcome.wall;
-        if (result_.backend.empty()) { // particles in double precision may run on a CPU
-            result_.backend = outcome.backend;
-            result_.device = outcome.device;
-        }
-        outcomes_[i] = std::move(outcome);
-        compare();
-    }
-
-    const TradeoffOutcome* outcome_named(const std::string& name) const
-    {
-        for (std::size_t i = 0; i < result_.points.size(); ++i) {
-            const TradeoffPoint& point = result_.points[i];
-            const bool stands_for = std::find(point.stands_for.begin(), point.stands_for.end(), name) != point.stands_for.end();
-            if ((point.variant.name == name || stands_for) && outcomes_[i]) return &*outcomes_[i];
-        }
-        return nullptr;
-    }
-
-    void compare()
-    {
-        const TradeoffOutcome* reference = outcome_named("reference");
-        for (std::size_t i = 0; reference && i < outcomes_.size(); ++i)
-            if (outcomes_[i]) result_.points[i].errors = tradeoff_errors(*outcomes_[i], *reference);
-        mark_pareto(result_.points);
-        result_.convergence.clear();
-        const std::pair<const char*, const char*> steps[] = {{"reference / 4", "reference / 2"}, {"reference / 2", "reference"}};
-        for (const auto& [coarse, fine] : steps) {
-            const TradeoffOutcome *a = outcome_named(coarse), *b = outcome_named(fine);
-            if (a && b) result_.convergence.push_back({coarse, fine, tradeoff_errors(*a, *b)});
-        }
-    }
-
-    const ApartRun& scene_;
-    Tradeoff& result_;
-    const TradeoffOptions& options_;
-    bool bar_;
-    std::vector<std::optional<TradeoffOutcome>> outcomes_;
-};
+/// One run, in a process of its own, with its progress on the terminal.
+TradeoffOutcome run_shown(const ApartRun& scene, const Tradeoff& result, std::size_t i, int repeat, bool quiet,
+                          const std::atomic<bool>& cancel)
+{
+    const bool bar = !quiet && isatty(STDERR_FILENO);
+    const TradeoffVariant& variant = result.points[i].variant;
+    const std::string about =
+        fmt::format("repeat {} of {}, {} ({} of {})", repeat + 1, result.repeats, variant.name, i + 1, result.points.size());
+    const auto show = [&](double share) {
+        if (bar) fmt::print(stderr, "\r\033[K{}: {:.0f} %", about, 100 * share);
+    };
+    show(0);
+    TradeoffOutcome outcome = run_apart(scene, variant, cancel, show);
+    if (bar) fmt::print(stderr, "\r\033[K");
+    if (!quiet) fmt::print(stderr, "{}: {} s, {}\n", about, rounded_text(outcome.wall, 3), bytes_text(outcome.peak_bytes));
+    return outcome;
+}
 
 std::string percent(const std::optional<double>& share) { return share ? fmt::format("{:.3g} %", 100 * *share) : std::string("-"); }
 
@@ -219,11 +139,14 @@ int tradeoff(const TradeoffOptions& options)
     result.repeats = options.repeats;
     std::atomic<bool> cancel{false};
     const InterruptCancels cancels(cancel);
-    Measurement measurement(scene, result, options);
-    for (const TradeoffVariant& variant : variants) measurement.add(variant);
+    TradeoffSweep sweep(result);
+    const Textile textile = textile_of_run(scene.design, fabric, experiment);
+    for (const TradeoffVariant& variant : variants)
+        sweep.add(variant, plan_run(scene.design, textile, experiment, variant.fidelity, scene.options.forced, variant.settings));
     bool cancelled = false;
     try {
-        measurement.run(cancel);
+        sweep.run([&](std::size_t i, int repeat) { return run_shown(scene, result, i, repeat, options.quiet, cancel); },
+                  [&] { write_results(result, options.output); });
     } catch (const Cancelled&) {
         cancelled = true;
         if (!options.quiet) fmt::print(stderr, "\n");

@@ -13,6 +13,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/outcomes.cpp
   analysis/plots.cpp
   analysis/report.cpp
+  analysis/sweep.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp
   analysis/tradeoff_plot.cpp

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Many runs for one answer: all variants of a trade-off, one after the other, and all fabrics of a comparison, side by side.
+#pragma once
+
+#include "core/analysis/comparison.h"
+#include "core/analysis/tradeoff.h"
+#include "core/run/run_options.h"
+#include "core/run/side_by_side.h"
+
+#include <functional>
+#include <optional>
+
+namespace hygroloom {
+
+/// The variants of one scene and what their runs gave. Writes into a result, which must outlive it.
+class TradeoffSweep {
+public:
+    explicit TradeoffSweep(Tradeoff& result) : result_(result) {}
+
+    /// A variant with its plan; one whose run would be the same as another's is noted there and left out.
+    void add(const TradeoffVariant& variant, ModelPlan plan);
+    /// Runs all variants once, then all timed ones once more, and so on up to result.repeats, so that a noisy machine favours none. run()
+    /// makes one run of a point; after each the result is up to date and changed() is called. Throws what they throw; the result then
+    /// holds what there was.
+    void run(const std::function<TradeoffOutcome(std::size_t point, int repeat)>& run, const std::function<void()>& changed);
+
+private:
+    void keep(std::size_t point, TradeoffOutcome outcome);
+    const TradeoffOutcome* outcome_named(const std::string& name) const;
+    void compare();
+
+    Tradeoff& result_;
+    std::vector<std::optional<TradeoffOutcome>> outcomes_; ///< the last of each point
+};
+
+/// What one run of a comparison gave.
+struct CandidateRun {
+    Candidate candidate;
+    bool device_failed = false; ///< the run went on on the CPU
+};
+
+/// Runs the fabrics side by side, each on one of the backends: run(i, backend) gives the i-th, and an Error in it concerns that candidate
+/// alone. After each the comparison is ranked anew, in the order of the fabrics where equal, and ended(i) is called, never two at a time.
+/// Throws what ended() throws; cancelled runs are left out.
+void run_comparison(Comparison& comparison, const std::vector<std::string>& fabrics, const std::vector<std::unique_ptr<Backend>>& backends,
+                    RunControl& control, const std::function<CandidateRun(std::size_t, Backend&)>& run,
+                    const std::function<void(std::size_t)>& ended);
+
+/// A finished run with its numbers.
+struct FinishedRun {
+    RunRecord run;
+    Metrics metrics;
+    std::string device_failure; ///< a sentence, after which the run went on on the CPU; empty: none
+};
+
+/// Runs an experiment to its end and measures it; the callbacks are called beside. Throws Cancelled and Error.
+FinishedRun run_and_measure(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
+                            Backend& backend, RunControl& control, const RunCallbacks& beside = {});
+
+} // namespace hygroloom
