@@ -141,11 +141,12 @@ void print_in_short(const std::string& file, const std::vector<Issue>& issues, b
     if (warnings > 1 && !quiet) fmt::print(stderr, "{} warnings; see hygroloom-cli check {}.\n", warnings, file);
 }
 
-void require_valid(const Design& design, const ProjectOptions& options)
+FittedFabrics require_valid(const Design& design, const ProjectOptions& options)
 {
-    const std::vector<Issue> issues = validate(design);
-    print_in_short(options.project, issues, options.quiet);
-    if (has_error(issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was computed.");
+    Validation found = validate_and_fit(design);
+    print_in_short(options.project, found.issues, options.quiet);
+    if (has_error(found.issues)) throw Stop(exit_invalid, options.project + ": The project has errors; nothing was computed.");
+    return std::move(found.fabrics);
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,10 @@ std::string knob_help();
 void print_issue(const std::string& file, const Issue& issue);
 /// Errors on stderr and, unless quiet, the number of warnings.
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet);
+/// Each fabric as its check fitted it, in the design's order.
+using FittedFabrics = std::vector<std::shared_ptr<const FittedFabric>>;
 /// Prints the design's issues in short. Throws Stop when one is an error.
-void require_valid(const Design& design, const ProjectOptions& options);
+FittedFabrics require_valid(const Design& design, const ProjectOptions& options);
 
 /// The one of that name, or the only one without a name. Throws Stop with the names of the project.
 const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options);

@@ -4,7 +4,8 @@
 #include "app/cli_weave.h"
 
 #include "core/base/units.h"
-#include "core/design/fitted_fabric.h"
+#include "core/base/words.h"
+#include "core/design/validate.h"
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
@@ -224,7 +225,8 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
 int check(const ProjectOptions& options)
 {
     const Design design = load_project(options);
-    const std::vector<Issue> issues = validate(design);
+    const Validation validation = validate_and_fit(design);
+    const std::vector<Issue>& issues = validation.issues;
     if (!options.fabric.empty()) chosen_fabric(design, options); // throws when there is none of that name
 
     constexpr const char* severities[] = {"note", "warning", "error"};
@@ -239,13 +241,13 @@ int check(const ProjectOptions& options)
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
     json["fabrics"] = Json::array();
-    for (const Fabric& fabric : design.fabrics) {
-        if (has_error(issues)) break; // calculated from wrong values they would be wrong
+    for (std::size_t i = 0; i < design.fabrics.size() && !has_error(issues); ++i) { // calculated from wrong values they would be wrong
+        const Fabric& fabric = design.fabrics[i];
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
-        const FittedFabric fitted = fit_fabric(design, fabric);
+        const FittedFabric& fitted = *validation.fabrics[i];
         const FabricQuantities& quantities = fitted.derived;
         const std::vector<StripeYarn>& stripes = fitted.stripes;
-        const MeasuredGeometry geometry = measure_geometry(design, fabric);
+        const MeasuredGeometry geometry = measure_geometry(design, fabric, &fitted);
         const Formulas formulas = formulas_of(design, fabric, quantities);
         json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));
         Json& entry = json["fabrics"].back();
@@ -253,10 +255,10 @@ int check(const ProjectOptions& options)
         entry["derived"]["weft"]["braiding_angle_deg"] = formulas.weft_angle;
         entry["derived"]["permeability_m2"] = permeability_json(formulas.permeability);
         entry["geometry"] = geometry_json(geometry);
-        add_weave_json(json["fabrics"].back(), design, fabric);
+        add_weave_json(json["fabrics"].back(), fabric, fitted.yarns);
         if (options.json) continue;
         print_fabric(fabric, quantities, stripes, geometry, formulas);
-        print_weave(design, fabric);
+        print_weave(fabric, fitted.yarns);
     }
     if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return has_error(issues) ? exit_invalid : exit_ok;

@@ -94,12 +94,13 @@ int compare(const CompareOptions& options)
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
-    require_valid(design, options);
+    const FittedFabrics fitted = require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two or more fabrics; use simulate for one.");
     announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
-    const FidelityChoice choice = chosen_fidelity(options, design, fabrics, how.forced, how.knobs);
+    const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
+    const FidelityChoice choice = chosen_fidelity(options, design, textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     Comparison comparison;
@@ -109,7 +110,7 @@ int compare(const CompareOptions& options)
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
     const auto backends =
-        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
+        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, textiles, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);

@@ -48,30 +48,29 @@ void check_fidelity(const FidelityOptions& options)
     if (!target_of(options)) named(options.fidelity);
 }
 
-ModelPlan planned(const FidelityOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
-                  const KnobSettings& knobs)
+ModelPlan planned(const FidelityOptions& options, const Design& design, const Textile& textile, Fidelity fidelity,
+                  const ForcedParts& forced, const KnobSettings& knobs)
 {
     const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knobs)); });
-    return plan_run(design, fabric, chosen_experiment(design, options), fidelity, forced, knobs, backend);
+    return plan_run(design, textile, chosen_experiment(design, options), fidelity, forced, knobs, backend);
 }
 
-FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<std::string>& fabrics,
+FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<Textile>& textiles,
                                const ForcedParts& forced, const KnobSettings& knobs)
 {
     const std::optional<FidelityTarget> target = target_of(options);
     if (!target) return {named(options.fidelity), ""};
     constexpr std::array fidelities{Fidelity::draft, Fidelity::standard, Fidelity::reference};
     std::array<std::vector<ModelPlan>, fidelities.size()> plans;
-    for (const std::string& fabric : fabrics) {
+    for (const Textile& textile : textiles) {
         try {
             std::vector<ModelPlan> own;
-            for (Fidelity fidelity : fidelities)
-                own.push_back(planned(options, design, *find_fabric(design, fabric), fidelity, forced, knobs));
+            for (Fidelity fidelity : fidelities) own.push_back(planned(options, design, textile, fidelity, forced, knobs));
             for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
         } catch (const Stop&) {
             throw;
         } catch (const Error&) { // its own run will report it
-            if (fabrics.size() == 1) throw;
+            if (textiles.size() == 1) throw;
         }
     }
     if (plans[0].empty()) return {};

@@ -20,12 +20,12 @@ void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::s
 void check_fidelity(const FidelityOptions& options);
 
 /// With the expected time, memory and error on the backend of the options.
-ModelPlan planned(const FidelityOptions& options, const Design& design, const Fabric& fabric, Fidelity fidelity, const ForcedParts& forced,
-                  const KnobSettings& knobs);
+ModelPlan planned(const FidelityOptions& options, const Design& design, const Textile& textile, Fidelity fidelity,
+                  const ForcedParts& forced, const KnobSettings& knobs);
 
-/// The named fidelity, or the one that auto chooses for all fabrics together: see expected_of_all(). Among several fabrics, one that the
+/// The named fidelity, or the one that auto chooses for all textiles together: see expected_of_all(). Among several, one that the
 /// experiment cannot run on is skipped; its own run reports the reason. Throws Error and Stop.
-FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<std::string>& fabrics,
+FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& design, const std::vector<Textile>& textiles,
                                const ForcedParts& forced, const KnobSettings& knobs);
 
 /// The fidelity that auto chose and why, as a line; empty where the user named it.

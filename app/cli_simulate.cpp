@@ -77,10 +77,11 @@ int plan(const SimulateOptions& options)
     const auto forced = as_usage([&] { return parse_forced_parts(options.physics); });
     const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
-    require_valid(design, options);
+    const FittedFabrics fitted = require_valid(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
-    const FidelityChoice choice = chosen_fidelity(options, design, {fabric.name}, forced, knobs);
-    ModelPlan plan = planned(options, design, fabric, choice.fidelity, forced, knobs);
+    const std::vector<Textile> textile = textiles_of_runs(design, fitted, {fabric.name}, chosen_experiment(design, options));
+    const FidelityChoice choice = chosen_fidelity(options, design, textile, forced, knobs);
+    ModelPlan plan = planned(options, design, textile.front(), choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
     const std::string experiment = chosen_experiment(design, options).name;
     if (options.json) {
@@ -120,11 +121,12 @@ void print_run(const FinishedRun& finished, const CommonOptions& options)
         for (const std::string& note : notes_of(plan)) fmt::print(stderr, "{}: {}\n", finished.run.fabric, note);
 }
 
-int simulate_one(const SimulateOptions& options, const Design& design, RunOptions how)
+int simulate_one(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
 {
     const Fabric& fabric = chosen_fabric(design, options);
-    const std::string experiment = chosen_experiment(design, options).name;
-    const FidelityChoice choice = chosen_fidelity(options, design, {fabric.name}, how.forced, how.knobs);
+    const Experiment& experiment = chosen_experiment(design, options);
+    const std::vector<Textile> textile = textiles_of_runs(design, fitted, {fabric.name}, experiment);
+    const FidelityChoice choice = chosen_fidelity(options, design, textile, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     how.recording = options.output;
@@ -136,7 +138,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
     FinishedRun finished;
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment, how, *backend, control, bar, 0);
+        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0);
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
     }
@@ -147,18 +149,19 @@ int simulate_one(const SimulateOptions& options, const Design& design, RunOption
 }
 
 /// As simulate_one() with each, side by side; an error concerns its fabric alone.
-int simulate_several(const SimulateOptions& options, const Design& design, RunOptions how)
+int simulate_several(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
 {
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics), stems = file_stems(fabrics);
     announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
     const Experiment& experiment = chosen_experiment(design, options);
     make_folder(options.output);
     std::vector<FidelityChoice> choices;
-    for (const std::string& fabric : fabrics) choices.push_back(chosen_fidelity(options, design, {fabric}, how.forced, how.knobs));
+    const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
+    for (const Textile& textile : textiles) choices.push_back(chosen_fidelity(options, design, {textile}, how.forced, how.knobs));
     how.fidelity = Fidelity::draft;
     for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // needs the most memory
     const auto backends =
-        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, fabrics, how));
+        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, textiles, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
@@ -212,8 +215,8 @@ int simulate(const SimulateOptions& options)
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
-    require_valid(design, options);
-    return several ? simulate_several(options, design, how) : simulate_one(options, design, how);
+    const FittedFabrics fitted = require_valid(design, options);
+    return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);
 }
 
 void add_run_options(CLI::App& verb, SimulateOptions& options)

@@ -126,7 +126,7 @@ int tradeoff(const TradeoffOptions& options)
     scene.options = run_options(options);
     const std::vector<TradeoffVariant> variants = chosen_variants(options, std::exchange(scene.options.knobs, {}));
     scene.design = load_project(options);
-    require_valid(scene.design, options);
+    const FittedFabrics fitted = require_valid(scene.design, options);
     const Fabric& fabric = chosen_fabric(scene.design, options);
     const Experiment& experiment = chosen_experiment(scene.design, options);
     scene.fabric = fabric.name;
@@ -140,7 +140,7 @@ int tradeoff(const TradeoffOptions& options)
     std::atomic<bool> cancel{false};
     const InterruptCancels cancels(cancel);
     TradeoffSweep sweep(result);
-    const Textile textile = textile_of_run(scene.design, fabric, experiment);
+    const Textile textile = textiles_of_runs(scene.design, fitted, {fabric.name}, experiment).front();
     for (const TradeoffVariant& variant : variants)
         sweep.add(variant, plan_run(scene.design, textile, experiment, variant.fidelity, scene.options.forced, variant.settings));
     bool cancelled = false;

@@ -45,7 +45,7 @@ void print_jam(const char* name, const JamOfSystem& jam)
 
 } // namespace
 
-void add_weave_json(Json& json, const Design& design, const Fabric& fabric)
+void add_weave_json(Json& json, const Fabric& fabric, const FittedYarns& yarns)
 {
     const WeaveAnalysis a = analyse(fabric.weave);
     json["weave"] = {{"ends", fabric.weave.ends()},
@@ -66,11 +66,11 @@ void add_weave_json(Json& json, const Design& design, const Fabric& fabric)
     const Draft draft = fabric.weave.draft() ? *fabric.weave.draft() : smallest_draft(fabric.weave);
     json["weave"]["shafts"] = draft.shafts;
     if (draft.liftplan.empty()) json["weave"]["treadles"] = draft.treadles;
-    const JamGauge jam = jam_gauge(fabric, fit_yarns(design, fabric));
+    const JamGauge jam = jam_gauge(fabric, yarns);
     json["jam"] = {{"warp", jam_json(jam.warp)}, {"weft", jam_json(jam.weft)}};
 }
 
-void print_weave(const Design& design, const Fabric& fabric)
+void print_weave(const Fabric& fabric, const FittedYarns& yarns)
 {
     const WeaveAnalysis a = analyse(fabric.weave);
     const auto row = [](const char* name, const std::string& warp, const std::string& weft) {
@@ -82,7 +82,7 @@ void print_weave(const Design& design, const Fabric& fabric)
     row("longest float, face", floats_text(a.warp_face, fabric.picks_per_cm), floats_text(a.weft_face, fabric.ends_per_cm));
     row("longest float, back", floats_text(a.warp_back, fabric.picks_per_cm), floats_text(a.weft_back, fabric.ends_per_cm));
     row("interlacings per repeat", std::to_string(a.warp_interlacings), std::to_string(a.weft_interlacings));
-    const JamGauge jam = jam_gauge(fabric, fit_yarns(design, fabric));
+    const JamGauge jam = jam_gauge(fabric, yarns);
     print_jam("warp", jam.warp);
     print_jam("weft", jam.weft);
 }

@@ -2,14 +2,14 @@
 // The weave and sett of a fabric, for check.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/design/yarn_sections.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace hygroloom {
 
 /// Keys "weave" and "jam".
-void add_weave_json(nlohmann::ordered_json& json, const Design& design, const Fabric& fabric);
-void print_weave(const Design& design, const Fabric& fabric);
+void add_weave_json(nlohmann::ordered_json& json, const Fabric& fabric, const FittedYarns& yarns);
+void print_weave(const Fabric& fabric, const FittedYarns& yarns);
 
 } // namespace hygroloom

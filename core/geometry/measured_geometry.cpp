@@ -257,13 +257,14 @@ Permeability permeability_of(const FabricQuantities& q, double warp_fibre_radius
     return {through(open, hole * hole, across), along(q.warp, warp_r), along(q.weft, weft_r)};
 }
 
-MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric)
+MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, const FittedFabric* fitted)
 {
     Fabric unmeasured = fabric; // to compare with the formulas
     unmeasured.measured = {};
-    const Textile textile =
-        build_textile(design, unmeasured,
-                      {0, 0, threads_for(fabric.weave.ends(), fabric.warp_order), threads_for(fabric.weave.picks(), fabric.weft_order)});
+    const TextileRegion region{0, 0, threads_for(fabric.weave.ends(), fabric.warp_order),
+                               threads_for(fabric.weave.picks(), fabric.weft_order)};
+    const bool is_fitted = fitted != nullptr && fabric.measured == Measured{};
+    const Textile textile = is_fitted ? build_textile(fabric, *fitted, region) : build_textile(design, unmeasured, region);
     const FabricQuantities& formula = textile.quantities;
     const double area = textile.crossings() * textile.warp.pitch * textile.weft.pitch;
     const FibreSums sums = sum_fibres(textile);

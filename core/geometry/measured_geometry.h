@@ -44,8 +44,9 @@ struct MeasuredGeometry {
 };
 
 /// Makes the fibres of some repeats of weave and yarn order, of 240 ends and picks at most, and measures them; pores in yarns are those of
-/// the first yarn of each system. Laboratory values are left out. Precondition: validate() found no error.
-MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric);
+/// the first yarn of each system. Laboratory values are left out; a fabric without them is not fitted again. Precondition: validate() found
+/// no error.
+MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, const FittedFabric* fitted = nullptr);
 
 /// By formula, beside MeasuredGeometry::permeability. Radii in um as FabricQuantities has them.
 Permeability permeability_of(const FabricQuantities& quantities, double warp_fibre_radius_um, double weft_fibre_radius_um);

@@ -13,13 +13,13 @@
 
 namespace hygroloom {
 
-std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<Textile>& textiles,
                              const RunOptions& how)
 {
     double most = 0;
-    for (const std::string& fabric : fabrics) {
+    for (const Textile& textile : textiles) {
         try {
-            const ModelPlan plan = plan_run(design, *find_fabric(design, fabric), experiment, how.fidelity, how.forced, how.knobs);
+            const ModelPlan plan = plan_run(design, textile, experiment, how.fidelity, how.forced, how.knobs);
             most = std::max(most, plan.expected_bytes);
         } catch (const Error&) {
             // The run reports it.

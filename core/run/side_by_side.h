@@ -11,8 +11,8 @@
 
 namespace hygroloom {
 
-/// The memory (bytes) that the largest of the runs takes, by its plan.
-std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<std::string>& fabrics,
+/// The memory (bytes) that the largest of the runs takes, by its plan; of the textiles of the experiment: see textile_of_run().
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<Textile>& textiles,
                              const RunOptions& how);
 
 /// Calls run(i, backend) for each i below count, in one thread per backend, which takes the next until none is left or all is cancelled.
