@@ -177,7 +177,7 @@ bool run_alike(const ModelPlan& a, const ModelPlan& b)
     return !a.on("liquid") ||
            (a.knobs.double_precision == b.knobs.double_precision && a.knobs.density_tolerance == b.knobs.density_tolerance &&
             a.knobs.settle_share == b.knobs.settle_share && a.knobs.liquid_step_factor == b.knobs.liquid_step_factor &&
-            a.knobs.steps_between_drinks == b.knobs.steps_between_drinks);
+            a.knobs.steps_between_absorption == b.knobs.steps_between_absorption);
 }
 
 void OutcomeCollector::start(const RunRecord& run)

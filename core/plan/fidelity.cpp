@@ -38,9 +38,9 @@ constexpr KnobInfo table[] = {
     {.name = "liquid_step_factor", .value = &Knobs::liquid_step_factor, .unit = "",
      .at = {1, 1, 1}, .least = 0.1, .most = 1, .whole = false, .cheaper = 1, .finer = 0.5,
      .meaning = "time step of the free liquid, as a share of the longest that flow, viscosity and surface waves allow"},
-    {.name = "steps_between_drinks", .value = &Knobs::steps_between_drinks, .unit = "",
+    {.name = "steps_between_absorption", .value = &Knobs::steps_between_absorption, .unit = "",
      .at = {8, 8, 1}, .least = 1, .most = 64, .whole = true, .cheaper = 16, .finer = 4,
-     .meaning = "steps of the free liquid per step in which yarns absorb it"},
+     .meaning = "steps of the free liquid per step in which yarns absorb it", .old_name = "steps_between_drinks"},
     {.name = "density_tolerance", .value = &Knobs::density_tolerance, .unit = "",
      .at = {0.02, 0.01, 0.01}, .least = 1e-4, .most = 0.2, .whole = false, .cheaper = 0.02, .finer = 0.005,
      .meaning = "largest mean error of the liquid's density after its pressure is corrected"},
@@ -100,7 +100,7 @@ const KnobInfo& knob_named(const std::string& name)
 {
     std::vector<std::string> names;
     for (const KnobInfo& knob : table) {
-        if (name == knob.name) return knob;
+        if (name == knob.name || (!name.empty() && name == knob.old_name)) return knob;
         names.emplace_back(knob.name);
     }
     const std::string near = nearest_word(name, names);
@@ -122,7 +122,7 @@ void set_knob(KnobSettings& settings, const std::string& name, const std::string
     const auto [last, failure] = std::from_chars(text.data(), end, value);
     if (failure != std::errc() || last != end) refuse(knob, "\"" + text + "\"");
     require_in_range(knob, value);
-    settings[name] = value;
+    settings[knob.name] = value;
 }
 
 Knobs with_settings(Knobs knobs, const KnobSettings& settings)

@@ -19,20 +19,20 @@ constexpr int largest_shell_count = 32;
 
 /// Every knob's value. Those of a fidelity come from knobs_of().
 struct Knobs {
-    double particles_per_droplet = 0;   ///< at most; a quarter where no yarn absorbs and liquid may sleep, fewer in a tiny drop
-    double fibre_shells = 0;            ///< radial cells in a fibre
-    double crossings_per_cell = 0;      ///< ends, and picks, that are simulated as one; where free liquid meets single yarns none are
-    double crossings_per_even_cell = 0; ///< at least, where all of the cloth but its edges is alike
-    double network_step_limit = 0;      ///< s, while free liquid is about
-    double saturation_change = 0;       ///< that a network step aims at while free liquid or pools are about
-    double step_error = 0;              ///< of a step without drops: part of the water and heat at stake that it may misplace
-    double liquid_step_factor = 0;      ///< on the limits that flow, viscosity and surface waves set to a step of the liquid
-    double steps_between_drinks = 0;    ///< of the liquid: yarns absorb from drops in every Nth
-    double density_tolerance = 0;       ///< of the pressure loop, fraction
-    double settle_share = 0;            ///< of liquid at rest that yarns absorb before it settles anew; 0: it never rests
-    double rest_tolerance = 0;          ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
-    double double_precision = 0;        ///< of the liquid's particles: 0 no, 1 yes; the yarns always are
-    double neglected_share = 0;         ///< of the delivered water, or of the wicking rate, below which a part is left out
+    double particles_per_droplet = 0;    ///< at most; a quarter where no yarn absorbs and liquid may sleep, fewer in a tiny drop
+    double fibre_shells = 0;             ///< radial cells in a fibre
+    double crossings_per_cell = 0;       ///< ends, and picks, that are simulated as one; where free liquid meets single yarns none are
+    double crossings_per_even_cell = 0;  ///< at least, where all of the cloth but its edges is alike
+    double network_step_limit = 0;       ///< s, while free liquid is about
+    double saturation_change = 0;        ///< that a network step aims at while free liquid or pools are about
+    double step_error = 0;               ///< of a step without drops: part of the water and heat at stake that it may misplace
+    double liquid_step_factor = 0;       ///< on the limits that flow, viscosity and surface waves set to a step of the liquid
+    double steps_between_absorption = 0; ///< of the liquid: yarns absorb from drops in every Nth
+    double density_tolerance = 0;        ///< of the pressure loop, fraction
+    double settle_share = 0;             ///< of liquid at rest that yarns absorb before it settles anew; 0: it never rests
+    double rest_tolerance = 0;           ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
+    double double_precision = 0;         ///< of the liquid's particles: 0 no, 1 yes; the yarns always are
+    double neglected_share = 0;          ///< of the delivered water, or of the wicking rate, below which a part is left out
     bool operator==(const Knobs&) const = default;
 };
 
@@ -43,9 +43,10 @@ struct KnobInfo {
     const char* unit; ///< "" for a plain number
     double at[3];     ///< draft, standard, reference
     double least, most;
-    bool whole;            ///< only whole numbers
-    double cheaper, finer; ///< one step from standard each, for tradeoff; its own if it is cheapest, two cheaper ones if it is finest
-    const char* meaning;   ///< begins small, without a full stop
+    bool whole;                ///< only whole numbers
+    double cheaper, finer;     ///< one step from standard each, for tradeoff; its own if it is cheapest, two cheaper ones if it is finest
+    const char* meaning;       ///< begins small, without a full stop
+    const char* old_name = ""; ///< in files and commands of older versions, which is still read
 };
 
 /// All of them, in the order in which they are shown.

@@ -26,9 +26,10 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 {
     Knobs knobs = knobs_of(fidelity);
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
-    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, knobs.*knob.value);
+    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, values.value(knob.old_name, knobs.*knob.value));
     // Before absorption had a knob of its own, yarns absorbed liquid that never rested at each of its steps.
-    if (!values.contains("steps_between_drinks") && knobs.settle_share <= 0) knobs.steps_between_drinks = 1;
+    if (!values.contains("steps_between_absorption") && !values.contains("steps_between_drinks") && knobs.settle_share <= 0)
+        knobs.steps_between_absorption = 1;
     if (!values.contains("crossings_per_cell")) knobs.crossings_per_cell = 1; // each was a cell
     if (!values.contains("crossings_per_even_cell")) knobs.crossings_per_even_cell = 1;
     return knobs;
@@ -59,6 +60,18 @@ PlannedPart part_from_json(const Json& json)
                      .watched = json.value("watched", false)};
     if (json.contains("share") && !json.at("share").is_null()) part.share = json.at("share").get<double>();
     return part;
+}
+
+/// By the names that knobs have now.
+std::map<std::string, std::string> idle_knobs_from_json(const Json& json)
+{
+    auto knobs = json.get<std::map<std::string, std::string>>();
+    for (const KnobInfo& knob : knob_table())
+        if (auto before = knobs.extract(knob.old_name); !before.empty()) {
+            before.key() = knob.name;
+            knobs.insert(std::move(before));
+        }
+    return knobs;
 }
 
 } // namespace
@@ -128,7 +141,7 @@ try {
     plan.fidelity_reason = json.value("fidelity_reason", "");
     for (const Json& p : json.at("parts")) plan.parts.push_back(part_from_json(p));
     plan.water_at_stake = json.value("water_at_stake_kg", 0.0);
-    if (json.contains("idle_knobs")) plan.idle_knobs = json.at("idle_knobs").get<std::map<std::string, std::string>>();
+    if (json.contains("idle_knobs")) plan.idle_knobs = idle_knobs_from_json(json.at("idle_knobs"));
     const Json& region = json.at("region");
     plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
     plan.region_reason = region.at("reason");

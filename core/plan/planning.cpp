@@ -41,10 +41,10 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
         if (is) plan.idle_knobs[knob] = why;
     };
     const bool liquid = plan.on("liquid");
-    for (const char* knob : {"particles_per_droplet", "network_step_limit_s", "liquid_step_factor", "steps_between_drinks",
+    for (const char* knob : {"particles_per_droplet", "network_step_limit_s", "liquid_step_factor", "steps_between_absorption",
                              "density_tolerance", "settle_share", "double_precision"})
         idle(!liquid, knob, b.drops > 0 ? "the free liquid is left out" : "no drop falls");
-    idle(liquid && !b.wicks, "steps_between_drinks", "no yarn draws liquid");
+    idle(liquid && !b.wicks, "steps_between_absorption", "no yarn draws liquid");
     idle(!liquid && info_of(experiment.type).source != WaterSource::pool, "saturation_change", "there is neither a drop nor a pool");
     const auto may_be_on = [&](const char* part) { return plan.on(part) || plan.watches(part); };
     idle(!may_be_on("sorption"), "fibre_shells", "sorption is left out");
@@ -92,7 +92,7 @@ std::string resolution_in_words(const ModelPlan& plan, bool set_by_user)
     text += fmt::format("network steps of at most {:.3g} ms that change no saturation by more than about {:.2g}; ",
                         1e3 * knobs.network_step_limit, knobs.saturation_change);
     return text + (knobs.settle_share > 0
-                       ? fmt::format("liquid at rest takes no steps until {:g} % of it are absorbed.", 100 * knobs.settle_share)
+                       ? fmt::format("liquid at rest takes no steps until {:g} % of it is absorbed.", 100 * knobs.settle_share)
                        : std::string("liquid at rest is never skipped."));
 }
 

@@ -362,7 +362,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.rules.rest_tolerance = plan.rest_tolerance;
     scene.rules.saturation_change = plan.knobs.saturation_change;
     scene.rules.liquid_step_factor = plan.knobs.liquid_step_factor;
-    scene.rules.steps_between_drinks = static_cast<int>(plan.knobs.steps_between_drinks);
+    scene.rules.steps_between_absorption = static_cast<int>(plan.knobs.steps_between_absorption);
     scene.rules.density_tolerance = plan.knobs.density_tolerance;
     scene.rules.settle_share = plan.knobs.settle_share;
     scene.rules.double_precision = plan.knobs.double_precision != 0;

@@ -175,7 +175,7 @@ struct StepRules {
     double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0;  ///< largest a step aims at, for the step's length
     double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
-    int steps_between_drinks = 1;  ///< of the free liquid, between times at which yarns absorb from it
+    int steps_between_absorption = 1; ///< of the free liquid, between times at which yarns absorb from it
     double density_tolerance = 0.01;
     bool double_precision = false; ///< of the free liquid's particles
     double settle_share = 0;       ///< of the free liquid at rest that yarns absorb before it settles anew; 0: it takes all its steps

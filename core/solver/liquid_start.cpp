@@ -82,7 +82,7 @@ LiquidRules liquid_rules(const Scene& scene, const LiquidStart& start)
     rules.viscous_dt = scene.rules.liquid_step_factor * longest.viscous;
     rules.weight_dt = scene.rules.liquid_step_factor * weight;
     rules.courant = scene.rules.liquid_step_factor * 0.4;
-    rules.steps_between_drinks = scene.rules.steps_between_drinks;
+    rules.steps_between_absorption = scene.rules.steps_between_absorption;
     rules.stiffness = pressure_relaxation * pressure_stiffness(start.lattice_spacing, static_cast<double>(start.support));
     rules.settle_share = scene.rules.settle_share;
     rules.drag = 20.0 * climate.viscosity / climate.density;

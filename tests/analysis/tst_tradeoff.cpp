@@ -186,7 +186,7 @@ private Q_SLOTS:
         QCOMPARE(quarter.crossings_per_cell, 4.0);
         QCOMPARE(half.network_step_limit, 2e-3);
         QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
-        QCOMPARE(quarter.steps_between_drinks, 4.0);
+        QCOMPARE(quarter.steps_between_absorption, 4.0);
         QCOMPARE(quarter.liquid_step_factor, 1.0); // a longer step would not be stable
     }
     void plansThatDifferInNothingThatCountsRunAlike()
@@ -200,7 +200,7 @@ private Q_SLOTS:
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"settle_share", 0.05}})));
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"double_precision", 1}})));
         QVERIFY(!run_alike(plan(120, {}), plan(120, {{"liquid_step_factor", 0.5}})));
-        QVERIFY(!run_alike(plan(35, {}), plan(35, {{"steps_between_drinks", 1}})));
+        QVERIFY(!run_alike(plan(35, {}), plan(35, {{"steps_between_absorption", 1}})));
         QVERIFY(!run_alike(plan(35, {}), plan(35, {{"neglected_share", 0.5}})));
         QVERIFY(run_alike(plan(35, {}), plan(35, {{"crossings_per_cell", 2}}))); // a drop meets single yarns
         const auto spot = [](const KnobSettings& settings) {

@@ -198,7 +198,7 @@ private Q_SLOTS:
         const QJsonObject knobs = run_cli(plan + QStringList{"--json"}).json()["knobs"].toObject();
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
-        QCOMPARE(knobs["steps_between_drinks"].toInt(), 8);
+        QCOMPARE(knobs["steps_between_absorption"].toInt(), 8);
         QCOMPARE(knobs.size(), 14);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }

@@ -94,7 +94,7 @@ private Q_SLOTS:
                                           {"saturation_change", 0.07},
                                           {"step_error", 3e-4},
                                           {"liquid_step_factor", 0.3},
-                                          {"steps_between_drinks", 5},
+                                          {"steps_between_absorption", 5},
                                           {"density_tolerance", 0.03},
                                           {"settle_share", 0.04},
                                           {"rest_tolerance", 2e-4},
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(scene.rules.saturation_change, 0.07);
         QCOMPARE(scene.rules.step_error, 3e-4);
         QCOMPARE(scene.rules.liquid_step_factor, 0.3);
-        QCOMPARE(scene.rules.steps_between_drinks, 5);
+        QCOMPARE(scene.rules.steps_between_absorption, 5);
         QCOMPARE(scene.rules.density_tolerance, 0.03);
         QCOMPARE(scene.rules.settle_share, 0.04);
         QCOMPARE(scene.rules.rest_tolerance, 2e-4);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         rules.capillary_dt = rules.viscous_dt = 1e-3;
         rules.courant = 0.4;
         for (int between : {1, 5, 64}) {
-            rules.steps_between_drinks = between;
+            rules.steps_between_absorption = between;
             LiquidControl control;
             control.count = 10;
             control.dt = 1e-6;
@@ -177,7 +177,7 @@ private Q_SLOTS:
                 if (control.absorbs.on) QVERIFY(std::abs(control.absorb_dt - between * 1e-6) < 1e-15); // for all the time since
             }
         }
-        const ShortRun often = drop_with({{"steps_between_drinks", 1}}), seldom = drop_with({{"steps_between_drinks", 64}});
+        const ShortRun often = drop_with({{"steps_between_absorption", 1}}), seldom = drop_with({{"steps_between_absorption", 64}});
         QVERIFY(often.end.ledger.water_liquid != seldom.end.ledger.water_liquid);
         QVERIFY(std::abs(seldom.end.ledger.water_imbalance()) <= 1e-12 * seldom.end.ledger.water_delivered);
         QVERIFY2(std::abs(often.end.ledger.water_liquid - seldom.end.ledger.water_liquid) < 0.1 * often.end.ledger.water_delivered,
@@ -200,14 +200,29 @@ private Q_SLOTS:
         QCOMPARE(refusal("liquid_step_factor", "1.5"),
                  std::string("fidelity.liquid_step_factor: It must be a number from 0.1 to 1; 1.5 was given."));
         QVERIFY(!refusal("liquid_step_factor", "0").empty());
-        QCOMPARE(refusal("steps_between_drinks", "0"),
-                 std::string("fidelity.steps_between_drinks: It must be a whole number from 1 to 64; 0 was given."));
-        QVERIFY(!refusal("steps_between_drinks", "65").empty() && !refusal("steps_between_drinks", "1.5").empty());
+        QCOMPARE(refusal("steps_between_absorption", "0"),
+                 std::string("fidelity.steps_between_absorption: It must be a whole number from 1 to 64; 0 was given."));
+        QVERIFY(!refusal("steps_between_absorption", "65").empty() && !refusal("steps_between_absorption", "1.5").empty());
         for (const char* wrong : {"nan", "-1", "", "1e-4x", "inf"}) QVERIFY2(!refusal("step_error", wrong).empty(), wrong);
         const std::string unknown = refusal("fibre_shels", "4");
         QVERIFY2(unknown.starts_with("fidelity.fibre_shels: There is no such knob; did you mean \"fibre_shells\"?"), unknown.c_str());
         QVERIFY(unknown.find("neglected_share") != std::string::npos);
         QVERIFY_EXCEPTION_THROWN(plan_with({{"fibre_shells", 40}}), Error);
+    }
+    void anOldNameOfAKnobIsStillRead()
+    {
+        KnobSettings settings;
+        set_knob(settings, "steps_between_drinks", "3");
+        QVERIFY((settings == KnobSettings{{"steps_between_absorption", 3}}));
+        QCOMPARE(with_settings(knobs_of(Fidelity::draft), {{"steps_between_drinks", 3}}).steps_between_absorption, 3.0);
+        ModelPlan plan = plan_with({{"steps_between_absorption", 5}});
+        plan.idle_knobs["steps_between_absorption"] = "no drop falls";
+        std::string text = plan_json(plan);
+        const std::string now = "steps_between_absorption", before = "steps_between_drinks";
+        QVERIFY(text.find(now) != std::string::npos);
+        for (std::size_t at = text.find(now); at != std::string::npos; at = text.find(now)) text.replace(at, now.size(), before);
+        QVERIFY(plan_from_json(text).knobs == plan.knobs && plan_from_json(text).idle_knobs == plan.idle_knobs);
+        QVERIFY_EXCEPTION_THROWN(knob_named(""), Error);
     }
     void plansOfOlderRecordingsStillRead()
     {
@@ -216,11 +231,11 @@ private Q_SLOTS:
         const ModelPlan plan = plan_from_json(text);
         QCOMPARE(plan.knobs.fibre_shells, 3.0);
         QCOMPARE(plan.knobs.neglected_share, knobs_of(Fidelity::draft).neglected_share);
-        QCOMPARE(plan.knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
+        QCOMPARE(plan.knobs.steps_between_absorption, knobs_of(Fidelity::draft).steps_between_absorption);
         text = plan_json(plan_with({{"settle_share", 0}}, Fidelity::draft)); // yarns absorbed such liquid at each step
-        QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, knobs_of(Fidelity::draft).steps_between_drinks);
+        QCOMPARE(plan_from_json(text).knobs.steps_between_absorption, knobs_of(Fidelity::draft).steps_between_absorption);
         text.erase(text.find("  \"knobs\""), text.find("  \"parts\"") - text.find("  \"knobs\""));
-        QCOMPARE(plan_from_json(text).knobs.steps_between_drinks, 1.0);
+        QCOMPARE(plan_from_json(text).knobs.steps_between_absorption, 1.0);
     }
 };
 

@@ -266,7 +266,7 @@ private Q_SLOTS:
         for (const KnobInfo& knob : knob_table())
             QCOMPARE(idle(drop, knob.name), QByteArray(knob.name).startsWith("crossings_")); // free liquid meets single yarns
         Design design = drop_design(120);
-        QVERIFY(idle(plan_of(design), "steps_between_drinks") && idle(plan_of(design), "fibre_shells"));
+        QVERIFY(idle(plan_of(design), "steps_between_absorption") && idle(plan_of(design), "fibre_shells"));
         QVERIFY(!idle(plan_of(design), "settle_share"));
         design = drop_design();
         Experiment& experiment = design.experiments[0];

@@ -33,7 +33,7 @@ struct LiquidRules {
     double weight_dt = 0;       ///< s, the same for the weight of what stands in a vessel
     double courant = 0;         ///< spacings that a particle may go in a step
     double correction_time = 0; ///< s, over which what a step finds pressed together is corrected, however short the step
-    int steps_between_drinks = 1;
+    int steps_between_absorption = 1;
     double stiffness = 0;    ///< delta x dt2
     double settle_share = 0; ///< of the liquid, that must have been absorbed before what sleeps wakes; 0: it never sleeps
     double drag = 0;         ///< m2/s, 20 nu
@@ -295,7 +295,7 @@ struct EndStep {
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
         if (rules.settle_share > 0 && c.count > 0) watch(c);
-        c.absorbs.on = absorbs && absorb_after(c, c.dt, c.last, rules.steps_between_drinks);
+        c.absorbs.on = absorbs && absorb_after(c, c.dt, c.last, rules.steps_between_absorption);
         if (!c.absorbs.on) decide_next(c, rules);
     }
 
