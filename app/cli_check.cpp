@@ -148,7 +148,7 @@ void print_stripes(const std::vector<StripeYarn>& stripes)
     };
     for (std::size_t i = 0; i < stripes.size(); ++i) {
         const std::optional<YarnQuantities>&end = stripes[i].as_end, &pick = stripes[i].as_pick;
-        const std::string name = fmt::format("extra yarn {}", i + 1);
+        const std::string name = fmt::format("yarn {} (extra yarn {})", letters_of(static_cast<int>(i) + 1), i + 1);
         if (!end && !pick) {
             fmt::print("  {}: used in neither order; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
                        text(stripes[i].free.diameter));
@@ -195,7 +195,8 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("packing factor, in fabric", text(a.packing_factor_in_fabric), text(b.packing_factor_in_fabric), "", "", "");
     row("crimp", text(a.crimp_percent), text(b.crimp_percent), text(m.warp.crimp_percent), text(m.weft.crimp_percent), "%",
         text(fabric.measured.crimp_percent));
-    row("braiding angle", text(f.warp_angle), text(f.weft_angle), text(m.warp.braiding_angle_deg), text(m.weft.braiding_angle_deg), "deg");
+    row("angle over a crossing", text(f.warp_angle), text(f.weft_angle), text(m.warp.braiding_angle_deg), text(m.weft.braiding_angle_deg),
+        "deg");
     row("cover", text(a.cover), text(b.cover), text(m.warp.cover), text(m.weft.cover), "");
     row("gap between yarns", text(q.gap_warp_mm), text(q.gap_weft_mm), "", "", "mm");
     row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), range(m.warp.pores), range(m.weft.pores), "um",
@@ -208,14 +209,18 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("areal density", text(q.areal_density_g_m2), "", text(m.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
     row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", text(m.yarn_layer_thickness_mm), "", "mm");
     row("thickness", text(q.thickness_mm), "", text(m.thickness_mm), "", "mm", text(fabric.thickness_mm));
-    row("porosity", text(q.porosity), "", text(m.porosity), "", "", text(fabric.measured.porosity));
-    row("porosity, with roughness", text(q.rough_porosity), "", "", "", "");
+    row("share of air", text(q.porosity), "", text(m.porosity), "", "", text(fabric.measured.porosity));
+    row("share of air less flyaways", text(q.rough_porosity), "", "", "", "");
     row("fibre volume fraction", text(q.fibre_volume_fraction), "", text(m.fibre_volume_fraction), "", "");
     row("smoothness", text(q.smoothness), "", text(m.smoothness), "", "");
     row("permeability, through", text(1e12 * f.permeability.through), "", text(1e12 * m.permeability.through), "", "um2");
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
     print_stripes(stripes);
+    fmt::print("  Angle over a crossing (braiding angle): between the two stretches of a yarn that meet over a crossed yarn; 180 deg is "
+               "straight.\n"
+               "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
+               "the faces.\n");
     if (fabric.measured != Measured{})
         fmt::print("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
     fmt::print("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);

@@ -10,6 +10,13 @@ namespace hygroloom {
 /// The known word with the fewest letters to change, or empty when more than half of the letters, and more than two, would change.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
 
+/// Of a place counted from 0, as yarns of stripes are named: A to Z, then AA, AB …
+inline std::string letters_of(int place)
+{
+    const std::string last(1, static_cast<char>('A' + place % 26));
+    return place < 26 ? last : letters_of(place / 26 - 1) + last;
+}
+
 /// The wish itself where it is free, else followed by the first number from 2 on that makes it free. taken(name): whether it is not.
 template <typename Taken> std::string free_name(const std::string& wish, const Taken& taken)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A fabric's fields one by one, then whether its yarns fit in it.
 #include "core/base/units.h"
+#include "core/base/words.h"
 #include "core/design/issue_list.h"
 #include "core/design/yarn_sections.h"
 
@@ -176,7 +177,7 @@ void validate_fit(const Fabric& fabric, const FittedYarns& fitted, const std::st
                 yarn.most_packing()));
     };
     const auto name = [](const char* threads, int yarn) {
-        return yarn > 0 ? fmt::format("{}/cm of extra yarn {}", threads, yarn) : fmt::format("{}/cm", threads);
+        return yarn > 0 ? fmt::format("{}/cm of yarn {} (extra yarn {})", threads, letters_of(yarn), yarn) : fmt::format("{}/cm", threads);
     };
     for (std::size_t i = 0; i < fitted.warp.size(); ++i)
         check(name("ends", fitted.warp_order.yarns[i]), "ends_per_cm", fabric.ends_per_cm, fitted.warp[i]);

@@ -258,9 +258,9 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 
 std::string error_text(const ModelPlan& plan)
 {
-    if (!plan.expected_error) return "error not measured";
-    if (*plan.expected_error <= 0) return "error not known (this is the reference)";
-    return fmt::format("error {} %", rounded_text(100 * *plan.expected_error, 2));
+    if (!plan.expected_error) return "numerical error not measured";
+    if (*plan.expected_error <= 0) return "numerical error not known (this is the reference)";
+    return fmt::format("numerical error {} %", rounded_text(100 * *plan.expected_error, 2));
 }
 
 ModelPlan expected_of_all(const std::vector<ModelPlan>& plans)

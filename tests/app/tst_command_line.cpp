@@ -240,8 +240,8 @@ private Q_SLOTS:
         const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
         for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
             QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
-        QVERIFY(plan("one drop", "reference").contains("error not known (this is the reference)"));
-        const QRegularExpression error(", error ([0-9.]+) %");
+        QVERIFY(plan("one drop", "reference").contains("numerical error not known (this is the reference)"));
+        const QRegularExpression error(", numerical error ([0-9.]+) %");
         const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
         const qsizetype digits = QString(shown).remove('.').remove(QRegularExpression("^0+")).size();
         QVERIFY2(digits == 1 || digits == 2, qPrintable(shown));
@@ -365,7 +365,8 @@ private Q_SLOTS:
             "--set", "fabrics[0].warp_order=[{\"yarn\":0,\"count\":4},{\"yarn\":1,\"count\":2}]"};
         const Answer text = run_cli(call);
         QCOMPARE(text.code, 0);
-        QVERIFY2(text.out.contains("extra yarn 1") && text.out.contains("extra yarn 2: used in neither order"), text.out + text.err);
+        QVERIFY2(text.out.contains("yarn B (extra yarn 1)") && text.out.contains("yarn C (extra yarn 2): used in neither order"),
+                 text.out + text.err);
         const QJsonArray yarns =
             run_cli(call + QStringList{"--json"}).json()["fabrics"].toArray()[0].toObject()["derived"].toObject()["extra_yarns"].toArray();
         QCOMPARE(yarns.size(), 2);

@@ -108,7 +108,8 @@ private Q_SLOTS:
         const Issue* issue = find(issues, "ends_do_not_fit");
         QVERIFY(issue);
         QCOMPARE(issue->where, std::string("fabrics[0].picks_per_cm"));
-        QVERIFY2(issue->text.find("picks/cm of extra yarn 2 do not fit: a yarn of 0.9 mm") != std::string::npos, issue->text.c_str());
+        QVERIFY2(issue->text.find("picks/cm of yarn C (extra yarn 2) do not fit: a yarn of 0.9 mm") != std::string::npos,
+                 issue->text.c_str());
     }
 
     void everyWrongValueIsAnErrorAtItsPlace_data()
