@@ -151,9 +151,11 @@ private Q_SLOTS:
         QVERIFY(run->wall > 0);
         const QString line = originOf(*run, false);
         QVERIFY(run->plan.expected_error);
-        QVERIFY2(line.contains(QRegularExpression("^Draft, expected error [0-9.]+ %, on ")) && line.contains(", took "), qPrintable(line));
+        QVERIFY2(line.contains(QRegularExpression("^Draft, expected numerical error [0-9.]+ %, on ")) && line.contains(", took "),
+                 qPrintable(line));
         const QString text = results().text();
-        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected error [0-9.]+ %\\. Estimated from ")), qPrintable(text));
+        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected numerical error [0-9.]+ %\\. Estimated from ")),
+                 qPrintable(text));
         QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nStarted: "), qPrintable(text));
         RunRecord other = *run;
         other.wall = 0;
@@ -161,11 +163,11 @@ private Q_SLOTS:
         other.plan.knobs.fibre_shells = 3;
         other.plan.parts[4].forced = true;
         other.plan.expected_error.reset();
-        QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, expected error not known, on "));
+        QVERIFY(originOf(other, true).startsWith("Draft, 1 knob set, expected numerical error not known, on "));
         QVERIFY(originOf(other, true).endsWith(", running"));
         QVERIFY(originOf(other, false).endsWith(", stopped"));
         other.plan.expected_error = 0;
-        QVERIFY(originOf(other, false).contains("the reference for errors"));
+        QVERIFY(originOf(other, false).contains("the reference for numerical errors"));
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false)
                     .join('\n')

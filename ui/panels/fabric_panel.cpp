@@ -230,11 +230,13 @@ void FabricPanel::addDerived()
 {
     form_->addSection(tr("Calculated"));
     QLabel* weight = form_->addDerived(tr("Weight"), tr("Dry mass per area."));
-    QLabel* cover = form_->addDerived(tr("Cover factor"), tr("Fraction of the area covered by yarns, c₁ + c₂ − c₁c₂."));
+    QLabel* cover = form_->addDerived(
+        tr("Cover factor"),
+        tr("Share of the area that yarns cover, seen from above: the covers of warp and weft less their product. 1 leaves no hole."));
     QLabel* bending = form_->addDerived(
         tr("Yarn path"), tr("Round: yarns cross in circular arcs (Peirce). Flattened: the sett is too dense for full arcs, so yarns are "
                             "flattened where they cross."));
-    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("Fraction of the fabric's volume that is not fibre."));
+    QLabel* porosity = form_->addDerived(tr("Porosity"), tr("Share of the fabric's volume that is air, in yarns and between them."));
     QLabel* layer = form_->addDerived(tr("Yarn layer"), tr("Thickness of the interlaced yarns."));
     QLabel* gap = form_->addDerived(tr("Gaps"), tr("Between neighbouring ends × between neighbouring picks."));
     form_->onRefresh([=, this] {
@@ -252,16 +254,20 @@ void FabricPanel::addDerived()
 void FabricPanel::addFlyaway()
 {
     form_->addFoldable(tr("Flyaways"), false);
-    const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member,
-                            const Quantity& quantity) {
+    const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member, const Quantity& quantity,
+                            const QString& help) {
         form_->addQuantity(quantity, field(
                                          label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
-                                         [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }));
+                                         [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }, help));
     };
-    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000));
-    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000));
-    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20));
-    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50));
+    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000),
+        tr("Fibres that leave the yarn and come back to it, per mm of yarn. They add thickness and weaken smoothness."));
+    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000),
+        tr("Fibre ends that stand out of the yarn, per mm of yarn. They add thickness and weaken smoothness."));
+    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20),
+        tr("Of the highest loop over the yarn's surface; the lowest is half as high."));
+    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50),
+        tr("Mean length of the free ends; they are 0.5 to 1.5 times as long."));
 }
 
 void FabricPanel::addMeasured()

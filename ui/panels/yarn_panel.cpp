@@ -175,7 +175,8 @@ void YarnPanel::addChoice()
     choice_ = new QComboBox;
     choice_->setMinimumContentsLength(8);
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice_->setToolTip("<p>" + tr("Extra yarns, by their letter in the order of ends and picks.") + "</p>");
+    choice_->setToolTip("<p>" + tr("Yarns beside the fabric's own, which is A. Letters are those of the stripes, such as 12A 4B.") +
+                        "</p>");
     form_.addRow(tr("Yarn"), choice_);
     choice_->setAccessibleName(tr("Yarn of the stripes"));
     connect(choice_, &QComboBox::activated, this, [this](int index) {

@@ -13,7 +13,10 @@ namespace hygroloom {
 namespace {
 
 /// Two digits that count: the scene that was measured is another one.
-QString errorText(double error) { return PlanDialog::tr("error %1 %").arg(shownNumber(100 * error, decimals_for(100 * error, 2))); }
+QString errorText(double error)
+{
+    return PlanDialog::tr("numerical error %1 %").arg(shownNumber(100 * error, decimals_for(100 * error, 2)));
+}
 
 QString escaped(const std::string& words) { return QString::fromStdString(words).toHtmlEscaped(); }
 
@@ -65,8 +68,8 @@ QString roughDuration(double seconds)
 
 QString expectation(const ModelPlan& plan)
 {
-    const QString error = !plan.expected_error        ? PlanDialog::tr("error not known")
-                          : *plan.expected_error <= 0 ? PlanDialog::tr("reference for the errors")
+    const QString error = !plan.expected_error        ? PlanDialog::tr("numerical error not known")
+                          : *plan.expected_error <= 0 ? PlanDialog::tr("reference for numerical errors")
                                                       : errorText(*plan.expected_error);
     return PlanDialog::tr("%1, %2 of memory, %3. %4")
         .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error,
@@ -82,9 +85,9 @@ QString shortExpectation(const ModelPlan& plan)
 
 QString expectedError(const ModelPlan& plan)
 {
-    if (!plan.expected_error) { return PlanDialog::tr("expected error not known"); }
+    if (!plan.expected_error) { return PlanDialog::tr("expected numerical error not known"); }
     return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error))
-                                    : PlanDialog::tr("the reference for errors");
+                                    : PlanDialog::tr("the reference for numerical errors");
 }
 
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent) : QDialog(parent)

@@ -27,7 +27,8 @@ QString roughDuration(double seconds);
 QString expectation(const ModelPlan& plan);
 /// The same in few words, to stand beside a choice: "about 57 s, 35 MB, error 0.7 %".
 QString shortExpectation(const ModelPlan& plan);
-/// How near to the reference a result is expected to be: "expected error 4.8 %", or that it is not known, or that it is the reference's.
+/// How near to the reference a result is expected to be: "expected numerical error 4.8 %", or that it is not known, or that it is the
+/// reference's.
 QString expectedError(const ModelPlan& plan);
 
 } // namespace hygroloom

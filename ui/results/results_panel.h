@@ -21,9 +21,9 @@ struct Result {
 /// The numbers of the run's type of experiment, then the water balance.
 std::vector<Result> resultsOf(const RunRecord& run, const Metrics& metrics);
 
-/// How the numbers were computed, in one line: "Draft, expected error 4.8 %, on the CPU, 22/11/2026 18:40, took 5.4 s".
+/// How the numbers were computed, in one line: "Draft, expected numerical error 4.8 %, on the CPU, 22/11/2026 18:40, took 5.4 s".
 QString originOf(const RunRecord& run, bool live);
-/// The same in full, line by line: also the changed knobs, the source of the expected error, the forced parts, the device.
+/// The same in full, line by line: also the changed knobs, the source of the expected numerical error, the forced parts, the device.
 QStringList originInFull(const RunRecord& run, bool live);
 
 /// Follows a live run.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/weave/cloth_picture.h"
 
+#include "core/base/words.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -53,11 +55,7 @@ void setThreadYarns(Fabric& fabric, bool warp, const std::vector<int>& yarns)
     if (order.size() == 1 && order.front().yarn == 0) { order.clear(); }
 }
 
-QString yarnLetter(int yarn)
-{
-    const QString last(QChar('A' + yarn % 26));
-    return yarn < 26 ? last : QChar('A' + yarn / 26 - 1) + last;
-}
+QString yarnLetter(int yarn) { return QString::fromStdString(letters_of(yarn)); }
 
 QString orderText(const std::vector<YarnRun>& order)
 {
