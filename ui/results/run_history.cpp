@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/run_history.h"
 
-#include "core/project/project_file.h"
-
 #include <QFile>
 #include <QFileInfo>
 
@@ -14,7 +12,7 @@ namespace hygroloom {
 namespace {
 
 /// An experiment and its liquid, whatever it is called.
-std::string conditionsOf(const RunRecord& run)
+Design conditionsOf(const RunRecord& run)
 {
     Design part;
     if (const Experiment* experiment = find_experiment(run.design, run.experiment)) {
@@ -22,7 +20,7 @@ std::string conditionsOf(const RunRecord& run)
         part.experiments.front().name = "experiment";
         if (const Liquid* liquid = find_liquid(run.design, experiment->liquid)) { part.liquids.push_back(*liquid); }
     }
-    return format_project(part);
+    return part;
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // Panels, commands and the picture. Runs and recordings: simulate_workspace_runs.cpp.
 #include "ui/window/simulate_workspace.h"
 
-#include "core/project/project_file.h"
 #include "ui/document/document.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
@@ -21,8 +20,8 @@ namespace hygroloom {
 
 namespace {
 
-/// The part of a design that a run depends on, as text: results hold while it stays equal.
-std::string dependence(const Design& design, const std::string& fabric, const std::string& experiment)
+/// The part of a design that a run depends on: results hold while it stays equal.
+Design dependence(const Design& design, const std::string& fabric, const std::string& experiment)
 {
     Design part;
     part.materials = design.materials;
@@ -31,7 +30,7 @@ std::string dependence(const Design& design, const std::string& fabric, const st
         part.experiments.push_back(*found);
         if (const Liquid* liquid = find_liquid(design, found->liquid)) { part.liquids.push_back(*liquid); }
     }
-    return format_project(part);
+    return part;
 }
 
 } // namespace
