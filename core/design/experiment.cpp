@@ -126,7 +126,8 @@ std::vector<Droplet> falling_drops(const Experiment& experiment)
     const double count = std::ceil(experiment.volume_ul / experiment.drop_ul * (1 - 1e-12)); // 0.3 / 0.1 is three
     std::vector<Droplet> drops(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < drops.size(); ++i)
-        drops[i] = {experiment.volume_ul / count, static_cast<double>(i) * experiment.feed_s / count};
+        drops[i] = {experiment.volume_ul / count, // falls when the pump has delivered it
+                    static_cast<double>(i + 1) * experiment.feed_s / count};
     return drops;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/run/failover.h"
+#include "core/run/frame_times.h"
 #include "core/run/plan_run.h"
 #include "core/run/publisher.h"
 #include "core/run/session.h"
@@ -33,10 +34,11 @@ template <typename T> bool is_ready(const std::future<T>& result)
 /// on from the last frame that was kept.
 class Course {
 public:
-    Course(RunRecord& run, double duration, Session& session, Publisher& publisher, const RunOptions& options, const RunControl& control)
+    Course(RunRecord& run, const Experiment& experiment, Session& session, Publisher& publisher, const RunOptions& options,
+           const RunControl& control)
         : session_(session), publisher_(publisher), control_(control), failover_(session, options),
-          may_fail_over_(options.may_go_on_on_cpu), plan_(run.plan), duration_(duration), interval_(run.plan.frame_interval),
-          frames_(static_cast<long>(std::ceil(duration / interval_ - 1e-9)))
+          may_fail_over_(options.may_go_on_on_cpu), plan_(run.plan), times_(frame_times(experiment, run.plan.frame_interval)),
+          frames_(static_cast<long>(times_.size()) - 1)
     {
     }
 
@@ -59,7 +61,7 @@ public:
     }
 
 private:
-    double time_of(long k) const { return k == frames_ ? duration_ : static_cast<double>(k) * interval_; }
+    double time_of(long k) const { return times_[static_cast<std::size_t>(k)]; }
 
     void advance_to(long k)
     {
@@ -153,12 +155,12 @@ private:
     const RunControl& control_;
     Failover failover_;
     const bool may_fail_over_;
-    ModelPlan plan_;                   // with the parts that came on
-    const double duration_, interval_; // s
-    const long frames_;
-    long published_ = -1;          // the last frame; may be read only while publishing_ is not under way
-    std::future<Frame> taken_;     // from the backend, until it is published
-    std::future<void> publishing_; // the frame before; the last member, so that what ends the run waits for it
+    ModelPlan plan_;                  // with the parts that came on
+    const std::vector<double> times_; // s, of the frames
+    const long frames_;               // the last one's number
+    long published_ = -1;             // the last frame; may be read only while publishing_ is not under way
+    std::future<Frame> taken_;        // from the backend, until it is published
+    std::future<void> publishing_;    // the frame before; the last member, so that what ends the run waits for it
 };
 
 } // namespace
@@ -188,7 +190,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
 
     Session session(backend, build_scene(design, run.textile, *experiment, run.plan, options.seed), run.plan.crossings_per_cell);
     Publisher publisher(run, experiment->duration_s, session, callbacks, start);
-    Course course(run, experiment->duration_s, session, publisher, options, control);
+    Course course(run, *experiment, session, publisher, options, control);
     course.load();
     publisher.start(options.recording);
     course.go();

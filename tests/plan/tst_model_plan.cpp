@@ -223,7 +223,7 @@ private Q_SLOTS:
         feed.drop_ul = 0.1; // 0.3 / 0.1 is a little more than 3 in binary
         const std::vector<Droplet> drops = falling_drops(feed);
         QCOMPARE(drops.size(), std::size_t(3));
-        for (std::size_t i = 0; i < 3; ++i) QVERIFY((drops[i] == Droplet{0.3 / 3, 2.0 * static_cast<double>(i), {0, 0}, 2, 0}));
+        for (std::size_t i = 0; i < 3; ++i) QVERIFY((drops[i] == Droplet{0.3 / 3, 2.0 * static_cast<double>(i + 1), {0, 0}, 2, 0}));
         feed.drop_ul = 0.14; // the last would be smaller: all are
         QCOMPARE(falling_drops(feed).size(), std::size_t(3));
         QCOMPARE(falling_drops(feed)[2].volume_ul, 0.3 / 3);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/run/frame_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+std::vector<double> frame_times(const Experiment& experiment, double interval)
+{
+    std::vector<double> times{0};
+    const double end = experiment.duration_s;
+    if (uses_field(experiment.type, "feed_s")) {
+        const double fed = std::min(experiment.feed_s, end), fine = std::max(0.1, fed / 200);
+        const long count = fine < interval ? std::lround(std::ceil(fed / fine - 1e-9)) : 0;
+        for (long k = 1; k <= count; ++k) times.push_back(k == count ? fed : static_cast<double>(k) * fine);
+    }
+    // The coarse ones lie where they would without: at whole intervals.
+    const long coarse = std::lround(std::ceil(end / interval - 1e-9));
+    for (long k = 1; k < coarse; ++k)
+        if (static_cast<double>(k) * interval > times.back() * (1 + 1e-9)) times.push_back(static_cast<double>(k) * interval);
+    if (times.back() < end) times.push_back(end);
+    return times;
+}
+
+} // namespace hygroloom
