@@ -174,6 +174,7 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
     if (error && *error > 0) fmt::print("  {:<34} {:>10} %\n", "largest numerical error", rounded_text(100 * *error, 2));
     for (const std::string& note : notes_of(run.plan)) fmt::print("  {}\n", note);
     for (const std::string& note : m.notes) fmt::print("  {}\n", note);
+    for (const std::string& sentence : m.assumed) fmt::print("  Assumed: {}\n", sentence);
 }
 
 void add_measure(CLI::App& app, Verb& verb)

@@ -3,69 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 
 namespace hygroloom {
 namespace {
-
-constexpr double wetting_slope = 0.26794919243112270; // tan 15 degrees, % per s
-constexpr double ring_step = 5, last_ring = 30;       // mm
-
-double water_at(const std::vector<double>& time, const std::vector<double>& water, double at)
-{
-    const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), at) - time.begin());
-    if (after == 0) return water.front();
-    if (after == time.size()) return water.back();
-    const double share = (at - time[after - 1]) / (time[after] - time[after - 1]);
-    return water[after - 1] + share * (water[after] - water[after - 1]);
-}
-
-/// When the wetted circle first reaches a radius (mm).
-std::optional<double> reached(const std::vector<double>& time, const std::vector<double>& radius, double wanted)
-{
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        const double here = 1e3 * radius[i];
-        if (here < wanted) continue;
-        if (i == 0) return time[0];
-        const double before = 1e3 * radius[i - 1];
-        return time[i - 1] + (wanted - before) / (here - before) * (time[i] - time[i - 1]);
-    }
-    return std::nullopt;
-}
-
-FaceIndices face_indices(const std::vector<double>& time, const FaceCurve& face, double feed_end)
-{
-    FaceIndices indices;
-    for (std::size_t i = 1; i < time.size() && !indices.wetting_time; ++i)
-        if (face.water[i] - face.water[i - 1] > wetting_slope * (time[i] - time[i - 1])) indices.wetting_time = time[i - 1];
-    if (!indices.wetting_time) return indices;
-    const double end = std::min(feed_end, time.back());
-    if (end > *indices.wetting_time)
-        indices.absorption_rate =
-            (water_at(time, face.water, end) - water_at(time, face.water, *indices.wetting_time)) / (end - *indices.wetting_time);
-
-    double before = *indices.wetting_time, speeds = 0;
-    int rings = 0;
-    for (double ring = ring_step; ring <= last_ring; ring += ring_step) {
-        const std::optional<double> wet = reached(time, face.radius, ring);
-        if (!wet) break;
-        indices.maximum_wetted_radius = ring;
-        ++rings;
-        constexpr double shortest = 0.1; // s, between two readings of a tester
-        speeds += ring_step / std::max(*wet - before, shortest);
-        before = std::max(*wet, before);
-    }
-    if (rings > 0) indices.spreading_speed = speeds / rings;
-    return indices;
-}
-
-double area(const std::vector<double>& time, const std::vector<double>& water)
-{
-    double sum = 0;
-    for (std::size_t i = 1; i < time.size(); ++i) sum += 0.5 * (water[i] + water[i - 1]) * (time[i] - time[i - 1]);
-    return sum;
-}
 
 double scaled(double value, double low, double width) { return std::clamp((value - low) / width, 0.0, 1.0); }
 
@@ -80,17 +20,6 @@ int radius_grade(double value) { return grade(value, {7, 12, 17, 22}); }
 int speed_grade(double value) { return grade(value, {1, 2, 3, 4}); }
 
 } // namespace
-
-ManagementIndices management_indices(const std::vector<double>& time, const FaceCurve& top, const FaceCurve& bottom, double feed_end)
-{
-    ManagementIndices indices;
-    if (time.size() < 2) return indices;
-    indices.top = face_indices(time, top, feed_end);
-    indices.bottom = face_indices(time, bottom, feed_end);
-    indices.one_way_transport = (area(time, bottom.water) - area(time, top.water)) / (time.back() - time.front());
-    indices.ommc = overall_capability(indices.bottom.absorption_rate, indices.one_way_transport, indices.bottom.spreading_speed);
-    return indices;
-}
 
 double overall_capability(double absorption_rate_bottom, double one_way_transport, double spreading_speed_bottom)
 {

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The indices of a moisture management test (AATCC 195, after Yao et al. 2006) from two curves of water content. Simulated, not measured: a
-// tester reads conductances, a simulation knows the water.
+// The indices of a moisture management test (AATCC 195, after Yao et al. 2006): their grades, their overall capability and the class of the
+// fabric. The indices themselves come from moisture_tester.h.
 #pragma once
 
 #include <optional>
-#include <vector>
 
 namespace hygroloom {
-
-/// What one face of a sample shows during the test.
-struct FaceCurve {
-    std::vector<double> water;  ///< % of the dry mass, one per time
-    std::vector<double> radius; ///< m, of the wetted circle, one per time
-};
 
 /// Of one face.
 struct FaceIndices {
     std::optional<double> wetting_time; ///< s, when the water content first rises by more than tan 15 degrees per s
-    double absorption_rate = 0;         ///< %/s, mean from there to the end of the feed
+    double absorption_rate = 0;         ///< %/s, mean from there until 90 % of the largest content within the feed
     double maximum_wetted_radius = 0;   ///< mm, of rings 5 mm apart, 30 at most
     double spreading_speed = 0;         ///< mm/s, mean over the wetted rings
 };
@@ -27,9 +20,6 @@ struct ManagementIndices {
     double one_way_transport = 0; ///< %, difference of the areas under both curves over the time
     double ommc = 0;              ///< overall moisture management capability, 0 .. 1
 };
-
-/// time in s from 0, rising; both curves as long. With fewer than two times all indices are 0.
-ManagementIndices management_indices(const std::vector<double>& time, const FaceCurve& top, const FaceCurve& bottom, double feed_end);
 
 /// OMMC = 0.25 AR + 0.5 R + 0.25 SS of the bottom, each scaled to 0 .. 1 (Yao et al. 2006).
 double overall_capability(double absorption_rate_bottom, double one_way_transport, double spreading_speed_bottom);

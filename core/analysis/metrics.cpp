@@ -77,26 +77,6 @@ bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment
     return false;
 }
 
-/// Water over the start in the middle of both faces, % of the dry mass there.
-std::array<double, 2> contents(const Textile& textile, const Frame& frame, const std::vector<float>& regain_at_start)
-{
-    std::array<double, 2> water{0, 0}, dry{0, 0};
-    for (int end = 0; end < textile.ends(); ++end)
-        for (int pick = 0; pick < textile.picks(); ++pick) {
-            if (std::hypot(textile.x_of_end(end), textile.y_of_pick(pick)) > management_radius) continue;
-            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-                const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
-                const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
-                const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
-                const std::size_t face = textile.warp_up(end, pick) == (kind == YarnKind::warp) ? 0 : 1;
-                dry[face] += fibres;
-                water[face] += static_cast<double>(frame.liquid[i]) + fibres * static_cast<double>(frame.regain[i] - regain_at_start[i]);
-            }
-        }
-    for (std::size_t face : {0, 1}) water[face] = dry[face] > 0 ? 100 * water[face] / dry[face] : 0;
-    return water;
-}
-
 /// Water of a drying test that the fibres of each face absorbed before the first frame, kg; frames count from there.
 std::array<double, 2> absorbed_before(const RunRecord& run, const Experiment& experiment)
 {
@@ -141,6 +121,7 @@ void MetricsCollector::start(const RunRecord& run)
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
+    pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
     edge_time_.reset();
     had_free_water_ = false;
     for (const SwitchedPart& part : run.switched_on) add(part);
@@ -173,10 +154,10 @@ void MetricsCollector::add(const Frame& frame)
     s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
     if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
     if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_));
-    if (uses_field(experiment_.type, "feed_s")) { // sensors in the middle of both faces
-        const std::array<double, 2> water = contents(textile_, frame, regain_at_start_);
-        s.content_top.push_back(water[0]);
-        s.content_bottom.push_back(water[1]);
+    if (uses_field(experiment_.type, "feed_s")) {
+        s.tester.push_back(pins_.read(frame, regain_at_start_));
+        s.content_top.push_back(face_content(s.tester.back().top));
+        s.content_bottom.push_back(face_content(s.tester.back().bottom));
     }
 
     metrics_.maximum_wetted_radius_top = std::max(metrics_.maximum_wetted_radius_top, top);

@@ -22,9 +22,6 @@ Circle smallest_enclosing_circle(const std::vector<std::array<double, 2>>& point
 /// The smallest circle round the wet segments of a face.
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face);
 
-/// The water content of a face is read within this distance of the sample's middle, m: the tester's inner ring.
-constexpr double management_radius = 5e-3;
-
 /// Collects metrics frame by frame, so that a run need not keep its frames.
 class MetricsCollector {
 public:
@@ -41,6 +38,7 @@ private:
     Metrics metrics_;
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
+    TesterPins pins_;                 ///< of moisture_management only
     std::optional<double> edge_time_; ///< s, when water was first seen where the sample ends
     bool had_free_water_ = false;
 };

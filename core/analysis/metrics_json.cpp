@@ -71,12 +71,11 @@ Json outcomes_value(const RunRecord& run, const Metrics& m)
     if (m.management) {
         const ManagementGrades grades = management_grades(*m.management);
         for (const GradeName& name : grade_names) json["grades"][name.key] = grades.*name.grade;
-        notes.push_back("Simulated, not measured: a tester reads conductances; here the water content is the mass of water over the dry "
-                        "mass within 5 mm of the middle.");
     }
     for (const Outcome& outcome : outcomes)
         if (!outcome.text.empty()) json[outcome.key] = outcome.text;
     if (!notes.empty()) json["notes"] = notes;
+    if (!m.assumed.empty()) json["assumed"] = m.assumed;
     return json;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A metric is one row here, its computation in laboratory.cpp, management.cpp or metrics.cpp, and its test.
+// A metric is one row here, its computation in laboratory.cpp, moisture_tester.cpp or metrics.cpp, and its test.
 #include "core/analysis/outcomes.h"
 
 #include "core/base/units.h"
@@ -41,8 +41,12 @@ constexpr Better more = Better::more, less = Better::less, neither = Better::nei
 
 Value scaled(const Value& value, double factor) { return value ? Value(*value * factor) : std::nullopt; }
 
-/// A tester's rings lie 5 mm apart and are wet or dry.
-double ring_mm(double radius) { return 5.0 * std::floor(mm_from_metre(radius) / 5.0 + 1e-9); }
+/// A tester's rings lie 5 mm apart and are wet or dry; what its pins read, or where there are none the stain's radius.
+double ring_mm(M m, FaceIndices ManagementIndices::*face, double radius)
+{
+    if (m.management) return ((*m.management).*face).maximum_wetted_radius;
+    return 5.0 * std::floor(mm_from_metre(radius) / 5.0 + 1e-9);
+}
 
 const MetricGroup& stain()
 {
@@ -53,11 +57,11 @@ const MetricGroup& stain()
                                     {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
                                      [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
                                     {{"maximum_wetted_radius_top_ring_mm", "wetted radius in 5 mm rings", "top", "mm", more, true},
-                                     [](M m) -> Value { return ring_mm(m.maximum_wetted_radius_top); },
+                                     [](M m) -> Value { return ring_mm(m, &ManagementIndices::top, m.maximum_wetted_radius_top); },
                                      "",
                                      &G::maximum_wetted_radius_top},
                                     {{"maximum_wetted_radius_bottom_ring_mm", "wetted radius in 5 mm rings", "bottom", "mm", more, true},
-                                     [](M m) -> Value { return ring_mm(m.maximum_wetted_radius_bottom); },
+                                     [](M m) -> Value { return ring_mm(m, &ManagementIndices::bottom, m.maximum_wetted_radius_bottom); },
                                      "",
                                      &G::maximum_wetted_radius_bottom},
                                     {{"wetted_area_ellipse_warp_mm", "stain on top, semi-axis along warp", "", "mm", neither},
@@ -172,7 +176,11 @@ const MetricGroup& conditioning()
 void compute_management(Metrics& m, const Experiment& experiment, double)
 {
     const Series& s = m.series;
-    m.management = management_indices(s.time, {s.content_top, s.radius_top}, {s.content_bottom, s.radius_bottom}, experiment.feed_s);
+    m.management = tester_indices(s.time, s.tester, experiment.feed_s);
+    double interval = 0; // longest between frames while the pump runs
+    for (std::size_t i = 1; i < s.time.size() && s.time[i] <= experiment.feed_s; ++i)
+        interval = std::max(interval, s.time[i] - s.time[i - 1]);
+    m.assumed = tester_assumptions(experiment.drop_ul, interval);
 }
 
 void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }

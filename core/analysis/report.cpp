@@ -59,7 +59,8 @@ std::string results(const RunRecord& run, const Metrics& metrics)
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
-    return table(rows) + list(notes);
+    const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed of the tester:</p>\n" + list(metrics.assumed);
+    return table(rows) + list(notes) + assumed;
 }
 
 std::string balance(const Ledger& ledger)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/analysis/laboratory.h"
-#include "core/analysis/management.h"
+#include "core/analysis/moisture_tester.h"
 #include "core/scene/frame.h"
 
 #include <optional>
@@ -19,7 +19,8 @@ struct Series {
         temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
     std::vector<double> air_temperature;                                 ///< K
     std::vector<double> wick_height;                                     ///< m, of vertical_wicking only
-    std::vector<double> content_top, content_bottom; ///< % of the dry mass, of moisture_management only: see management_radius
+    std::vector<double> content_top, content_bottom; ///< % of the dry mass, of moisture_management only: see face_content()
+    std::vector<TesterReading> tester;               ///< what they follow from
 };
 
 struct Metrics {
@@ -34,8 +35,9 @@ struct Metrics {
     std::optional<DryingResult> drying;
     std::optional<ConditioningResult> conditioning;
     Series series;
-    Ledger ledger;                  ///< at the end
-    std::vector<std::string> notes; ///< what limits a metric, in sentences
+    Ledger ledger;                    ///< at the end
+    std::vector<std::string> notes;   ///< what limits a metric, in sentences
+    std::vector<std::string> assumed; ///< of the instrument that a metric imitates, in sentences
 };
 
 } // namespace hygroloom

@@ -10,6 +10,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/map_image.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
+  analysis/moisture_tester.cpp
   analysis/outcomes.cpp
   analysis/plots.cpp
   analysis/report.cpp

@@ -14,6 +14,7 @@ target_sources(hygroloom_core PRIVATE
   verify/pore_cases.cpp
   verify/set_ups.cpp
   verify/swing_fit.cpp
+  verify/tester_case.cpp
   verify/verify.cpp
   verify/whole_run_cases.cpp
   verify/wicking_cases.cpp

@@ -92,6 +92,7 @@ std::vector<VerifyCase> pore_cases();
 std::vector<VerifyCase> moisture_cases();
 std::vector<VerifyCase> heat_cases();
 std::vector<VerifyCase> laboratory_cases();
+std::vector<VerifyCase> tester_cases();
 std::vector<VerifyCase> liquid_cases();
 std::vector<VerifyCase> cloth_cases();
 std::vector<VerifyCase> whole_run_cases();

@@ -109,6 +109,20 @@ private Q_SLOTS:
         QVERIFY(!is_shown(outcome_named(droplet, rings)));
         QCOMPARE(full_title(outcome_named(droplet, rings)), std::string("wetted radius in 5 mm rings, top"));
     }
+    void theTestersPinsGiveTheRingsAndItsAssumptionsAreNamed()
+    {
+        Metrics m = without_values();
+        m.maximum_wetted_radius_top = 23e-3; // of the stain; the pins read less
+        m.management->top.maximum_wetted_radius = 15;
+        m.assumed = {"One.", "Two."};
+        const nlohmann::json tester = metrics_value(run_of(ExperimentType::moisture_management), m).at("metrics");
+        QCOMPARE(tester.at("maximum_wetted_radius_top_ring_mm").get<double>(), 15.0);
+        QCOMPARE(tester.at("maximum_wetted_radius_top_mm").get<double>(), 23.0);
+        QCOMPARE(tester.at("grades").at("maximum_wetted_radius_top").get<int>(), 3);
+        QVERIFY(tester.at("assumed") == nlohmann::json({"One.", "Two."}));
+        m.assumed.clear();
+        QVERIFY(!metrics_value(run_of(ExperimentType::droplet), m).at("metrics").contains("assumed"));
+    }
     void theBalanceNamesWaterFromTheAir()
     {
         Ledger ledger;

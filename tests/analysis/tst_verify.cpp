@@ -257,6 +257,14 @@ private Q_SLOTS:
                                                  << "regain=0.01";
         QTest::newRow("excellent management") << "management_indices"
                                               << "absorption_rate_bottom_pct_s=100 one_way_transport_pct=400 spreading_speed_bottom_mm_s=4";
+        QTest::newRow("a small disc, one face") << "tester"
+                                                << "radius_mm=4 content_pct=60 rise_s=10 bottom_share=0.25";
+        QTest::newRow("a disc on the ring") << "tester"
+                                            << "radius_mm=15 content_pct=200 rise_s=2";
+        QTest::newRow("a disc into a ring's band") << "tester"
+                                                   << "radius_mm=19.5 content_pct=300 rise_s=6 bottom_share=0.5";
+        QTest::newRow("a disc past all rings, at once") << "tester"
+                                                        << "radius_mm=35 content_pct=400 rise_s=0.25 bottom_share=0";
         QTest::newRow("at the grades' bounds") << "management_indices"
                                                << "wetting_time_top_s=3 wetting_time_bottom_s=120 maximum_wetted_radius_top_mm=22";
     }

@@ -167,6 +167,30 @@ private Q_SLOTS:
             QVERIFY(m.ledger.water_free < 1e-9 * m.ledger.water_delivered);
             QVERIFY(m.maximum_wetted_radius_top > 1e-3);
             QCOMPARE(m.management.has_value(), type == ExperimentType::moisture_management);
+            QCOMPARE(m.assumed.empty(), type != ExperimentType::moisture_management);
+            QCOMPARE(m.series.tester.size(), m.management ? m.series.time.size() : 0);
+        }
+    }
+    void theTesterReadsWhatTheClothHolds()
+    {
+        // 3 ul on 6 x 5 mm: rings at 0 and none beyond the sample, whose mean content both faces show at the end.
+        const Result result = run(small(ExperimentType::moisture_management));
+        const Metrics& m = result.metrics;
+        QVERIFY(m.management->top.wetting_time && *m.management->top.wetting_time < 0.2); // a pool wets at once
+        double dry = 0;
+        const Design design = small(ExperimentType::moisture_management);
+        const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+            for (int end = 0; end < textile.ends(); ++end)
+                for (int pick = 0; pick < textile.picks(); ++pick) {
+                    const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
+                    dry += type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
+                }
+        const Ledger& l = m.ledger;
+        const double mean = 100 * (l.water_liquid + l.water_bound - result.frames.front().ledger.water_bound) / dry;
+        for (const std::vector<double>* content : {&m.series.content_top, &m.series.content_bottom}) {
+            qInfo("the middle holds %.4g %%, the sample %.4g %%", content->back(), mean);
+            QVERIFY(content->front() == 0 && content->back() > mean && content->back() < 3 * mean);
         }
     }
     void aFeedThatFallsInDropsWetsTheSameRadiusAsAPool()

@@ -217,6 +217,11 @@ void ResultsPanel::refresh()
                          : QString());
     origin_->setToolTip(run ? "<p style='white-space:pre-wrap'>" + originInFull(*run, playback_.live()).join('\n').toHtmlEscaped() + "</p>"
                             : QString());
+    QStringList assumed;
+    if (playback_.metrics()) {
+        for (const std::string& sentence : playback_.metrics()->assumed) { assumed << QString::fromStdString(sentence); }
+    }
+    table_->setToolTip(assumed.isEmpty() ? QString() : "<p style='white-space:pre-wrap'>" + assumed.join('\n').toHtmlEscaped() + "</p>");
     table_->setVisible(!results.empty());
     notes_->setText(notes.join('\n'));
     notes_->setVisible(!notes.isEmpty());

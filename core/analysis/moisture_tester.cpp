@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/moisture_tester.h"
+
+#include "core/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+constexpr double wetting_slope = 0.26794919243112270; // tan 15 degrees, % per s
+
+/// Frames are floats: what reaches the bound but for their rounding is wet.
+bool is_wet(double content) { return content > wet_content * (1 - 1e-6); }
+
+/// A face's readings at the tester's own times.
+struct Samples {
+    std::vector<double> time;        // s
+    std::vector<RingContents> rings; // %
+    std::vector<double> content;     // %
+};
+
+Samples sampled(const std::vector<double>& time, const std::vector<TesterReading>& readings, RingContents TesterReading::*face)
+{
+    Samples samples;
+    const auto count = static_cast<long>(std::floor((time.back() - time.front()) / tester_interval + 1e-9));
+    std::size_t after = 1;
+    for (long k = 0; k <= count; ++k) {
+        const double at = time.front() + tester_interval * static_cast<double>(k);
+        while (after + 1 < time.size() && time[after] < at) ++after;
+        const double share = std::clamp((at - time[after - 1]) / (time[after] - time[after - 1]), 0.0, 1.0);
+        const RingContents &a = readings[after - 1].*face, &b = readings[after].*face;
+        RingContents here;
+        for (std::size_t ring = 0; ring < here.size(); ++ring) here[ring] = a[ring] + share * (b[ring] - a[ring]);
+        samples.time.push_back(at);
+        samples.rings.push_back(here);
+        samples.content.push_back(face_content(here));
+    }
+    return samples;
+}
+
+/// Mean slope from a sample until most of the largest content within the feed is first reached, %/s; 0 when the feed ended before.
+double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
+{
+    std::size_t end = wetting; // the first sample past the feed
+    while (end < face.time.size() && face.time[end] <= feed_end + 1e-9) ++end;
+    if (end < wetting + 2) return 0;
+    const auto from = face.content.begin() + static_cast<std::ptrdiff_t>(wetting);
+    const auto until = face.content.begin() + static_cast<std::ptrdiff_t>(end);
+    const double enough = share_of_largest * *std::max_element(from, until);
+    const auto reached = std::find_if(from + 1, until - 1, [&](double content) { return content >= enough; });
+    return (*reached - *from) / (tester_interval * static_cast<double>(reached - from));
+}
+
+FaceIndices face_indices(const Samples& face, double feed_end)
+{
+    FaceIndices indices;
+    std::size_t wetting = 0;
+    while (wetting + 1 < face.time.size() && face.content[wetting + 1] - face.content[wetting] <= wetting_slope * tester_interval)
+        ++wetting;
+    if (wetting + 1 >= face.time.size()) return indices;
+    indices.wetting_time = face.time[wetting];
+    indices.absorption_rate = initial_slope(face, wetting, feed_end);
+
+    double before = *indices.wetting_time, speeds = 0;
+    int wet = 0;
+    for (std::size_t ring = 1; ring < tester_rings; ++ring) {
+        const auto at = std::find_if(face.rings.begin(), face.rings.end(), [&](const RingContents& r) { return is_wet(r[ring]); });
+        if (at == face.rings.end()) break;
+        const double time = face.time[static_cast<std::size_t>(at - face.rings.begin())];
+        ++wet;
+        speeds += mm_from_metre(ring_step) / std::max(time - before, tester_interval);
+        before = std::max(time, before);
+    }
+    indices.maximum_wetted_radius = mm_from_metre(ring_step) * wet;
+    if (wet > 0) indices.spreading_speed = speeds / wet;
+    return indices;
+}
+
+double area(const Samples& face)
+{
+    double sum = 0;
+    for (std::size_t i = 1; i < face.time.size(); ++i) sum += 0.5 * (face.content[i] + face.content[i - 1]) * tester_interval;
+    return sum;
+}
+
+} // namespace
+
+TesterPins::TesterPins(const Textile& textile)
+{
+    // At least a crossing lies in the middle's band, and none is missed along the others.
+    const double band = std::max(ring_band, 1.5 * std::max(textile.warp.pitch, textile.weft.pitch));
+    for (int end = 0; end < textile.ends(); ++end)
+        for (int pick = 0; pick < textile.picks(); ++pick) {
+            const double radius = std::hypot(textile.x_of_end(end), textile.y_of_pick(pick));
+            const double rings = std::ceil(radius / ring_step - 1e-9); // the ring outside it, but the middle's own band
+            const int ring = radius <= band ? 0 : static_cast<int>(std::min(rings, 1.0 * tester_rings));
+            if (ring >= tester_rings || radius < ring * ring_step - band) continue;
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
+                const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
+                const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
+                pins_.push_back({static_cast<std::size_t>(textile.segment(kind, end, pick)), ring, on_top, fibres});
+                dry_[on_top ? 0 : 1][static_cast<std::size_t>(ring)] += fibres;
+            }
+        }
+}
+
+TesterReading TesterPins::read(const Frame& frame, const std::vector<float>& regain_at_start) const
+{
+    TesterReading water;
+    for (const Pin& pin : pins_) {
+        const std::size_t i = pin.segment;
+        (pin.on_top ? water.top : water.bottom)[static_cast<std::size_t>(pin.ring)] +=
+            static_cast<double>(frame.liquid[i]) + pin.fibres * static_cast<double>(frame.regain[i] - regain_at_start[i]);
+    }
+    for (std::size_t ring = 0; ring < tester_rings; ++ring) {
+        water.top[ring] = dry_[0][ring] > 0 ? 100 * water.top[ring] / dry_[0][ring] : 0;
+        water.bottom[ring] = dry_[1][ring] > 0 ? 100 * water.bottom[ring] / dry_[1][ring] : 0;
+    }
+    return water;
+}
+
+double face_content(const RingContents& rings)
+{
+    double sum = 0;
+    int wet = 0;
+    for (double content : rings)
+        if (is_wet(content)) {
+            sum += content;
+            ++wet;
+        }
+    return wet > 0 ? sum / wet : rings[0];
+}
+
+ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, double feed_end)
+{
+    ManagementIndices indices;
+    if (time.size() < 2) return indices;
+    const Samples top = sampled(time, readings, &TesterReading::top), bottom = sampled(time, readings, &TesterReading::bottom);
+    if (top.time.size() < 2) return indices;
+    indices.top = face_indices(top, feed_end);
+    indices.bottom = face_indices(bottom, feed_end);
+    indices.one_way_transport = (area(bottom) - area(top)) / (top.time.back() - top.time.front());
+    indices.ommc = overall_capability(indices.bottom.absorption_rate, indices.one_way_transport, indices.bottom.spreading_speed);
+    return indices;
+}
+
+std::vector<std::string> tester_assumptions(double drop_ul, double frame_interval)
+{
+    return {
+        "Simulated, not measured: a tester reads conductances; here the water content is the mass of water over the dry mass.",
+        fmt::format("Each face has seven rings of pins, in the middle and every {:g} mm; each reads the mean of the band of {:g} mm inside "
+                    "it, of coarse cloths one and a half pitches.",
+                    mm_from_metre(ring_step), mm_from_metre(ring_band)),
+        fmt::format("A ring reads wet above {:g} % of the dry mass of that half of the cloth, beyond what the cloth held at the start.",
+                    wet_content),
+        "The content of a face is the mean over its wet rings of the water in the yarns that lie on it; liquid on the cloth, and between "
+        "the cloth and the lower sensor, is left out.",
+        fmt::format("The tester samples every {:g} s; frames lie up to {:.3g} s apart during the feed and are joined by straight lines.",
+                    tester_interval, frame_interval),
+        fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed is first "
+                    "reached.",
+                    100 * share_of_largest),
+        drop_ul > 0 ? fmt::format("The solution falls in drops of at most {:g} ul, each when the pump has delivered it.", drop_ul)
+                    : std::string("The solution stands on the cloth as a pool that the yarns absorb.")};
+}
+
+} // namespace hygroloom

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The moisture management tester as an instrument (AATCC 195): rings of pins on both faces, what they read of a frame, and the indices that
+// follow from their readings (Yao et al. 2006). What is not public of the instrument is assumed and said: see tester_assumptions().
+#pragma once
+
+#include "core/analysis/management.h"
+#include "core/scene/frame.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <string>
+
+namespace hygroloom {
+
+constexpr int tester_rings = 7;          ///< of each face: one in the middle, then one every ring_step
+constexpr double ring_step = 5e-3;       ///< m
+constexpr double ring_band = 1e-3;       ///< m, width of what a ring reads, inwards from it; an assumption
+constexpr double wet_content = 5;        ///< % of the dry mass, above which a ring reads wet; an assumption
+constexpr double tester_interval = 0.1;  ///< s, from sample to sample
+constexpr double share_of_largest = 0.9; ///< of the largest content within the feed, up to which absorption is initial; an assumption
+
+/// Water beyond that at the start in the band of each ring, % of the dry mass there of that face's yarns.
+using RingContents = std::array<double, tester_rings>;
+
+/// What both faces read at one time.
+struct TesterReading {
+    RingContents top{}, bottom{};
+};
+
+/// The pins over a cloth's middle: which segments each ring of each face reads.
+class TesterPins {
+public:
+    TesterPins() = default;
+    explicit TesterPins(const Textile& textile);
+
+    /// Liquid in the pores and what the fibres took up since the start, of the segments on each face.
+    TesterReading read(const Frame& frame, const std::vector<float>& regain_at_start) const;
+
+private:
+    struct Pin {
+        std::size_t segment;
+        int ring;
+        bool on_top;
+        double fibres; ///< kg, dry
+    };
+    std::vector<Pin> pins_;
+    std::array<RingContents, 2> dry_{}; ///< kg, top and bottom
+};
+
+/// Content that a face shows: mean over its wet rings; while none is wet, that of the middle. %
+double face_content(const RingContents& rings);
+
+/// The test's indices. time in s, rising, one reading for each; between them readings change linearly. With fewer than two times all
+/// indices are 0.
+ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, double feed_end);
+
+/// What the indices rest on that no public text of the method says, in sentences. drop: ul, 0 of a pool; frame_interval: s.
+std::vector<std::string> tester_assumptions(double drop_ul, double frame_interval);
+
+} // namespace hygroloom

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The tester's pins on made-up frames, and its indices on made-up readings: each is known by hand.
+#include "core/analysis/moisture_tester.h"
+#include "core/base/units.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <functional>
+
+using namespace hygroloom;
+
+namespace {
+
+bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+RingContents all(double content)
+{
+    RingContents rings;
+    rings.fill(content);
+    return rings;
+}
+
+/// Rises evenly between two times, then stays.
+double ramp(double t, double from, double to, double slope) { return slope * (std::clamp(t, from, to) - from); }
+
+struct Run {
+    std::vector<double> time;
+    std::vector<TesterReading> readings;
+    ManagementIndices indices(double feed_end = 20) const { return tester_indices(time, readings, feed_end); }
+};
+
+Run run_of(double step, double end, const std::function<TesterReading(double)>& reading)
+{
+    Run run;
+    for (int i = 0; i * step <= end + 1e-9; ++i) {
+        run.time.push_back(i * step);
+        run.readings.push_back(reading(i * step));
+    }
+    return run;
+}
+
+Textile cloth(double per_cm = 20)
+{
+    Fabric fabric;
+    fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
+    fabric.ends_per_cm = fabric.picks_per_cm = per_cm;
+    return build_textile({}, fabric, region_of_sample(fabric, 80, 80));
+}
+
+/// Water per dry fibre at each place and face.
+Frame frame_of(const Textile& t, const std::function<double(double radius, bool on_top)>& water)
+{
+    Frame frame;
+    frame.liquid.resize(static_cast<std::size_t>(t.segments()));
+    frame.regain.assign(frame.liquid.size(), 0.07f);
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < t.ends(); ++end)
+            for (int pick = 0; pick < t.picks(); ++pick) {
+                const YarnType& type = t.type(kind, kind == YarnKind::warp ? end : pick);
+                const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * t.segment_length(kind, end, pick);
+                const bool on_top = t.warp_up(end, pick) == (kind == YarnKind::warp);
+                frame.liquid[static_cast<std::size_t>(t.segment(kind, end, pick))] =
+                    static_cast<float>(fibres * water(std::hypot(t.x_of_end(end), t.y_of_pick(pick)), on_top));
+            }
+    return frame;
+}
+
+} // namespace
+
+class TestMoistureTester : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void pinsReadTheWaterOfTheirFacePerDryMass()
+    {
+        const Textile t = cloth();
+        const TesterPins pins(t);
+        Frame frame = frame_of(t, [](double, bool on_top) { return on_top ? 0.5 : 0.2; });
+        const std::vector<float> before(frame.regain.size(), 0.07f);
+        TesterReading reading = pins.read(frame, before);
+        for (std::size_t ring = 0; ring < tester_rings; ++ring) {
+            QVERIFY(near(reading.top[ring], 50, 1e-3));
+            QVERIFY(near(reading.bottom[ring], 20, 1e-3));
+        }
+        frame.regain.assign(frame.regain.size(), 0.12f); // what the fibres took up counts, what they held does not
+        reading = pins.read(frame, before);
+        QVERIFY(near(reading.top[3], 55, 1e-3));
+        QVERIFY(near(reading.bottom[0], 25, 1e-3));
+    }
+    void eachRingReadsTheBandInsideIt_data()
+    {
+        QTest::addColumn<double>("per_cm");
+        for (double per_cm : {4.0, 10.0, 20.0, 35.0}) QTest::addRow("%g per cm", per_cm) << per_cm;
+    }
+    void eachRingReadsTheBandInsideIt()
+    {
+        QFETCH(double, per_cm);
+        const Textile t = cloth(per_cm);
+        const TesterPins pins(t);
+        const std::vector<float> before(static_cast<std::size_t>(t.segments()), 0.07f);
+        for (int reached = 0; reached < tester_rings; ++reached) {
+            // Up to the ring: that one is full, the next one dry.
+            const double radius = 5e-3 * reached;
+            const TesterReading reading = pins.read(frame_of(t,
+                                                             [&](double r, bool) {
+                                                                 return r <= std::max({radius, 1e-3, 15e-3 / per_cm}) + 1e-9 ? 1.0 : 0.0;
+                                                             }),
+                                                    before);
+            for (int ring = 0; ring < tester_rings; ++ring)
+                QVERIFY2(near(reading.top[static_cast<std::size_t>(ring)], ring <= reached ? 100 : 0, 1e-3),
+                         qPrintable(QString("%1 of %2: %3").arg(ring).arg(reached).arg(reading.top[static_cast<std::size_t>(ring)])));
+        }
+        // Beyond the last ring nothing is read.
+        const TesterReading outside = pins.read(frame_of(t, [](double r, bool) { return r > 30.001e-3 ? 1.0 : 0.0; }), before);
+        for (double content : outside.bottom) QCOMPARE(content, 0.0);
+    }
+    void aFaceShowsTheMeanOfItsWetRings()
+    {
+        QCOMPARE(face_content({200, 100, 6, 4.9, 0, 0, 0}), 102.0);
+        QCOMPARE(face_content({4, 1, 0, 0, 0, 0, 0}), 4.0); // none is wet: the middle
+    }
+    void evenFillingHasItsSlopeAndTheSamplersSpeeds()
+    {
+        const Run run = run_of(0.1, 120, [](double t) { return TesterReading{all(ramp(t, 2, 20, 30)), all(ramp(t, 4, 12, 50))}; });
+        const ManagementIndices m = run.indices();
+        QVERIFY(near(*m.top.wetting_time, 2, 1e-9));
+        QVERIFY(near(*m.bottom.wetting_time, 4, 1e-9));
+        QVERIFY(near(m.top.absorption_rate, 30, 1e-9));    // 486 of 540 % at 18.2 s
+        QVERIFY(near(m.bottom.absorption_rate, 50, 1e-9)); // 360 of 400 % at 11.2 s, whatever comes until the feed ends
+        QCOMPARE(m.top.maximum_wetted_radius, 30.0);       // no ring lies farther out
+        // 5 % after 0.17 and 0.1 s: at samples 0.2 and 0.1 s after wetting; the other five rings at once, in one sample.
+        QVERIFY(near(m.top.spreading_speed, (5 / 0.2 + 5 * 5 / 0.1) / 6, 1e-6));
+        QVERIFY(near(m.bottom.spreading_speed, 5 / 0.1, 1e-6));
+        const double top = 540 * (0.5 * 18 + 100), bottom = 400 * (0.5 * 8 + 108);
+        QVERIFY(near(m.one_way_transport, (bottom - top) / 120, 1e-6));
+        QCOMPARE(m.ommc, overall_capability(m.bottom.absorption_rate, m.one_way_transport, m.bottom.spreading_speed));
+    }
+    void ringsThatWetOneAfterAnotherGiveTheSpeed()
+    {
+        // Ring k from dry to 100 % in the sample after 2 + 4 k s, up to 15 mm.
+        const Run run = run_of(0.1, 60, [](double t) {
+            TesterReading reading;
+            for (int ring = 0; ring < 4; ++ring) reading.top[static_cast<std::size_t>(ring)] = ramp(t, 2 + 4 * ring, 2.1 + 4 * ring, 1000);
+            return reading;
+        });
+        const ManagementIndices m = run.indices();
+        QVERIFY(near(*m.top.wetting_time, 2, 1e-9));
+        QCOMPARE(m.top.maximum_wetted_radius, 15.0);
+        QVERIFY(near(m.top.spreading_speed, (5 / 4.1 + 5 / 4.0 + 5 / 4.0) / 3, 1e-6));
+        QVERIFY(near(m.top.absorption_rate, 1000, 1e-6));
+        QVERIFY(!m.bottom.wetting_time);
+    }
+    void aRingBelowFivePerCentIsDry()
+    {
+        for (const auto& [content, radius] : {std::pair(4.9, 0.0), std::pair(5.1, 5.0)}) {
+            const Run run = run_of(0.1, 30, [content = content](double t) {
+                TesterReading reading;
+                reading.top[0] = ramp(t, 1, 3, 50);
+                reading.top[1] = ramp(t, 1, 3, content / 2);
+                return reading;
+            });
+            QCOMPARE(run.indices().top.maximum_wetted_radius, radius);
+        }
+    }
+    void waterAfterTheFeedDoesNotCountForTheRate()
+    {
+        const auto rising = [](double from) {
+            return run_of(0.1, 120, [from](double t) { return TesterReading{all(ramp(t, from, 120, 10)), {}}; });
+        };
+        QVERIFY(near(rising(0).indices(20).top.absorption_rate, 10, 1e-9));
+        QVERIFY(near(*rising(30).indices(20).top.wetting_time, 30, 1e-9));
+        QCOMPARE(rising(30).indices(20).top.absorption_rate, 0.0);
+    }
+    void framesThatLieFarApartAreJoinedByStraightLines()
+    {
+        const Run fine = run_of(0.1, 120, [](double t) { return TesterReading{all(ramp(t, 0, 4, 45)), all(ramp(t, 0, 4, 20))}; });
+        const ManagementIndices a = fine.indices();
+        const ManagementIndices b = tester_indices({0, 4, 120}, {{all(0), all(0)}, {all(180), all(80)}, {all(180), all(80)}}, 20);
+        QVERIFY(near(a.top.absorption_rate, b.top.absorption_rate, 1e-9));
+        QVERIFY(near(b.bottom.absorption_rate, 20, 1e-9));
+        QVERIFY(near(a.top.spreading_speed, b.top.spreading_speed, 1e-9));
+        QVERIFY(near(a.one_way_transport, b.one_way_transport, 1e-9));
+    }
+    void aDryFaceHasNoWettingTime()
+    {
+        const Run run = run_of(1, 120, [](double t) { return TesterReading{all(ramp(t, 0, 120, 0.26)), {}}; }); // below tan 15 degrees
+        const ManagementIndices m = run.indices();
+        QVERIFY(!m.top.wetting_time && !m.bottom.wetting_time);
+        QCOMPARE(m.top.maximum_wetted_radius, 0.0);
+        const ManagementGrades grades = management_grades(m);
+        QCOMPARE(grades.wetting_time_top, 1);
+        QCOMPARE(QString(fabric_class(m)), QString("water-proof or water-repellent"));
+        QCOMPARE(tester_indices({0}, {{}}, 20).ommc, 0.0);
+    }
+    void whatIsAssumedIsSaid()
+    {
+        const auto says = [](const std::vector<std::string>& all, const char* part) {
+            return std::any_of(all.begin(), all.end(), [&](const std::string& one) { return one.find(part) != std::string::npos; });
+        };
+        const std::vector<std::string> drops = tester_assumptions(25, 1.2), pool = tester_assumptions(0, 0.6);
+        for (const char* part :
+             {"above 5 % of the dry mass", "seven rings", "every 5 mm", "every 0.1 s; frames lie up to 1.2 s apart during the feed",
+              "until 90 % of the largest content", "drops of at most 25 ul", "liquid on the cloth"})
+            QVERIFY2(says(drops, part), part);
+        QVERIFY(says(pool, "stands on the cloth as a pool") && says(pool, "up to 0.6 s apart"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMoistureTester)
+#include "tst_moisture_tester.moc"
