@@ -95,7 +95,7 @@ public:
         arena_->execute([&] {
             tbb::parallel_for(tbb::blocked_range<int>(0, lines, grain), [&](const tbb::blocked_range<int>& range) {
                 const std::unique_ptr<double[]> room(
-                    new double[static_cast<std::size_t>(Alone::per_place) * static_cast<std::size_t>(longest)]);
+                    new double[static_cast<std::size_t>(Alone::per_place<Stage>) * static_cast<std::size_t>(longest)]);
                 const Alone alone(room.get(), longest);
                 for (int line = range.begin(); line < range.end(); ++line) stage(alone, line);
             });

@@ -6,6 +6,8 @@
 
 #include "core/base/portable.h"
 
+#include <cmath>
+
 namespace hygroloom {
 
 /// lower x[i - 1] + pivot x[i] + upper x[i + 1] = right. The first row of a line has no lower, the last no upper.
@@ -13,12 +15,54 @@ struct Equation {
     double lower, pivot, upper, right;
 };
 
+/// Two numbers of a place, and the matrix between them.
+struct Pair {
+    double first = 0, second = 0;
+};
+struct PairMatrix {
+    double a = 0, b = 0, c = 0, d = 0; ///< rows (a b), (c d)
+
+    HL_FN PairMatrix inverse() const
+    {
+        const double scale = plain_inverse(a * d - b * c);
+        return {d * scale, -b * scale, -c * scale, a * scale};
+    }
+};
+HL_FN PairMatrix operator*(const PairMatrix& m, const PairMatrix& n)
+{
+    return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
+}
+HL_FN PairMatrix operator-(const PairMatrix& m, const PairMatrix& n) { return {m.a - n.a, m.b - n.b, m.c - n.c, m.d - n.d}; }
+HL_FN PairMatrix operator-(const PairMatrix& m) { return {-m.a, -m.b, -m.c, -m.d}; }
+HL_FN Pair operator-(const Pair& v, const Pair& w) { return {v.first - w.first, v.second - w.second}; }
+HL_FN Pair operator*(const PairMatrix& m, const Pair& v) { return {m.a * v.first + m.b * v.second, m.c * v.first + m.d * v.second}; }
+
+/// The same of two numbers at each place; those of neighbours meet their like only: lower and upper are diagonals.
+struct PairEquation {
+    Pair lower;
+    PairMatrix pivot;
+    Pair upper, right;
+};
+
+/// Numbers per place that a stage along lines asks for beside what its equations take: Stage::columns.
+template <typename Stage>
+constexpr int columns_of = [] {
+    if constexpr (requires { Stage::columns; }) // void: none
+        return Stage::columns;
+    else
+        return 0;
+}();
+
 /// The team of a CPU, with a line to itself.
 class Alone {
 public:
-    static constexpr int per_place = 2; ///< numbers per place that a line's room must have
+    /// Numbers per place that a line's room must have: for single equations, or for pairs and the stage's own columns.
+    template <typename Stage> static constexpr int per_place = columns_of<Stage> > 0 ? 6 + columns_of<Stage> : 2;
 
-    explicit Alone(double* room, int longest) : upper_(room), right_(room + longest) {}
+    explicit Alone(double* room, int longest) : upper_(room), right_(room + longest), room_(room), longest_(longest) {}
+
+    /// One of the stage's own columns, a number for each place of the line.
+    double* column(int k) const { return room_ + (6 + k) * longest_; }
 
     /// Calls f(i) for first <= i < last, in any order.
     template <typename F> void each(int first, int last, const F& f) const
@@ -59,6 +103,39 @@ public:
         for (int i = last - 1; i >= first; --i) right_[i - first] = x = right_[i - first] - upper_[i - first] * x;
     }
     double found(int first, int i) const { return right_[i - first]; }
+    /// The same of pairs, whose rows are diagonally dominant M-matrices, too.
+    template <typename Rows> void solve_pairs(int first, int last, const Rows& row) const
+    {
+        double* const columns[] = {room_, room_ + longest_, room_ + 2 * longest_, room_ + 3 * longest_};
+        double* const found[] = {room_ + 4 * longest_, room_ + 5 * longest_};
+        PairMatrix upper{0, 0, 0, 0};
+        Pair right{0, 0};
+        for (int i = first; i < last; ++i) {
+            const PairEquation own = row(i);
+            const Pair& l = own.lower;
+            const PairMatrix per_pivot = PairMatrix{own.pivot.a - l.first * upper.a, own.pivot.b - l.first * upper.b,
+                                                    own.pivot.c - l.second * upper.c, own.pivot.d - l.second * upper.d}
+                                             .inverse();
+            right = per_pivot * Pair{own.right.first - l.first * right.first, own.right.second - l.second * right.second};
+            upper = {per_pivot.a * own.upper.first, per_pivot.b * own.upper.second, per_pivot.c * own.upper.first,
+                     per_pivot.d * own.upper.second};
+            const int k = i - first;
+            columns[0][k] = upper.a;
+            columns[1][k] = upper.b;
+            columns[2][k] = upper.c;
+            columns[3][k] = upper.d;
+            found[0][k] = right.first;
+            found[1][k] = right.second;
+        }
+        Pair x{0, 0};
+        for (int k = last - first - 1; k >= 0; --k) {
+            x = {found[0][k] - columns[0][k] * x.first - columns[1][k] * x.second,
+                 found[1][k] - columns[2][k] * x.first - columns[3][k] * x.second};
+            found[0][k] = x.first;
+            found[1][k] = x.second;
+        }
+    }
+    Pair found_pair(int first, int i) const { return {room_[4 * longest_ + i - first], room_[5 * longest_ + i - first]}; }
     /// Passes on what places cannot keep: from the first to the last, then back to the first, which keeps whatever comes. keep(i) bounds a
     /// place and returns what it had too much (or, less than nothing, too little); pass(from, to, amount) notes that it goes over to a
     /// neighbour, and give(i, amount) adds it there.
@@ -76,20 +153,127 @@ public:
 private:
     double* upper_;
     double* right_;
+    double* room_;
+    int longest_;
+};
+
+// What elimination does with the numbers of one place alike, whether it has one or two.
+HL_FN double one_of(double) { return 1.0; }
+HL_FN PairMatrix one_of(const PairMatrix&) { return {1, 0, 0, 1}; }
+HL_FN double inverse_of(double value) { return plain_inverse(value); }
+HL_FN PairMatrix inverse_of(const PairMatrix& m) { return m.inverse(); }
+HL_FN double scaled(double value, double scale) { return value * scale; }
+template <typename Value> HL_FN Value scaled(const Value& value, const PairMatrix& scale) { return scale * value; }
+HL_FN double largest_of(double value) { return value < 0 ? -value : value; }
+HL_FN double largest_of(const PairMatrix& m)
+{
+    const double ab = std::fmax(std::fabs(m.a), std::fabs(m.b)), cd = std::fmax(std::fabs(m.c), std::fabs(m.d));
+    return ab > cd ? ab : cd;
+}
+HL_FN PairMatrix diagonal(const Pair& v) { return {v.first, 0, 0, v.second}; }
+
+/// x = right - lower x[before] - upper x[after].
+template <typename Matrix, typename Vector> struct Link {
+    Matrix lower{}, upper{};
+    Vector right{};
+
+    /// Whether the others matter: what is less is lost in rounding.
+    HL_FN bool is_coupled() const
+    {
+        constexpr double least = 0x1.0p-64;
+        return largest_of(lower) > least || largest_of(upper) > least;
+    }
+};
+using SingleLink = Link<double, double>;
+using PairLink = Link<PairMatrix, Pair>;
+
+HL_FN SingleLink link_of(const Equation& own)
+{
+    const double scale = plain_inverse(own.pivot);
+    return {own.lower * scale, own.upper * scale, own.right * scale};
+}
+HL_FN PairLink link_of(const PairEquation& own)
+{
+    const PairMatrix scale = own.pivot.inverse();
+    return {scale * diagonal(own.lower), scale * diagonal(own.upper), scale * own.right};
+}
+
+/// Links in columns of numbers; none before the first and after the last.
+template <typename Kind> struct LinkColumns;
+template <> struct LinkColumns<SingleLink> {
+    static constexpr int numbers = 3, found = 2; ///< of a link; the column of the first of right
+    double* first;
+    int stride, count;
+
+    HL_FN SingleLink at(int k) const
+    {
+        return k < 0 || k >= count ? SingleLink{} : SingleLink{first[k], first[stride + k], first[2 * stride + k]};
+    }
+    HL_FN void set(int k, const SingleLink& link) const
+    {
+        first[k] = link.lower;
+        first[stride + k] = link.upper;
+        set_right(k, link.right);
+    }
+    HL_FN void set_right(int k, double right) const { first[found * stride + k] = right; }
+};
+template <> struct LinkColumns<PairLink> {
+    static constexpr int numbers = 10, found = 8;
+    double* first;
+    int stride, count;
+
+    HL_FN PairMatrix matrix(int column, int k) const
+    {
+        const double* const at = first + column * stride + k;
+        return {at[0], at[stride], at[2 * stride], at[3 * stride]};
+    }
+    HL_FN void set(int column, int k, const PairMatrix& m) const
+    {
+        double* const at = first + column * stride + k;
+        at[0] = m.a;
+        at[stride] = m.b;
+        at[2 * stride] = m.c;
+        at[3 * stride] = m.d;
+    }
+    HL_FN PairLink at(int k) const
+    {
+        if (k < 0 || k >= count) return {};
+        return {matrix(0, k), matrix(4, k), {first[8 * stride + k], first[9 * stride + k]}};
+    }
+    HL_FN void set(int k, const PairLink& link) const
+    {
+        set(0, k, link.lower);
+        set(4, k, link.upper);
+        set_right(k, link.right);
+    }
+    HL_FN void set_right(int k, const Pair& right) const
+    {
+        first[found * stride + k] = right.first;
+        first[(found + 1) * stride + k] = right.second;
+    }
 };
 
 /// A team of several threads, each with a chunk of neighbouring places wherever what happens at one depends on the one before. Threads
 /// offers size(), all(f), which has every thread call f(its number) and wait for the others, any(f), which does the same and returns
 /// whether any f did, and add(total, own).
 template <typename Threads> class Team {
+    template <typename Stage> static constexpr bool of_pairs = columns_of<Stage> > 0;
+
 public:
-    static constexpr int per_place = 3;  ///< numbers per place that a line's room must have
-    static constexpr int per_thread = 6; ///< numbers per thread that the links' room must have
+    /// Numbers per place that a line's room must have, and per thread that the links' room must have.
+    template <typename Stage>
+    static constexpr int per_place =
+        of_pairs<Stage> ? LinkColumns<PairLink>::numbers + columns_of<Stage> : LinkColumns<SingleLink>::numbers;
+    template <typename Stage>
+    static constexpr int per_thread = 2 * (of_pairs<Stage> ? LinkColumns<PairLink>::numbers : LinkColumns<SingleLink>::numbers);
 
     HL_FN Team(const Threads& threads, double* room, int longest, double* links_room)
-        : threads_(threads), lower_(room), upper_(room + longest), right_(room + 2 * longest), links_(links_room)
+        : threads_(threads), room_(room), longest_(longest), links_(links_room)
     {
     }
+
+    /// One of the stage's own columns, a number for each place of the line.
+    HL_FN double* column(int k) const { return room_ + (LinkColumns<PairLink>::numbers + k) * longest_; }
 
     // As with Alone.
     template <typename F> HL_FN void each(int first, int last, const F& f) const
@@ -116,28 +300,14 @@ public:
     }
     HL_FN void add(std::int64_t* total, std::int64_t own) const { threads_.add(total, own); }
 
-    /// Each thread eliminates the places within its chunk, which leaves a row per chunk (Wang 1981: a parallel method for tridiagonal
-    /// equations); those are solved by parallel cyclic reduction (Hockney and Jesshope 1981).
-    template <typename Rows> HL_FN void solve(int first, int last, const Rows& row) const
+    template <typename Rows> HL_FN void solve(int first, int last, const Rows& row) const { solve_links<SingleLink>(first, last, row); }
+    HL_FN double found(int first, int i) const { return room_[LinkColumns<SingleLink>::found * longest_ + i - first]; }
+    template <typename Rows> HL_FN void solve_pairs(int first, int last, const Rows& row) const { solve_links<PairLink>(first, last, row); }
+    HL_FN Pair found_pair(int first, int i) const
     {
-        each(first, last, [&](int i) {
-            const Equation own = row(i);
-            const double scale = plain_inverse(own.pivot);
-            lower_[i - first] = own.lower * scale;
-            upper_[i - first] = own.upper * scale;
-            right_[i - first] = own.right * scale;
-        });
-        const Chunks chunks(last - first, threads_.size());
-        threads_.all([&](int t) { links(1).set(t, eliminate(chunks.begin(t), chunks.end(t))); });
-        const bool coupled = threads_.any([&](int t) {
-            const Link own = join(chunks.begin(t), chunks.end(t), links(1).at(t + 1));
-            links(0).set(t, own);
-            return own.is_coupled();
-        });
-        const Links solved = links(reduce(chunks.count(), coupled));
-        threads_.all([&](int t) { substitute(chunks.begin(t), chunks.end(t), solved.at(t - 1).right, solved.at(t).right); });
+        const double* const at = room_ + LinkColumns<PairLink>::found * longest_ + i - first;
+        return {at[0], at[longest_]};
     }
-    HL_FN double found(int first, int i) const { return right_[i - first]; }
 
     /// In each round every thread goes through its chunk; what the chunk's last place cannot keep comes to the next chunk in the next
     /// round.
@@ -158,78 +328,80 @@ private:
         HL_FN int end(int t) const { return begin(t + 1); }
         HL_FN int count() const { return (places + each - 1) / each; }
     };
-    /// x = right - lower x[before] - upper x[after], for an x of a chunk.
-    struct Link {
-        double lower = 0, upper = 0, right = 0;
+    template <typename Own> HL_FN LinkColumns<Own> links(int which) const
+    {
+        return {links_ + LinkColumns<Own>::numbers * which * threads_.size(), threads_.size(), threads_.size()};
+    }
 
-        /// Whether the other chunks matter: what is less is lost in rounding.
-        HL_FN bool is_coupled() const
-        {
-            constexpr double least = 0x1.0p-64;
-            return lower > least || lower < -least || upper > least || upper < -least;
-        }
-    };
-    /// One per chunk; nothing before the first and after the last.
-    struct Links {
-        double* at_;
-        int count;
-
-        HL_FN Link at(int t) const { return t < 0 || t >= count ? Link{} : Link{at_[t], at_[count + t], at_[2 * count + t]}; }
-        HL_FN void set(int t, const Link& link) const
-        {
-            at_[t] = link.lower;
-            at_[count + t] = link.upper;
-            at_[2 * count + t] = link.right;
-        }
-    };
-
-    HL_FN Links links(int which) const { return {links_ + 3 * which * threads_.size(), threads_.size()}; }
-
-    /// Leaves x[i] = right - lower x[last of the chunk before] - upper x[i + 1]; returns the chunk's first x by the last of the chunk
-    /// before and its own last.
-    HL_FN Link eliminate(int begin, int end) const
+    /// Each thread eliminates the places within its chunk, which leaves a row per chunk (Wang 1981: a parallel method for tridiagonal
+    /// equations); those are solved by parallel cyclic reduction (Hockney and Jesshope 1981).
+    template <typename Own, typename Rows> HL_FN void solve_links(int first, int last, const Rows& row) const
+    {
+        const LinkColumns<Own> places{room_, longest_, last - first};
+        each(first, last, [&](int i) { places.set(i - first, link_of(row(i))); });
+        const Chunks chunks(last - first, threads_.size());
+        threads_.all([&](int t) { links<Own>(1).set(t, eliminate(places, chunks.begin(t), chunks.end(t))); });
+        const bool coupled = threads_.any([&](int t) {
+            const Own own = join(places, chunks.begin(t), chunks.end(t), links<Own>(1).at(t + 1));
+            links<Own>(0).set(t, own);
+            return own.is_coupled();
+        });
+        const LinkColumns<Own> solved = links<Own>(reduce<Own>(chunks.count(), coupled));
+        threads_.all([&](int t) { substitute(places, chunks.begin(t), chunks.end(t), solved.at(t - 1).right, solved.at(t).right); });
+    }
+    /// Leaves each place by the last of the chunk before and by the next place; returns the chunk's first by the last of the chunk before
+    /// and its own last.
+    template <typename M, typename V> HL_FN static Link<M, V> eliminate(const LinkColumns<Link<M, V>>& places, int begin, int end)
     {
         if (begin >= end) return {};
-        Link before{lower_[begin], upper_[begin], right_[begin]};
-        Link first{0, -1, 0}; // so far by the place itself
+        Link<M, V> before = places.at(begin);
+        Link<M, V> first{{}, -one_of(M{}), {}}; // so far by the place itself
         for (int i = begin + 1; i < end; ++i) {
             first = {first.lower - first.upper * before.lower, -first.upper * before.upper, first.right - first.upper * before.right};
-            const double lower = lower_[i], scale = plain_inverse(1.0 - lower * before.upper);
-            before = {-lower * before.lower * scale, upper_[i] * scale, (right_[i] - lower * before.right) * scale};
-            lower_[i] = before.lower;
-            upper_[i] = before.upper;
-            right_[i] = before.right;
+            const Link<M, V> own = places.at(i);
+            const M scale = inverse_of(one_of(M{}) - own.lower * before.upper);
+            before = {scaled(-own.lower * before.lower, scale), scaled(own.upper, scale),
+                      scaled(own.right - own.lower * before.right, scale)};
+            places.set(i, before);
         }
         return first;
     }
-    /// The chunk's last x by those of the chunks before and after.
-    HL_FN Link join(int begin, int end, const Link& first_of_next) const
+    /// The chunk's last by those of the chunks before and after.
+    template <typename M, typename V>
+    HL_FN static Link<M, V> join(const LinkColumns<Link<M, V>>& places, int begin, int end, const Link<M, V>& first_of_next)
     {
         if (begin >= end) return {};
-        const double upper = upper_[end - 1], scale = plain_inverse(1.0 - upper * first_of_next.lower);
-        return {lower_[end - 1] * scale, -upper * first_of_next.upper * scale, (right_[end - 1] - upper * first_of_next.right) * scale};
+        const Link<M, V> own = places.at(end - 1);
+        const M scale = inverse_of(one_of(M{}) - own.upper * first_of_next.lower);
+        return {scaled(own.lower, scale), scaled(-own.upper * first_of_next.upper, scale),
+                scaled(own.right - own.upper * first_of_next.right, scale)};
     }
-    /// Solves for the last x of each chunk; returns which of the links then has it as right. Each round couples chunks twice as far apart,
+    /// Solves for the last of each chunk; returns which of the links then has it as right. Each round couples chunks twice as far apart,
     /// by far less where places hold to themselves: most lines are done after a few.
-    HL_FN int reduce(int count, bool coupled) const
+    template <typename Own> HL_FN int reduce(int count, bool coupled) const
     {
         int now = 0;
         for (int apart = 1; apart < count && coupled; apart *= 2, now = 1 - now)
             coupled = threads_.any([&](int t) {
-                const Link own = links(now).at(t), before = links(now).at(t - apart), after = links(now).at(t + apart);
-                const double scale = plain_inverse(1.0 - own.lower * before.upper - own.upper * after.lower);
-                const Link next{-own.lower * before.lower * scale, -own.upper * after.upper * scale,
-                                (own.right - own.lower * before.right - own.upper * after.right) * scale};
-                links(1 - now).set(t, next);
+                const Own own = links<Own>(now).at(t), before = links<Own>(now).at(t - apart), after = links<Own>(now).at(t + apart);
+                const auto scale = inverse_of(one_of(own.lower) - own.lower * before.upper - own.upper * after.lower);
+                const Own next{scaled(-own.lower * before.lower, scale), scaled(-own.upper * after.upper, scale),
+                               scaled(own.right - own.lower * before.right - own.upper * after.right, scale)};
+                links<Own>(1 - now).set(t, next);
                 return next.is_coupled();
             });
         return now;
     }
-    HL_FN void substitute(int begin, int end, double before, double last) const
+    template <typename M, typename V>
+    HL_FN static void substitute(const LinkColumns<Link<M, V>>& places, int begin, int end, const V& before, V last)
     {
         if (begin >= end) return;
-        right_[end - 1] = last;
-        for (int i = end - 2; i >= begin; --i) right_[i] = last = right_[i] - lower_[i] * before - upper_[i] * last;
+        places.set_right(end - 1, last);
+        for (int i = end - 2; i >= begin; --i) {
+            const Link<M, V> own = places.at(i);
+            last = own.right - own.lower * before - own.upper * last;
+            places.set_right(i, last);
+        }
     }
 
     /// From a place on, along the line or back.
@@ -266,9 +438,8 @@ private:
     }
 
     Threads threads_;
-    double* lower_;
-    double* upper_;
-    double* right_;
+    double* room_;
+    int longest_;
     double* links_;
 };
 

@@ -29,11 +29,16 @@ struct InTurns {
     void add(std::int64_t* total, std::int64_t own) const { *total += own; }
 };
 
-/// Calls work(team) with a team for lines of so many places; of no threads: one that is alone.
-template <typename Work> void with_team(int threads, bool last_first, int longest, const Work& work)
+/// A stage that solves pairs.
+struct OfPairs {
+    static constexpr int columns = 1;
+};
+
+/// Calls work(team) with a team for lines of so many places and a stage; of no threads: one that is alone.
+template <typename Stage = void, typename Work> void with_team(int threads, bool last_first, int longest, const Work& work)
 {
-    std::vector<double> places(static_cast<std::size_t>(Team<InTurns>::per_place * longest), std::nan(""));
-    std::vector<double> links(static_cast<std::size_t>(Team<InTurns>::per_thread * threads), std::nan(""));
+    std::vector<double> places(static_cast<std::size_t>(Team<InTurns>::per_place<Stage> * longest), std::nan(""));
+    std::vector<double> links(static_cast<std::size_t>(Team<InTurns>::per_thread<Stage> * threads), std::nan(""));
     if (threads == 0)
         work(Alone(places.data(), longest));
     else
@@ -88,6 +93,60 @@ std::vector<double> solution(const std::vector<Equation>& equations, int threads
         for (int i = 0; i < count; ++i) x[static_cast<std::size_t>(i)] = team.found(first, first + i);
     });
     return x;
+}
+
+/// Symmetric but for what each place keeps, as those of two classes that exchange at each place are.
+std::vector<PairEquation> random_pairs(int count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const auto number = [&](double low, double high) { return std::pow(10, std::uniform_real_distribution<double>(low, high)(random)); };
+    std::vector<PairEquation> equations(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+        PairEquation& e = equations[i];
+        if (i > 0) e.lower = equations[i - 1].upper;
+        if (i + 1 < equations.size()) e.upper = {-number(-8, 1), -number(-8, 1)};
+        const double across = number(-3, 2);
+        e.pivot = {number(-3, 0) + across - e.lower.first - e.upper.first, -across, -across,
+                   number(-3, 0) + across - e.lower.second - e.upper.second};
+        e.right = {number(-3, 0) - 0.5, number(-3, 0) - 0.5};
+    }
+    return equations;
+}
+
+/// First numbers, then second ones.
+std::vector<double> solution(const std::vector<PairEquation>& equations, int threads, bool last_first)
+{
+    constexpr int first = 7;
+    const auto count = static_cast<int>(equations.size());
+    std::vector<double> x(2 * equations.size());
+    with_team<OfPairs>(threads, last_first, count, [&](const auto& team) {
+        team.solve_pairs(first, first + count, [&](int i) { return equations[static_cast<std::size_t>(i - first)]; });
+        for (int i = 0; i < count; ++i) {
+            const Pair found = team.found_pair(first, first + i);
+            x[static_cast<std::size_t>(i)] = found.first;
+            x[static_cast<std::size_t>(count + i)] = found.second;
+        }
+    });
+    return x;
+}
+
+/// The largest part of an equation that a solution leaves open, over its terms.
+double left_open(const std::vector<PairEquation>& equations, const std::vector<double>& x)
+{
+    const std::size_t n = equations.size();
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const PairEquation& e = equations[i];
+        const double before[] = {i > 0 ? x[i - 1] : 0.0, i > 0 ? x[n + i - 1] : 0.0};
+        const double next[] = {i + 1 < n ? x[i + 1] : 0.0, i + 1 < n ? x[n + i + 1] : 0.0};
+        const double own[] = {x[i], x[n + i]};
+        const double open[] = {
+            e.pivot.a * own[0] + e.pivot.b * own[1] + e.lower.first * before[0] + e.upper.first * next[0] - e.right.first,
+            e.pivot.c * own[0] + e.pivot.d * own[1] + e.lower.second * before[1] + e.upper.second * next[1] - e.right.second};
+        const double terms = (e.pivot.a + e.pivot.d) * (std::abs(own[0]) + std::abs(own[1])) + 1e-3;
+        largest = std::max({largest, std::abs(open[0]) / terms, std::abs(open[1]) / terms});
+    }
+    return largest;
 }
 
 /// Places that keep 0..1, what they hold, and what went over each to the next.
@@ -166,6 +225,19 @@ private Q_SLOTS:
                 QVERIFY2(difference(alone, shared) < 1e-12, qPrintable(QString::number(difference(alone, shared))));
                 QVERIFY(shared == solution(equations, threads, true));
             }
+    }
+    void pairsAreSolvedByAnyNumberOfThreads_data() { add_teams_and_lines(); }
+    void pairsAreSolvedByAnyNumberOfThreads()
+    {
+        QFETCH(int, threads);
+        QFETCH(int, places);
+        for (unsigned seed = 0; seed < 5; ++seed) {
+            const std::vector<PairEquation> equations = random_pairs(places, seed);
+            const std::vector<double> alone = solution(equations, 0, false), shared = solution(equations, threads, false);
+            QVERIFY2(left_open(equations, alone) < 1e-12, qPrintable(QString::number(left_open(equations, alone))));
+            QVERIFY2(difference(alone, shared) < 1e-11, qPrintable(QString::number(difference(alone, shared))));
+            QVERIFY(shared == solution(equations, threads, true));
+        }
     }
     void whatPlacesCannotKeepIsPassedOnExactly_data() { add_teams_and_lines(); }
     void whatPlacesCannotKeepIsPassedOnExactly()

@@ -17,7 +17,7 @@ namespace {
 template <typename Stage> void along(const Stage& stage)
 {
     const YarnLine line = stage.s.visited_line(0);
-    std::vector<double> room(static_cast<std::size_t>(Alone::per_place * (line.last - line.first)));
+    std::vector<double> room(static_cast<std::size_t>(Alone::per_place<void> * (line.last - line.first)));
     stage(Alone(room.data(), line.last - line.first), 0);
 }
 
