@@ -87,6 +87,25 @@ void bundle(YarnParameters& yarn, double yarns, double crossed)
     yarn.fibre_area *= yarns;
     yarn.open_vapour *= yarns;
     yarn.face_area *= yarns * crossed;
+    yarn.flow_along *= yarns;
+    yarn.face_conductance *= yarns * crossed;
+}
+
+void bundle(BetweenParameters& between, double ends, double picks)
+{
+    for (double* of_all : {&between.volume, &between.to_warp, &between.to_weft, &between.yarns, &between.face}) *of_all *= ends * picks;
+    between.along_warp *= ends / picks;
+    between.along_weft *= picks / ends;
+}
+
+/// Of what each crossing has.
+std::vector<double> summed_crossings(const Blocks& blocks, std::vector<double> values)
+{
+    if (values.empty()) return values;
+    values.resize(2 * values.size()); // the warp's segments come in the order of crossings
+    values = summed(blocks, values);
+    values.resize(values.size() / 2);
+    return values;
 }
 
 /// kg of liquid and bound water that a face's segments have more than at the start.
@@ -139,6 +158,8 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     for (CrossingParameters& crossing : coarse.cloth.crossing) // of all the yarns' crossings
         for (double* conductance : {&crossing.liquid_conductance, &crossing.heat_conductance, &crossing.vapour_conductance})
             *conductance *= ends * picks;
+    for (CrossingParameters& crossing : coarse.cloth.crossing) bundle(crossing.between, ends, picks);
+    coarse.cloth.start.between = summed_crossings(blocks, fine.cloth.start.between);
     return coarse;
 }
 

@@ -57,10 +57,11 @@ struct Frame {
     double time = 0; ///< s
     // One value per segment, in the textile's order.
     std::vector<float> saturation;  ///< liquid volume / pore volume
-    std::vector<float> liquid;      ///< kg
+    std::vector<float> liquid;      ///< kg, with half of that between the yarns of its crossing
     std::vector<float> regain;      ///< bound water / dry fibre
     std::vector<float> vapour;      ///< kg/m3; where it is not modelled as it began, saturated at most
     std::vector<float> temperature; ///< K
+    std::vector<float> between;     ///< kg of it between the yarns
     std::vector<float> shells;      ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
@@ -84,9 +85,9 @@ struct FrameField {
     std::optional<float> absent{}; ///< its value in scenes without that field and in recordings made before it; none: all have it
 };
 inline constexpr FrameField frame_fields[] = {
-    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true, "liquid"},
+    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true},
     {"bound_water", &Frame::regain, "kg/kg", false},  {"vapour_concentration", &Frame::vapour, "kg/m3", false},
-    {"temperature", &Frame::temperature, "K", false},
+    {"temperature", &Frame::temperature, "K", false}, {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
 };
 
 inline void Frame::resize_fields(std::size_t segments)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/scene/scene.h"
 
-#include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
 
@@ -196,6 +196,55 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
     scene.cloth.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
 }
 
+void flow_by_suction(Scene& scene, const Textile& textile)
+{
+    scene.cloth.by_suction = true;
+    const LiquidInPores liquid{scene.climate.surface_tension, scene.climate.viscosity};
+    const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
+    for (std::size_t type = 0; type < warps + wefts; ++type) {
+        const bool is_warp = type < warps;
+        const YarnBySuction found = yarn_by_suction(is_warp ? textile.warp.types[type] : textile.weft.types[type - warps], textile,
+                                                    is_warp ? textile.weft.pitch : textile.warp.pitch, liquid);
+        YarnParameters& yarn = scene.cloth.yarns[type];
+        yarn.on_face[0] = found.at_bottom;
+        yarn.on_face[1] = found.on_top;
+        yarn.flow_along = found.flow_along;
+        yarn.face_conductance = found.face_conductance;
+    }
+    for (std::size_t warp = 0; warp < warps; ++warp)
+        for (std::size_t weft = 0; weft < wefts; ++weft)
+            scene.cloth.crossing[warp * wefts + weft].between = room_of_crossing(textile, warp, weft, liquid);
+}
+
+/// Pores of yarns that have more fibres in one place than in another, within the same outline. Along a yarn places some centimetres apart
+/// are alike.
+void add_unevenness(Scene& scene, const Textile& textile, std::uint64_t seed)
+{
+    constexpr double alike_over = 20e-3; // m; an assumption
+    const auto &all = textile.warp.types, &more = textile.weft.types;
+    const auto is_uneven = [](const YarnType& type) { return type.irregularity_cv > 0; };
+    if (std::none_of(all.begin(), all.end(), is_uneven) && std::none_of(more.begin(), more.end(), is_uneven)) return;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& own = textile.system(kind);
+        const int crossed = textile.system(other_kind(kind)).count;
+        const double kept = std::exp(-textile.system(other_kind(kind)).pitch / alike_over);
+        for (int yarn = 0; yarn < own.count; ++yarn) {
+            const YarnType& type = textile.type(kind, yarn);
+            const double least = std::max(0.5, (1.0 - 0.95) / (1.0 - type.packing)); // of the pores
+            double off = 0;
+            for (int k = 0; k < crossed; ++k) {
+                const auto stream = static_cast<std::uint64_t>(2 * yarn + (kind == YarnKind::warp ? 0 : 1));
+                const double fresh = std::sqrt(12.0) * (random_uniform(seed, stream, static_cast<std::uint64_t>(k)) - 0.5);
+                off = k == 0 ? fresh : kept * off + std::sqrt(1.0 - kept * kept) * fresh;
+                const double fibres = std::clamp(1.0 + type.irregularity_cv * off, 0.2, 1.8);
+                const double pores = (1.0 - type.packing * fibres) / (1.0 - type.packing);
+                const auto i = static_cast<std::size_t>(scene.cloth.pores.size());
+                scene.cloth.pores.push_back(std::clamp(pores, least, 1.5) * type.area * (1.0 - type.packing) * scene.cloth.length[i]);
+            }
+        }
+    }
+}
+
 std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
 {
     std::vector<SceneDroplet> droplets;
@@ -328,9 +377,6 @@ void set_parts(Scene& scene, const ModelPlan& plan)
 
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed)
 {
-    if (experiment.closure == Closure::pores)
-        throw Error("The closure \"pores\" is not computed yet; choose kissa, li_zhu or paper for the experiment \"" + experiment.name +
-                    "\".");
     Scene scene;
     scene.cloth.ends = textile.ends();
     scene.cloth.picks = textile.picks();
@@ -350,6 +396,10 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.cloth.half_thickness = textile.half_thickness();
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
+    if (experiment.closure == Closure::pores) {
+        flow_by_suction(scene, textile);
+        add_unevenness(scene, textile, seed);
+    }
     scene.rules.particles_per_droplet = plan.particles_per_droplet;
     set_parts(scene, plan);
     set_up(scene, textile, experiment, plan);

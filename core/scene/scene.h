@@ -7,6 +7,7 @@
 #include "core/physics/liquid.h"
 #include "core/physics/sorption.h"
 #include "core/plan/model_plan.h"
+#include "core/scene/suction.h"
 
 #include <optional>
 
@@ -34,6 +35,9 @@ struct YarnParameters {
     double intake_flux = 0;         ///< kg/(m2 s) through the skin of a dry yarn
     double face_area = 0;           ///< m2 of one segment's skin that absorbs from drops
     double adhesion = 0;            ///< J/m2, work of adhesion
+    WettedPores on_face[2];         ///< where liquid flows by suction: of what lies at the bottom, and on top
+    double flow_along = 0;          ///< m4/(Pa s), permeability times section over viscosity
+    double face_conductance = 0;    ///< m3/(Pa s), from liquid on one segment's skin
     double initial_regain = 0;
     double resting_regain = 0; ///< in equilibrium with the climate: a segment that has it and no liquid is not visited
 };
@@ -45,6 +49,7 @@ struct CrossingParameters {
     double vapour_conductance = 0; ///< m3/s
     double warp_rise = 0;          ///< m, of the warp's centreline over the middle plane where it is up, or under it
     double weft_rise = 0;
+    BetweenParameters between; ///< where liquid flows by suction
 };
 
 /// Air and liquid.
@@ -63,10 +68,11 @@ struct ClimateParameters {
 
 /// The cloth's water and warmth at the start.
 struct ClothStart {
-    std::vector<double> liquid; ///< kg per segment; empty: dry
-    double bound = 0;           ///< kg of the fibres' water at the start that was added for the experiment
-    double warmth = 0;          ///< K, of the sample over the climate's temperature
-    double humidity = -1;       ///< of its pores; less than 0: the climate's
+    std::vector<double> liquid;  ///< kg per segment; empty: dry
+    std::vector<double> between; ///< kg in the room of each crossing; empty: dry
+    double bound = 0;            ///< kg of the fibres' water at the start that was added for the experiment
+    double warmth = 0;           ///< K, of the sample over the climate's temperature
+    double humidity = -1;        ///< of its pores; less than 0: the climate's
 };
 
 /// The shape of one type of yarn as the liquid meets it.
@@ -97,6 +103,7 @@ struct Cloth {
     int profile_samples = 0;                  ///< of each of their profiles
     std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
     std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
+    bool by_suction = false;                  ///< liquid flows by suctions, in yarns and between them, instead of by saturation in yarns
     bool face_only = false;                   ///< the sample's edge is closed to vapour and heat
     double swelling = 0;                      ///< m3 of pore lost per kg of water that fibres bind
     double gravity_along_warp = 0;            ///< m/s2 towards pick 0

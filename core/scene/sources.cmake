@@ -3,4 +3,5 @@ target_sources(hygroloom_core PRIVATE
   scene/check_scene.cpp
   scene/coarse_scene.cpp
   scene/scene.cpp
+  scene/suction.cpp
 )

@@ -58,6 +58,7 @@ TextileShape numbers_of(const Scene& scene)
     t.per_warp_pitch = Real(1) / t.warp_pitch;
     t.per_weft_pitch = Real(1) / t.weft_pitch;
     t.samples = scene.cloth.profile_samples;
+    t.has_rooms = scene.cloth.by_suction;
     float shift = 0;
     for (float s : scene.cloth.shift) shift = std::max(shift, std::abs(s));
     for (std::size_t type = 0; type < scene.cloth.shapes.size(); ++type) {

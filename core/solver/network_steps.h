@@ -36,6 +36,15 @@ struct StepSigns {
     bool change() const { return !error || pools; }
 };
 
+/// One step of the network, on its way.
+struct NetworkStep {
+    double time = 0;        ///< s, at its end
+    double dt = 0;          ///< s
+    double exchange_dt = 0; ///< s since the last exchange
+    bool exchange_is_due = false;
+    StepSigns signs{};
+};
+
 /// How changes compare with those of the step before.
 struct RateWatch {
     double dt = 0;      ///< s, of the step before

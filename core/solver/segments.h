@@ -103,7 +103,12 @@ enum class SegmentCount {
     crossings,        ///< end x picks + pick
     bundle_crossings, ///< the same where the cloth goes in bundles of yarns, else none
     fed_segments,     ///< all, where any hangs in liquid, else none
-    watched_segments  ///< all, where errors of steps are watched, else none
+    watched_segments, ///< all, where errors of steps are watched, else none
+    takers,           ///< all that free liquid passes into: segments, and behind them each crossing's room where liquid flows by suction
+    offered_takers,   ///< the same, where a pool stands on cloth in which liquid flows by suction, else none
+    uneven_segments,  ///< all, where yarns are uneven along their length, else none
+    sucking_segments, ///< all, where liquid flows by suction, else none
+    sucking_crossings ///< the same of the crossings
 };
 
 /// The segments' arrays. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
@@ -113,12 +118,19 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<const float> warp_up_share{};  ///< of the crossings that each stands for
     Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
     Array<double> pores{};               ///< volume; swelling narrows them
+    Array<double> dry_pores{};           ///< volume before any swelling, of uneven yarns
     Array<double> supplied{};            ///< liquid since the start by hanging in it
     Array<double> liquid{};
     Array<double> vapour{};
     Array<double> warmth{}; ///< over the climate's temperature
     Array<double> regain{};
-    Array<double> bound{};                      ///< water in the fibres: see bound_water(); who changes regain keeps it up to date
+    Array<double> bound{};   ///< water in the fibres: see bound_water(); who changes regain keeps it up to date
+    Array<double> suction{}; ///< Pa, at which the pores last settled
+    Array<double> settled{}; ///< the saturation they had then
+    Array<double> room{};    ///< m3, between the yarns at each crossing
+    Array<double> between{}; ///< liquid there; it is as warm as the warp's segment
+    Array<double> between_suction{}, between_settled{};
+    Array<std::int64_t> offered{};              ///< quanta of a pool that each taker may draw in this step
     Array<std::int64_t> absorbed{};             ///< quanta taken from particles and pools since the last network step
     Array<int> contact{};                       ///< note of the particle that touches, or none: see note_of()
     Array<double> uptake{};                     ///< how much more water fibres took in the last exchange per kg/m3 more of pore vapour
@@ -144,14 +156,22 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"warp_up_share", "1", Count::bundle_crossings}, of.warp_up_share...);
         visit(Row{"fed", "1", Count::fed_segments}, of.fed...);
         visit(Row{"pores", "m3", Count::segments, saved, shown}, of.pores...);
+        visit(Row{"dry_pores", "m3", Count::uneven_segments}, of.dry_pores...);
         visit(Row{"supplied", "kg", Count::fed_segments, saved, shown}, of.supplied...);
         visit(Row{"liquid", "kg", Count::segments, saved, shown}, of.liquid...);
         visit(Row{"vapour", "kg", Count::segments, saved, shown}, of.vapour...);
         visit(Row{"warmth", "K", Count::segments, saved, shown}, of.warmth...);
         visit(Row{"regain", "kg/kg", Count::shells, saved, shown}, of.regain...);
         visit(Row{"bound", "kg", Count::segments, saved, shown}, of.bound...);
-        visit(Row{"absorbed", "2^-64 kg", Count::segments, saved}, of.absorbed...);
-        visit(Row{"contact", "1", Count::segments}, of.contact...);
+        visit(Row{"suction", "Pa", Count::sucking_segments, saved}, of.suction...);
+        visit(Row{"settled", "1", Count::sucking_segments, saved}, of.settled...);
+        visit(Row{"room", "m3", Count::sucking_crossings, saved, shown}, of.room...);
+        visit(Row{"between", "kg", Count::sucking_crossings, saved, shown}, of.between...);
+        visit(Row{"between_suction", "Pa", Count::sucking_crossings, saved}, of.between_suction...);
+        visit(Row{"between_settled", "1", Count::sucking_crossings, saved}, of.between_settled...);
+        visit(Row{"offered", "2^-64 kg", Count::offered_takers}, of.offered...);
+        visit(Row{"absorbed", "2^-64 kg", Count::takers, saved}, of.absorbed...);
+        visit(Row{"contact", "1", Count::takers}, of.contact...);
         visit(Row{"uptake", "m3", Count::segments, saved}, of.uptake...);
         visit(Row{"evaporated", "kg", Count::segments, saved, shown}, of.evaporated...);
         visit(Row{"released", "J", Count::segments, saved, shown}, of.released...);
@@ -172,7 +192,9 @@ template <template <typename> typename Array> struct SegmentFields {
 
 /// The segments as stages see them; arrays that the scene does not have are null.
 struct Segments : Yarns, SegmentFields<Pointer> {
-    int shells = 0; ///< of each segment's fibres
+    int shells = 0;             ///< of each segment's fibres
+    bool narrows = false;       ///< segments' pores differ from their type's, where they swell or yarns are uneven
+    bool room_with_warp = true; ///< whose temperature the liquid between yarns has
 
     HL_FN int warp_of(int end, int pick) const { return end * picks + pick; }
     HL_FN int weft_of(int end, int pick) const { return crossings() + pick * ends + end; }
@@ -181,6 +203,14 @@ struct Segments : Yarns, SegmentFields<Pointer> {
         if (segment < crossings()) return segment;
         const int weft = segment - crossings();
         return (weft % ends) * picks + weft / ends;
+    }
+    /// The face that a yarn lies on at a crossing: 1 on top, 0 at the bottom.
+    HL_FN int face_of(int crossing, bool is_warp) const { return (warp_up[crossing] != 0) == is_warp ? 1 : 0; }
+    /// kg that has a segment's temperature: its liquid and bound water, and of the warp's the liquid beside it, or of the weft's.
+    HL_FN double warm_water(int i) const
+    {
+        const double water = liquid[i] + bound[i];
+        return between != nullptr && is_warp(i) == room_with_warp ? water + between[crossing_of(i)] : water;
     }
 };
 

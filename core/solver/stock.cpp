@@ -44,6 +44,7 @@ struct SegmentNow {
     const Scene& scene;
     double fibres; ///< kg, dry
     double liquid, bound, pores, vapour, temperature;
+    double between; ///< kg, half of the liquid between the yarns of its crossing
 };
 
 double saturation(const SegmentNow& s) { return s.liquid / (s.scene.climate.density * s.pores); }
@@ -55,6 +56,8 @@ double vapour_concentration(const SegmentNow& s)
     return s.scene.rules.vapour ? vapour : std::min(vapour, saturation_concentration(s.temperature));
 }
 double temperature(const SegmentNow& s) { return s.temperature; }
+double liquid(const SegmentNow& s) { return s.liquid + s.between; }
+double between(const SegmentNow& s) { return s.between; }
 
 /// Of a frame field that is no copy of a solver's field.
 struct FrameFormula {
@@ -62,10 +65,8 @@ struct FrameFormula {
     double (*of)(const SegmentNow&);
 };
 constexpr FrameFormula frame_formulas[] = {
-    {&Frame::saturation, saturation},
-    {&Frame::regain, regain},
-    {&Frame::vapour, vapour_concentration},
-    {&Frame::temperature, temperature},
+    {&Frame::saturation, saturation},   {&Frame::regain, regain}, {&Frame::vapour, vapour_concentration},
+    {&Frame::temperature, temperature}, {&Frame::liquid, liquid}, {&Frame::between, between},
 };
 
 /// Whether frame_of() fills it: by one formula, or as a copy of a field that is shown, has one value a segment and has its unit.
@@ -101,14 +102,21 @@ void copy_shown_fields(const SegmentFields<Shown>& segments, Frame& f)
 }
 
 /// Segment i on a line: its formulas, and what it adds to its face.
-void show_segment(const Stock& stock, const Scene& scene, const YarnLine& line, std::size_t i, bool on_top, Frame& f)
+void show_segment(const Stock& stock, const Scene& scene, const YarnLine& line, std::size_t i, std::size_t crossing, Frame& f)
 {
     const SegmentFields<Shown>& s = stock.segments;
     const double fibre_mass = line.yarn.fibre_area * line.yarn.fibre_density;
-    const SegmentNow now{scene,       scene.cloth.length[i] * fibre_mass,     s.liquid[i], s.bound[i], s.pores[i],
-                         s.vapour[i], scene.climate.temperature + s.warmth[i]};
+    const SegmentNow now{scene,
+                         scene.cloth.length[i] * fibre_mass,
+                         s.liquid[i],
+                         s.bound[i],
+                         s.pores[i],
+                         s.vapour[i],
+                         scene.climate.temperature + s.warmth[i],
+                         s.between.empty() ? 0.0 : 0.5 * s.between[crossing]};
     for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
-    (on_top ? f.water_top : f.water_bottom) += now.liquid + now.bound - line.yarn.initial_regain * now.fibres;
+    const bool on_top = (scene.cloth.warp_up[crossing] != 0) == line.is_warp;
+    (on_top ? f.water_top : f.water_bottom) += now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
 }
 
 } // namespace
@@ -128,6 +136,7 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     for (std::size_t i = 0; i < p.alive.size(); ++i) free += p.alive[i] ? p.content[i] : 0;
     l.water_free = static_cast<double>(free) * water_quantum;
     l.water_liquid = sum_visited(s.liquid);
+    if (!s.between.empty()) l.water_liquid += sum_of_all(s.between);
     l.water_bound = sum_of_all(s.bound);
     l.water_vapour = sum_of_all(s.vapour);
     l.water_evaporated = sum_visited(s.evaporated);
@@ -153,7 +162,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
         const YarnLine l = s.visited_line(line);
         auto crossing = static_cast<std::size_t>(s.crossing_of(l.first));
         for (auto i = static_cast<std::size_t>(l.first); i < static_cast<std::size_t>(l.last); ++i) {
-            show_segment(stock, scene, l, i, (scene.cloth.warp_up[crossing] != 0) == l.is_warp, f);
+            show_segment(stock, scene, l, i, crossing, f);
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene.cloth.picks);
         }
     }

@@ -8,6 +8,7 @@
 #include "core/solver/steps/track_change.h"
 #include "core/solver/stock.h"
 #include "core/solver/visited_region.h"
+#include "core/solver/water_passed.h"
 #include "core/solver/yarn_start.h"
 
 #include <limits>
@@ -15,38 +16,6 @@
 #include <type_traits>
 
 namespace hygroloom::inline HL_PRECISION {
-
-/// Where the free liquid leaves the water that yarns absorb from it: quanta in the segments, and how far they lie.
-struct WaterAbsorbed {
-    Segments segments;
-    int* reach = nullptr; ///< see Reach
-};
-
-/// Water that swollen yarns have no room for: a particle's from each of these segments, its surplus in work0.
-struct WaterGivenBack {
-    std::vector<int> segments;
-};
-
-/// Liquid that comes without drops, in quanta.
-struct PoolWater {
-    std::vector<std::int64_t> standing; ///< in each pool
-    ManyQuanta pumped;                  ///< into pools and as sweat
-    ManyQuanta ran_off;                 ///< of sweat that found no room
-
-    bool any_stands() const
-    {
-        return std::any_of(standing.begin(), standing.end(), [](std::int64_t quanta) { return quanta > 0; });
-    }
-};
-
-/// One step of the network, on its way.
-struct NetworkStep {
-    double time = 0;        ///< s, at its end
-    double dt = 0;          ///< s
-    double exchange_dt = 0; ///< s since the last exchange
-    bool exchange_is_due = false;
-    StepSigns signs{};
-};
 
 /// The scene must outlive it. Whether drops are about: see FreeLiquid::is_about().
 template <typename Executor> class YarnNetwork {
@@ -108,12 +77,20 @@ private:
         return {scene_->cloth.ends, scene_->cloth.picks, scene_->cloth.warp_types, scene_->cloth.weft_types(),
                 type_.data(),       yarns_.data(),       crossing_.data(),         region_.unvisited()};
     }
-    std::size_t count_of(SegmentCount count) const;
+    bool by_suction() const { return scene_->cloth.by_suction; }
     void load_start();
     void set_climate(double time);
     void include_absorbed();
     void supply(double time, double dt);
     void feed_from_pools(double time, double dt);
+    FedFace face_under(std::size_t pool)
+    {
+        const FedFace face = pools_.face_under(*scene_, pool, climate_.density);
+        region_.include_middle(pools_.reach(*scene_, face));
+        return face;
+    }
+    void flow_by_suction(double dt, bool of_warp);
+    void move_by_suction(double dt);
     void sweat(double dt);
     void move_liquid_and_heat(double dt, const StepSigns& signs);
     bool exchanges_in(const NetworkStep& step) const { return step.exchange_dt > 0 && exchanges(*scene_); }
@@ -124,8 +101,9 @@ private:
     ClimateParameters climate_; ///< of now
     NetworkSteps steps_;
     VisitedRegion region_;
-    PoolWater pools_;
+    Pools pools_;
     double exchange_time_ = 0;       ///< s, of the last one
+    bool warp_first_ = true;         ///< in the next step by suction
     bool may_have_absorbed_ = false; ///< some segment, from particles or a pool, since the last step
 
     SegmentFields<Buffer> fields_;
@@ -141,22 +119,9 @@ template <typename Executor> Segments YarnNetwork<Executor>::segments()
     Segments s;
     static_cast<Yarns&>(s) = yarns();
     s.shells = scene_->rules.fibre_shells;
+    s.narrows = scene_->cloth.swelling > 0 || !scene_->cloth.pores.empty();
     Segments::each([](const auto&, auto& buffer, auto& pointer) { pointer = buffer.size() > 0 ? buffer.data() : nullptr; }, fields_, s);
     return s;
-}
-
-template <typename Executor> std::size_t YarnNetwork<Executor>::count_of(SegmentCount count) const
-{
-    const auto segments = static_cast<std::size_t>(scene_->cloth.segments());
-    switch (count) {
-    case SegmentCount::shells: return segments * static_cast<std::size_t>(scene_->rules.fibre_shells);
-    case SegmentCount::crossings: return segments / 2;
-    case SegmentCount::bundle_crossings: return scene_->cloth.warp_up_share.size();
-    case SegmentCount::fed_segments: return scene_->supply.fed.size();
-    case SegmentCount::watched_segments: return scene_->rules.step_error > 0 ? segments : 0;
-    case SegmentCount::segments: break;
-    }
-    return segments;
 }
 
 template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene)
@@ -165,11 +130,12 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     climate_ = scene.climate;
     exchange_time_ = 0;
     may_have_absorbed_ = false;
+    warp_first_ = true;
     pools_ = {std::vector<std::int64_t>(scene.supply.pools.size(), 0), {}, {}};
     region_.load(scene);
     Segments::each(
         [&](const auto& field, auto& buffer) {
-            buffer.resize(count_of(field.count));
+            buffer.resize(count_of(field.count, scene));
             buffer.fill({});
         },
         fields_);
@@ -177,6 +143,7 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     fields_.warp_up.upload(scene.cloth.warp_up);
     fields_.warp_up_share.upload(scene.cloth.warp_up_share);
     fields_.fed.upload(scene.supply.fed);
+    fields_.dry_pores.upload(scene.cloth.pores);
     fields_.contact.fill(no_particle);
     type_.upload(scene.cloth.type);
     yarns_.upload(scene.cloth.yarns);
@@ -195,6 +162,7 @@ template <typename Executor> void YarnNetwork<Executor>::load_start()
     fields_.regain.upload(start.regain);
     fields_.warmth.fill(scene_->cloth.start.warmth);
     if (!scene_->cloth.start.liquid.empty()) fields_.liquid.upload(scene_->cloth.start.liquid);
+    if (by_suction()) upload_suctions(start, *scene_, fields_);
     Segments all = segments();
     all.unvisited = {};
     exec_.for_each("sum shells", all.visited_segments(), SumShells{all});
@@ -249,30 +217,58 @@ template <typename Executor> void YarnNetwork<Executor>::supply(double time, dou
     may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0;
 }
 
-/// Pools fill, and the yarns under them absorb: a pool lies within the circle of a half ball of its volume.
+/// Pools fill, and the yarns under them absorb.
 template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double time, double dt)
 {
-    const double density = climate_.density;
+    pools_.fill(*scene_, time, dt, climate_.density);
+    if (by_suction()) return; // yarns draw while liquid moves
     for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
-        const ScenePool& pool = scene_->supply.pools[k];
-        std::int64_t& standing = pools_.standing[k];
-        const double running = std::clamp(time, pool.start, pool.end) - std::clamp(time - dt, pool.start, pool.end);
-        const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
-        standing += came;
-        pools_.pumped.add(came);
-        if (standing <= 0) continue;
-        const double volume = static_cast<double>(standing) * water_quantum / density;
-        const int threads = scene_->cloth.threads_per_cell;
-        const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
-        const double radius = std::max(std::cbrt(1.5 * volume / pi), cell / threads);
-        region_.include_middle(threads > 1 ? radius + cell : radius); // a cell may be covered in part
+        if (pools_.standing[k] <= 0) continue;
+        const FedFace face = face_under(k);
         totals_.write(0, {});
-        const FedFace face{pool.top, radius, scene_->cloth.warp_pitch, scene_->cloth.weft_pitch, threads};
-        const AskPool ask{segments(), face, density, dt, -1.0, &totals_.data()->asked};
+        const AskPool ask{segments(), face, climate_.density, dt, -1.0, &totals_.data()->asked};
         each_segment("ask pool", ask);
-        each_segment("take from pool", TakeFromPool{ask, standing, &totals_.data()->given});
-        standing -= totals_.read(0).given;
+        each_segment("take from pool", TakeFromPool{ask, pools_.standing[k], &totals_.data()->given});
+        pools_.standing[k] -= totals_.read(0).given;
     }
+}
+
+/// Along one system's yarns, and half of what passes across them.
+template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double dt, bool of_warp)
+{
+    Segments s = segments();
+    s.room_with_warp = of_warp;
+    const Cloth& cloth = scene_->cloth;
+    const double lift =
+        climate_.density * (of_warp ? cloth.gravity_along_warp * cloth.weft_pitch : cloth.gravity_along_weft * cloth.warp_pitch);
+    const StandingPool pool = pools_.standing_pool(*scene_, climate_);
+    const Yarns all = yarns();
+    const int first = of_warp ? 0 : all.visited_ends(), lines = of_warp ? all.visited_ends() : all.visited_picks();
+    const int longest = of_warp ? all.visited_picks() : all.visited_ends();
+    exec_.for_each_line("flow", lines, longest,
+                        FlowAlongLines{s, climate_, dt, of_warp, lift, pool, &totals_.data()->given, &totals_.data()->unsolved});
+    if (scene_->rules.heat)
+        exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
+}
+
+/// Along warp and weft, one after the other; the other way round in the next step.
+template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
+{
+    const bool pools = pools_.feeds();
+    if (pools) {
+        totals_.write(0, {});
+        const WeighPool weigh{segments(), face_under(0), &totals_.data()->asked};
+        each_segment("weigh pool", weigh);
+        each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
+    }
+    const bool hands_over = scene_->rules.heat; // the liquid between yarns
+    for (bool of_warp : {warp_first_, !warp_first_}) {
+        if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
+        flow_by_suction(dt, of_warp);
+        if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
+    }
+    warp_first_ = !warp_first_;
+    if (pools) pools_.standing[0] -= totals_.read(0).given;
 }
 
 /// Each segment of the face gets its share; what finds no room runs off.
@@ -298,7 +294,7 @@ template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(doubl
                            dt,
                            exchange_dt,
                            frame_due || steps_.exchange_is_due(exchange_dt),
-                           {scene_->rules.step_error > 0 && !drops_about, pools_.any_stands()}};
+                           {scene_->rules.step_error > 0 && !drops_about && !by_suction(), pools_.any_stands()}};
     move_liquid_and_heat(dt, step.signs);
     return step;
 }
@@ -316,6 +312,13 @@ template <typename Executor> void YarnNetwork<Executor>::move_liquid_and_heat(do
         each_segment("take absorbed", TakeAbsorbed{segments()});
     may_have_absorbed_ = false;
     if (!moves) return;
+    if (wicking && by_suction()) {
+        each_segment("remember", TrackChange{segments(), climate_.density, before, nullptr});
+        move_by_suction(dt);
+        each_segment("change", track);
+        if (heat) each_crossing("cross", ExchangeAtCrossing{segments(), climate_, dt, false, true});
+        return;
+    }
     if (wicking)
         each_line("wick",
                   WickAlongYarn{segments(), climate_, dt, scene_->cloth.gravity_along_warp, scene_->cloth.gravity_along_weft, before});
@@ -410,6 +413,7 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
 {
     steps_.pass_state(archive);
     archive.value(exchange_time_);
+    archive.value(warp_first_);
     archive.value(pools_.pumped);
     archive.value(pools_.ran_off);
     archive.values(pools_.standing, "standing in pools");

@@ -35,7 +35,57 @@ double pore_vapour(const Scene& scene)
     return begins * saturation_concentration(climate.temperature + scene.cloth.start.warmth);
 }
 
+/// As filled up to what they hold.
+void settle(std::vector<double>& suctions, std::vector<double>& settled, const Retention& retention, double saturation)
+{
+    settled.push_back(saturation);
+    suctions.push_back(saturation >= nearly_full ? 0.0 : suction_filling(retention, saturation));
+}
+
+const Retention& pores_at_start(const Segments& s, int i)
+{
+    return s.yarn_of(i).on_face[s.face_of(s.crossing_of(i), s.is_warp(i))].retention;
+}
+
+void add_suctions(YarnStart& start, const Scene& scene, const Yarns& yarns)
+{
+    const double density = scene.climate.density;
+    const ClothStart& at = scene.cloth.start;
+    Segments s;
+    static_cast<Yarns&>(s) = yarns;
+    s.warp_up = scene.cloth.warp_up.data();
+    for (std::size_t i = 0; i < start.pores.size(); ++i)
+        settle(start.suction, start.settled, pores_at_start(s, static_cast<int>(i)),
+               at.liquid.empty() ? 0.0 : at.liquid[i] / (density * start.pores[i]));
+    for (int crossing = 0; crossing < scene.cloth.crossings(); ++crossing) {
+        const BetweenParameters& between = yarns.crossing_at(crossing / scene.cloth.picks, crossing % scene.cloth.picks).between;
+        start.room.push_back(between.volume);
+        settle(start.between_suction, start.between_settled, between.retention,
+               at.between.empty() ? 0.0 : at.between[static_cast<std::size_t>(crossing)] / (density * between.volume));
+    }
+}
+
 } // namespace
+
+std::size_t count_of(SegmentCount count, const Scene& scene)
+{
+    const auto segments = static_cast<std::size_t>(scene.cloth.segments());
+    const bool sucks = scene.cloth.by_suction;
+    switch (count) {
+    case SegmentCount::shells: return segments * static_cast<std::size_t>(scene.rules.fibre_shells);
+    case SegmentCount::crossings: return segments / 2;
+    case SegmentCount::bundle_crossings: return scene.cloth.warp_up_share.size();
+    case SegmentCount::fed_segments: return scene.supply.fed.size();
+    case SegmentCount::watched_segments: return scene.rules.step_error > 0 ? segments : 0;
+    case SegmentCount::takers: return sucks ? 3 * segments / 2 : segments;
+    case SegmentCount::offered_takers: return sucks && !scene.supply.pools.empty() ? 3 * segments / 2 : 0;
+    case SegmentCount::uneven_segments: return scene.cloth.pores.size();
+    case SegmentCount::sucking_segments: return sucks ? segments : 0;
+    case SegmentCount::sucking_crossings: return sucks ? segments / 2 : 0;
+    case SegmentCount::segments: break;
+    }
+    return segments;
+}
 
 YarnStart yarn_start(const Scene& scene)
 {
@@ -57,6 +107,7 @@ YarnStart yarn_start(const Scene& scene)
         start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.length[i], liquid);
     }
     add_water_to_come(start.at_stake.water, scene, std::accumulate(start.pores.begin(), start.pores.end(), 0.0));
+    if (scene.cloth.by_suction) add_suctions(start, scene, yarns);
     return start;
 }
 

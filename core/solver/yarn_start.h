@@ -8,14 +8,30 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
+/// How many elements an array of a scene's segments has.
+std::size_t count_of(SegmentCount count, const Scene& scene);
+
 /// One value per segment; regain per shell.
 struct YarnStart {
     std::vector<double> pores;  ///< m3
     std::vector<double> vapour; ///< kg
     std::vector<double> regain;
+    // Where liquid flows by suction, else empty:
+    std::vector<double> suction, settled;                       ///< see SegmentFields
+    std::vector<double> room, between_suction, between_settled; ///< one value per crossing
     AtStake at_stake;
 };
 YarnStart yarn_start(const Scene& scene);
+/// Into a scene's fields of segments; of one in which liquid flows by suction.
+template <typename Fields> void upload_suctions(const YarnStart& start, const Scene& scene, Fields& fields)
+{
+    fields.suction.upload(start.suction);
+    fields.settled.upload(start.settled);
+    fields.room.upload(start.room);
+    fields.between_suction.upload(start.between_suction);
+    fields.between_settled.upload(start.between_settled);
+    if (!scene.cloth.start.between.empty()) fields.between.upload(scene.cloth.start.between);
+}
 
 /// Water (kg) and heat (J over the climate's temperature) of each segment's fibres and liquid, from which the first changes count.
 struct FibreStart {

@@ -361,7 +361,7 @@ private Q_SLOTS:
             "must be one of droplet, moisture_management, vertical_wicking, horizontal_wicking, drying, conditioning, sweat");
         row("experiment misspelt", replaced(good, type, "\"type\": \"dryng\""), "did you mean \"drying\"?");
         row("key of another type", replaced(good, type, type + ", \"feed_s\": 3"), "The key \"feed_s\" is not known here");
-        row("closure", replaced(good, type, type + ", \"closure\": \"mine\""), "must be one of kissa, li_zhu, paper");
+        row("closure", replaced(good, type, type + ", \"closure\": \"mine\""), "must be one of kissa, li_zhu, paper, pores");
         row("swelling", replaced(good, type, type + ", \"swelling\": 1"), "must be true or false; given is 1");
         row("liquid of nothing", replaced(good, "\"materials\": []", "\"liquids\": [{}]"), "liquids[0]: The key \"name\" is missing");
         row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"),

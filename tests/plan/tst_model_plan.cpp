@@ -103,19 +103,6 @@ private Q_SLOTS:
         design.experiments[0].closure = Closure::paper;
         QVERIFY(plan_of(design).on("wicking"));
     }
-    void theClosurePoresIsRefusedAsLongAsNothingComputesIt()
-    {
-        Design design = drop_design();
-        design.experiments[0].closure = Closure::pores;
-        const ModelPlan plan = plan_of(design);
-        const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0], plan.region);
-        try {
-            build_scene(design, textile, design.experiments[0], plan, 1);
-            QFAIL("was built");
-        } catch (const Error& error) {
-            QVERIFY2(std::string(error.what()).find("The closure \"pores\" is not computed yet") == 0, error.what());
-        }
-    }
     void polyesterSorbsTooLittleToMatterInADraft()
     {
         Design design = drop_design();

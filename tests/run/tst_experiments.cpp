@@ -94,8 +94,6 @@ double moved_heat(const Ledger& l)
 
 } // namespace
 
-constexpr int computed_closures = 3; // kissa, li_zhu, paper: what the solver has
-
 class TestExperiments : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -105,7 +103,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("closure");
         QTest::addColumn<bool>("swelling");
         for (int type = 1; type < experiment_types; ++type)
-            QTest::newRow(name_of(static_cast<ExperimentType>(type))) << type << type % computed_closures << (type % 2 == 0);
+            QTest::newRow(name_of(static_cast<ExperimentType>(type))) << type << type % closures << (type % 2 == 0);
     }
     void everyStepIsBalancedAndBounded()
     {

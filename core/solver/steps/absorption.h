@@ -4,6 +4,7 @@
 
 #include "core/physics/water.h"
 #include "core/solver/steps/skin.h"
+#include "core/solver/steps/supply.h"
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -33,6 +34,7 @@ template <typename Visit> HL_FN void for_touched_segments(const TextileShape& t,
             if (interval_gap(x.y, half, yk, Real(0.5) * t.weft_pitch) <= 0 && touches(true, t.warp_shape(e), x.x, xe))
                 visit(t.segment(true, e, k));
             if (in_column && touches(false, t.weft_shape(k), x.y, yk)) visit(t.segment(false, e, k));
+            if (t.has_rooms && e == end && k == pick && x.z - half <= t.half_thickness + nearly) visit(2 * t.crossings() + e * t.picks + k);
         }
     }
 }
@@ -84,18 +86,17 @@ struct GiveToSegments {
     }
     HL_FN void give(int i, int segment) const
     {
-        const YarnParameters& yarn = s.yarn_of(segment);
-        const double capacity = density * s.pores[segment];
-        const double room = capacity - s.liquid[segment] - static_cast<double>(s.absorbed[segment]) * water_quantum;
+        const Taker taker{s, density, segment};
+        const double room = taker.room();
         if (room <= 0) return;
-        const double wanted = *dt * yarn.intake_flux * yarn.face_area * room / capacity;
+        const double wanted = taker.draws(*dt, room);
         const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;
         s.absorbed[segment] += given;
         p.content[i] -= given;
         atomic_add(absorbed, given);
-        reach.include(s, s.crossing_of(segment));
+        reach.include(s, taker.crossing());
     }
 };
 

@@ -43,7 +43,7 @@ struct ExchangeAtCrossing {
     HL_FN bool take_warmth(int i, const YarnParameters& yarn, Side& side) const
     {
         side.warmth = s.warmth[i];
-        side.capacity = heat_capacity(yarn, s.length[i], side.liquid + s.bound[i]);
+        side.capacity = heat_capacity(yarn, s.length[i], s.warm_water(i));
         return side.warmth != 0;
     }
 
@@ -96,6 +96,22 @@ struct ExchangeAtCrossing {
         const double passed = conductance * (heat_a * per_a - heat_b * per_b) * plain_inverse(1.0 + conductance * (per_a + per_b));
         s.warmth[a] = (heat_a - passed) * per_a;
         s.warmth[b] = (heat_b + passed) * per_b;
+    }
+};
+
+/// The liquid between the yarns of a crossing goes over to the weft, whose temperature it has from then on, or back to the warp.
+struct HandRoomOver {
+    Segments s;
+    bool to_weft;
+
+    HL_FN void operator()(int index) const
+    {
+        const auto [end, pick] = s.visited_place(index);
+        const int warp = s.warp_of(end, pick), weft = s.weft_of(end, pick), to = to_weft ? weft : warp, from = to_weft ? warp : weft;
+        const double handed = water_specific_heat * s.between[warp];
+        if (handed == 0 || s.warmth[to] == s.warmth[from]) return;
+        const double own = heat_capacity(s.yarn_of(to), s.length[to], s.liquid[to] + s.bound[to]);
+        s.warmth[to] = (own * s.warmth[to] + handed * s.warmth[from]) * plain_inverse(own + handed);
     }
 };
 

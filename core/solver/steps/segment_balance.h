@@ -65,7 +65,7 @@ struct SegmentBalance {
                 air,
                 wet,
                 full - s.liquid[i],
-                heat_capacity(yarn, s.length[i], s.liquid[i] + fibre.bound),
+                heat_capacity(yarn, s.length[i], s.warm_water(i)),
                 condensing,
                 condensing * wet_share(wet),
                 dt * climate.mass_transfer * face_area,

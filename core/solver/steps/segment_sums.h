@@ -13,13 +13,19 @@ struct TakeAbsorbed {
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        if (s.absorbed[i] == 0) return;
+        if (s.between != nullptr && s.is_warp(i)) take(i, 2 * s.crossings() + i, s.between[i]);
+        take(i, i, s.liquid[i]);
+    }
+    /// What a taker absorbed, with the temperature of segment i.
+    HL_FN void take(int i, int taker, double& liquid) const
+    {
+        if (s.absorbed[taker] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
-        const double added = static_cast<double>(s.absorbed[i]) * water_quantum;
-        const double capacity = heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]);
+        const double added = static_cast<double>(s.absorbed[taker]) * water_quantum;
+        const double capacity = heat_capacity(yarn, s.length[i], s.warm_water(i));
         s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
-        s.liquid[i] += added;
-        s.absorbed[i] = 0;
+        liquid += added;
+        s.absorbed[taker] = 0;
     }
 };
 
@@ -29,7 +35,7 @@ struct TakeStock {
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        s.stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+        s.stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.warm_water(i)) * s.warmth[i];
     }
 };
 

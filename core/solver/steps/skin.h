@@ -21,6 +21,7 @@ struct TextileShape : Yarns {
     Real per_warp_pitch = 0, per_weft_pitch = 0; ///< 1/m
     Real widest_warp = 0;                        ///< from an end's place to its farthest side, anywhere, of all types
     Real widest_weft = 0;
+    bool has_rooms = false;            ///< whether liquid passes into the room between yarns, too
     int samples = 0;                   ///< of a profile, from crossing to crossing
     const YarnShape* shapes = nullptr; ///< per type, as parameters
     const Quad* profiles = nullptr;    ///< height, slope, half height, half width per sample

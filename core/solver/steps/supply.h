@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/portable.h"
-#include "core/solver/steps/yarn_lines.h"
+#include "core/solver/steps/pore_flow.h"
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -17,10 +17,56 @@ struct KeepFed {
         const int i = s.visited_segment(index);
         if (s.fed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
-        s.lost[i] += heat_capacity(yarn, s.length[i], s.liquid[i] + s.bound[i]) * s.warmth[i];
+        s.lost[i] += heat_capacity(yarn, s.length[i], s.warm_water(i)) * s.warmth[i];
         s.warmth[i] = 0;
         s.supplied[i] += density * s.pores[i] - s.liquid[i];
         s.liquid[i] = density * s.pores[i];
+        if (s.between == nullptr || !s.is_warp(i)) return;
+        s.supplied[i] += density * s.room[i] - s.between[i];
+        s.between[i] = density * s.room[i];
+    }
+};
+
+/// What free liquid passes into: a segment, or the room between the yarns of a crossing. Numbered as SegmentCount::takers.
+struct Taker {
+    const Segments& s;
+    double density;
+    int number;
+
+    HL_FN bool is_room() const { return number >= 2 * s.crossings(); }
+    HL_FN int crossing() const { return is_room() ? number - 2 * s.crossings() : s.crossing_of(number); }
+    HL_FN double capacity() const { return density * (is_room() ? s.room[crossing()] : s.pores[number]); } // kg
+    HL_FN double held() const { return is_room() ? s.between[crossing()] : s.liquid[number]; }
+    HL_FN double room() const { return capacity() - held() - static_cast<double>(s.absorbed[number]) * water_quantum; }
+    /// kg that it draws in dt from liquid at no suction on one of its faces, however much room there is.
+    HL_FN double draws(double dt, double room) const
+    {
+        if (s.suction == nullptr) {
+            const YarnParameters& yarn = s.yarn_of(number);
+            return dt * yarn.intake_flux * yarn.face_area * room / capacity();
+        }
+        const FindPores find{s, density};
+        if (is_room()) return drawn(find.between(crossing(), at().between), dt * at().between.face, yarn_is_wet() ? 1.0 : 0.0);
+        const YarnParameters& yarn = s.yarn_of(number);
+        const int face = s.face_of(crossing(), s.is_warp(number));
+        return drawn(find.segment(number, yarn, face), dt * yarn.face_conductance, yarn.on_face[face].gate);
+    }
+
+private:
+    HL_FN const CrossingParameters& at() const { return s.crossing_at(crossing() / s.picks, crossing() % s.picks); }
+    HL_FN bool yarn_is_wet() const
+    {
+        const int at = crossing();
+        const FindPores find{s, density};
+        const auto is_wet = [&](int segment, bool is_warp) {
+            return find.segment(segment, s.yarn_of(segment), s.face_of(at, is_warp)).is_connected();
+        };
+        return is_wet(at, true) || is_wet(s.weft_of(at / s.picks, at % s.picks), false);
+    }
+    HL_FN double drawn(const PoresFound& pores, double conductance, double gate) const
+    {
+        const double draws = density * conductance * pores.suction * (pores.is_connected() ? 1.0 : gate);
+        return draws > 0 ? draws : 0.0;
     }
 };
 
@@ -37,11 +83,14 @@ struct FedFace {
         const int crossing = s.crossing_of(i);
         const double warp = s.warp_up_share ? static_cast<double>(s.warp_up_share[crossing]) : s.warp_up[crossing] != 0 ? 1.0 : 0.0;
         const double on_face = s.is_warp(i) == top ? warp : 1.0 - warp;
-        if (radius < 0 || on_face <= 0) return on_face;
+        return radius < 0 || on_face <= 0 ? on_face : on_face * places_inside(s, crossing) / (places * places);
+    }
+    HL_FN int places_inside(const Segments& s, int crossing) const
+    {
         int inside = 0;
         for (int place = 0; place < places * places; ++place)
             inside += is_inside(s, crossing, beside(place / places), beside(place % places));
-        return on_face * inside / (places * places);
+        return inside;
     }
     HL_FN double beside(int place) const { return (place + 0.5) / places - 0.5; }
     HL_FN bool is_inside(const Segments& s, int crossing, double beside_end, double beside_pick) const
@@ -55,6 +104,7 @@ struct FedFace {
 /// What stages count for the host in a step of the yarns.
 struct YarnTotals {
     std::int64_t asked = 0, given = 0; ///< quanta
+    std::int64_t unsolved = 0;         ///< lines, see FlowAlongLines
     std::int64_t swollen = 0;          ///< segments, see Swell
     std::int64_t wicking_error = 0;    ///< quanta
     std::int64_t bound_error = 0;      ///< quanta
@@ -76,14 +126,56 @@ struct AskPool {
     {
         const double share = face.share(s, i);
         if (share <= 0) return 0;
-        const double capacity = density * s.pores[i];
-        const double room = capacity - s.liquid[i] - static_cast<double>(s.absorbed[i]) * water_quantum;
+        const Taker taker{s, density, i};
+        const double room = taker.room();
         if (room <= 0) return 0;
-        const YarnParameters& yarn = s.yarn_of(i);
-        const double drawn = share * (evenly >= 0 ? evenly : dt * yarn.intake_flux * yarn.face_area * room / capacity);
+        const double drawn = share * (evenly >= 0 ? evenly : taker.draws(dt, room));
         return static_cast<std::int64_t>((drawn < room ? drawn : room) / water_quantum);
     }
     HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
+};
+
+/// How readily each taker takes from a pool on a face, summed up; in a unit of its own.
+struct WeighPool {
+    Segments s;
+    FedFace face;
+    std::int64_t* total;
+
+    HL_FN std::int64_t weight(int taker) const
+    {
+        constexpr double unit = 1e-24; // m3/(Pa s)
+        const int crossing = taker - 2 * s.crossings();
+        const double inside = crossing >= 0 ? face.places_inside(s, crossing) : 0.0;
+        const double share = crossing >= 0 ? inside / (face.places * face.places) : face.share(s, taker);
+        if (share <= 0) return 0;
+        const double readily =
+            crossing >= 0 ? s.crossing_at(crossing / s.picks, crossing % s.picks).between.face : s.yarn_of(taker).face_conductance;
+        return static_cast<std::int64_t>(share * readily / unit);
+    }
+    HL_FN std::int64_t operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        return weight(i) + (s.is_warp(i) ? weight(2 * s.crossings() + i) : 0);
+    }
+};
+
+/// Offers each taker its share of a pool.
+struct OfferPool {
+    WeighPool weigh;
+    std::int64_t standing; ///< quanta
+
+    HL_FN void operator()(int index) const
+    {
+        const Segments& s = weigh.s;
+        const int i = s.visited_segment(index);
+        offer(i);
+        if (s.is_warp(i)) offer(2 * s.crossings() + i);
+    }
+    HL_FN void offer(int taker) const
+    {
+        const double share = static_cast<double>(weigh.weight(taker)) / static_cast<double>(*weigh.total) * (1.0 - 1e-12);
+        weigh.s.offered[taker] = *weigh.total > 0 ? static_cast<std::int64_t>(share * static_cast<double>(standing)) : 0;
+    }
 };
 
 /// Gives each what it asked for, or the same share of it, in whole quanta; sums up what is given.
@@ -119,7 +211,7 @@ struct Swell {
     {
         const int i = s.visited_segment(index);
         const YarnParameters& yarn = s.yarn_of(i);
-        const double dry = yarn.pore_area * s.length[i];
+        const double dry = s.dry_pores != nullptr ? s.dry_pores[i] : yarn.pore_area * s.length[i];
         double pores = dry - swelling * s.bound[i];
         if (pores < 0.05 * dry) pores = 0.05 * dry;
         s.work0[i] = s.liquid[i] - density * pores;
@@ -145,6 +237,11 @@ struct FindReach {
                (out.picks_before > 0 && pick < out.picks_before + near) ||
                (out.picks_after > 0 && s.picks - 1 - pick < out.picks_after + near);
     }
+    HL_FN bool is_dry(int i) const
+    {
+        if (s.between != nullptr && s.is_warp(i) && s.between[i] > 1e-9 * climate.density * s.room[i]) return false;
+        return s.liquid[i] <= 1e-9 * climate.density * s.pores[i];
+    }
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
@@ -152,8 +249,7 @@ struct FindReach {
         const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         const double moister = s.vapour[i] / air - climate.vapour, warmer = s.warmth[i] - climate.air_warmth;
         const double most_moister = tolerance * saturation_concentration(climate.temperature), most_warmer = 10.0 * tolerance;
-        const bool rests = s.liquid[i] <= 1e-9 * climate.density * s.pores[i] && moister < most_moister && moister > -most_moister &&
-                           warmer < most_warmer && warmer > -most_warmer;
+        const bool rests = is_dry(i) && moister < most_moister && moister > -most_moister && warmer < most_warmer && warmer > -most_warmer;
         if (!rests) reach.include(s, s.crossing_of(i));
     }
 };
@@ -206,7 +302,7 @@ struct EstimateExchange {
         std::int64_t water = 0, joules = 0;
         team.each(line.first, line.last, [&](int i) {
             const double bound_now = s.bound[i];
-            const double heat_now = heat_capacity(line.yarn, s.length[i], s.liquid[i] + bound_now) * s.warmth[i];
+            const double heat_now = heat_capacity(line.yarn, s.length[i], s.warm_water(i)) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
             const bool bath_warm = s.fed != nullptr && s.fed[i] != 0; // its temperature is set, not found
             if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);

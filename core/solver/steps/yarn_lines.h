@@ -206,6 +206,14 @@ HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segm
     return regain * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
 }
 
+/// Lines from one on.
+template <typename Stage> struct FromLine {
+    Stage stage;
+    int first;
+
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const { stage(team, first + index); }
+};
+
 /// Heat along each yarn, by conduction and with the liquid that has just moved (flux).
 struct ConductAlongYarn {
     Segments s;
@@ -272,7 +280,7 @@ struct ConductAlongYarn {
         const double out = s.flux[i];
         const double before_joint = first ? 0.0 : joint(line, i - 1), next_joint = last ? 0.0 : joint(line, i);
         const double came = (in > 0 ? in : 0.0) - (out < 0 ? out : 0.0);
-        const double now = s.length[i] * line.dry + (s.liquid[i] + s.bound[i]) * water_specific_heat;
+        const double now = s.length[i] * line.dry + s.warm_water(i) * water_specific_heat;
         const double then = now - water_specific_heat * (in - out);
         const double ends = (first && line.at.starts ? line.end : 0.0) + (last && line.at.stops ? line.end : 0.0);
         return {-before_joint - water_specific_heat * (in > 0 ? in : 0.0),
@@ -418,7 +426,7 @@ struct DiffuseVapourAlongYarn {
         if (evaporated == 0) return;
         if (heat) {
             const double released = -heat_of_evaporation(temperature) * evaporated;
-            const double warmth = s.warmth[i] + released * plain_inverse(heat_capacity(line.yarn, s.length[i], s.liquid[i] + s.bound[i]));
+            const double warmth = s.warmth[i] + released * plain_inverse(heat_capacity(line.yarn, s.length[i], s.warm_water(i)));
             s.warmth[i] = warmth;
             s.released[i] += released;
             s.lost[i] += water_specific_heat * evaporated * warmth;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How much liquid a class of pores holds at a suction, after what it held before: curves of filling and of emptying, between which menisci
+// only bulge. SI; suction is positive below the air's pressure, saturation 0..1 of the pores' volume.
+#pragma once
+
+#include "core/physics/pores.h"
+
+namespace hygroloom {
+
+/// The share of the pores' volume that menisci give or take when the suction changes by the entry suction and no pore fills or empties:
+/// bulging in the gaps between rods; an estimate of its order.
+constexpr double bulging = 0.03;
+
+/// A PoreClosure as steps use it, whose shape is a half number.
+struct Retention {
+    double entry = 0;     ///< Pa
+    double emptying = 0;  ///< Pa, at which full pores begin to empty
+    double front = 0;     ///< Pa, see PoreClosure
+    double dry = 0;       ///< Pa, at and beyond which dry pores stay dry
+    double threshold = 0; ///< saturation
+    int twice_shape = 8;
+};
+
+/// Shape in halves, 1 to 6.
+inline Retention retention_of(const PoreClosure& pores)
+{
+    return {pores.entry_suction, pores.hysteresis * pores.entry_suction,
+            pores.front_suction, (1.0 + front_ramp) * pores.front_suction,
+            pores.threshold,     static_cast<int>(std::lround(2.0 * pores.shape))};
+}
+
+/// The same pores, finer by this factor.
+HL_FN Retention narrowed(Retention pores, double factor)
+{
+    pores.entry *= factor;
+    pores.emptying *= factor;
+    pores.front *= factor;
+    pores.dry *= factor;
+    return pores;
+}
+
+/// base^(twice / 2), 0 <= base.
+HL_FN double half_power(double base, int twice)
+{
+    double power = (twice & 1) != 0 ? std::sqrt(base) : 1.0;
+    for (int k = twice >> 1; k > 0; --k) power *= base;
+    return power;
+}
+
+/// A saturation and how it falls with suction, 1/Pa, at least 0.
+struct Held {
+    double saturation, fall;
+};
+
+/// What pores hold that fill only, at a suction.
+HL_FN Held held_filling(const Retention& pores, double suction)
+{
+    if (suction < pores.entry) return {1.0, 0.0};
+    if (suction < pores.front) {
+        const double held = half_power(pores.entry / suction, pores.twice_shape);
+        return {held, 0.5 * pores.twice_shape * held / suction};
+    }
+    const double per_ramp = 1.0 / (pores.dry - pores.front);
+    if (suction <= pores.dry) return {pores.threshold * (pores.dry - suction) * per_ramp, pores.threshold * per_ramp};
+    return {0.0, 0.0};
+}
+/// What pores hold that empty only.
+HL_FN Held held_emptying(const Retention& pores, double suction)
+{
+    if (suction < pores.emptying) return {1.0, 0.0};
+    const double held = half_power(pores.emptying / suction, pores.twice_shape);
+    return {held, 0.5 * pores.twice_shape * held / suction};
+}
+
+/// Suction at which filling pores hold this much, Pa; full ones at any below.
+HL_FN double suction_filling(const Retention& pores, double saturation)
+{
+    if (saturation <= pores.threshold) return pores.dry - (pores.dry - pores.front) * saturation / pores.threshold;
+    return pores.entry * std::pow(saturation, -2.0 / pores.twice_shape);
+}
+/// Suction at which emptying pores hold this much.
+HL_FN double suction_emptying(const Retention& pores, double saturation)
+{
+    constexpr double least = 1e-4; // what is less clings to fibres, as what there is of it
+    return pores.emptying * std::pow(saturation > least ? saturation : least, -2.0 / pores.twice_shape);
+}
+
+/// Pores that held a saturation at a suction: what they hold at others when these come next.
+struct HeldBefore {
+    double saturation, suction;
+};
+
+constexpr double nearly_full = 1.0 - 1e-6;
+
+/// What pores hold from there on: along the line of bulging menisci, until that meets the curve of filling or that of emptying. It falls
+/// with suction everywhere, but as it bends both ways, it is solved for as the difference of two convex functions, of which the second
+/// has straight pieces only (Casulli and Zanolli 2010: nested Newton rounds).
+struct PoreCourse {
+    Retention pores;
+    double saturation, zero; ///< of the line: what it holds at a suction, Pa
+    double empties;          ///< Pa, where emptying begins
+    double bend;             ///< 1/Pa, by how much it holds less steeply below that suction than above it
+
+    HL_FN double slope() const { return bulging / pores.entry; } // of the line, 1/Pa
+    HL_FN double on_line(double suction) const { return saturation - slope() * (suction - zero); }
+    HL_FN Held at(double suction) const
+    {
+        if (suction >= empties) return held_emptying(pores, suction);
+        const Held line{on_line(suction), slope()}, least = held_filling(pores, suction);
+        if (least.saturation >= line.saturation) return least;
+        return line.saturation >= 1.0 ? Held{1.0, 0.0} : line;
+    }
+    static constexpr int bends = 3;
+    /// Suctions below which it becomes less steep, and by how much.
+    HL_FN void find_bends(double (&where)[bends], double (&by)[bends]) const
+    {
+        const double per_ramp = pores.threshold / (pores.dry - pores.front),
+                     past_ramp = 0.5 * pores.twice_shape * pores.threshold / pores.front;
+        where[0] = empties;
+        by[0] = bend;
+        where[1] = pores.front;
+        by[1] = on_line(pores.front) < pores.threshold && per_ramp > past_ramp ? per_ramp - past_ramp : 0.0;
+        where[2] = full_at();
+        by[2] = on_line(pores.entry) >= 1.0 ? slope() : 0.5 * pores.twice_shape / pores.entry;
+    }
+    /// Suction at and below which the pores are full.
+    HL_FN double full_at() const
+    {
+        const double by_line = zero - (1.0 - saturation) / slope();
+        return by_line > pores.entry ? by_line : pores.entry;
+    }
+    /// From a suction towards another, but no further than to the next bend.
+    HL_FN double as_far_as_bends(double from, double to) const
+    {
+        const double places[] = {pores.dry, pores.front, full_at(), empties};
+        for (double place : places)
+            if (from < place ? to > place : from > place && to < place) to = place;
+        return to;
+    }
+};
+
+/// Where the line of bulging menisci begins, Pa: full pores keep all until the suction at which they would fill, however they were pressed.
+HL_FN double line_begins_at(const Retention& pores, const HeldBefore& before)
+{
+    return before.saturation >= nearly_full && before.suction < pores.entry ? pores.entry : before.suction;
+}
+
+HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
+{
+    constexpr double never = 1e300;
+    PoreCourse course{pores, before.saturation, line_begins_at(pores, before), never, 0};
+    double at = course.zero > pores.emptying ? course.zero : pores.emptying;
+    for (int round = 0; round < 12; ++round) { // the curve is convex: from the left
+        const Held held = held_emptying(pores, at);
+        if (!(held.fall > course.slope())) return course; // the line ends before it meets the curve
+        const double step = (held.saturation - course.on_line(at)) / (held.fall - course.slope());
+        if (!(step > 1e-12 * at)) {
+            course.empties = at;
+            course.bend = held.fall - course.slope();
+            return course;
+        }
+        at += step;
+    }
+    return course;
+}
+
+/// The suction of pores whose saturation has changed since it was another at a suction: along the line of bulging menisci, as far as pores
+/// neither fill nor empty. Pa.
+HL_FN double suction_after(const Retention& pores, const HeldBefore& then, double saturation)
+{
+    if (saturation <= 0) return pores.dry;
+    constexpr double little = 1e-9; // of saturation, about which a curve may be missed
+    const double suction = then.suction + (then.saturation - saturation) * pores.entry / bulging;
+    if (saturation < nearly_full && held_filling(pores, suction).saturation > saturation + little)
+        return suction_filling(pores, saturation);
+    if (held_emptying(pores, suction).saturation < saturation - little) return suction_emptying(pores, saturation);
+    return suction;
+}
+
+/// Share of the permeability of full pores, of pores that are connected from a threshold on; power 7/2 between fibres, 4 between yarns.
+HL_FN double share_of_permeability(double saturation, double threshold, int twice_power)
+{
+    const double connected = (saturation - threshold) / (1.0 - threshold);
+    return connected > 0 ? half_power(connected < 1.0 ? connected : 1.0, twice_power) : 0.0;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/scene/suction.h"
+
+#include "core/physics/between_yarns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+/// Curves need an angle at which the pores hold something; the gate keeps dry ones dry from less than this on.
+double angle_of_curves(double angle) { return std::min(angle, radian_from_degree(85)); }
+
+/// Of fibres that have as much skin for their section: what is not round counts as finer.
+double fibre_radius(const YarnType& type) { return metre_from_um(type.fibre.fibre_radius_um) / type.perimeter_factor; }
+
+double across_per_viscosity(const YarnType& type, const LiquidInPores& liquid)
+{
+    return permeability_across(fibre_radius(type), type.packing) / liquid.viscosity;
+}
+
+/// Contact angles on one face, advancing and receding; a finish keeps the fibre's difference of both.
+struct Angles {
+    double advancing, receding;
+};
+Angles angles_on(const YarnType& type, const std::optional<double>& finish)
+{
+    if (!finish) return {type.contact_angle, std::min(type.receding_angle, type.contact_angle)};
+    return {*finish, std::max(0.0, *finish - (type.contact_angle - type.receding_angle))};
+}
+Angles for_curves(const Angles& angles)
+{
+    const double advancing = angle_of_curves(angles.advancing);
+    return {advancing, std::min(angles.receding, advancing)};
+}
+
+WettedPores wetted_pores(const YarnType& type, const Angles& angles, const LiquidInPores& liquid)
+{
+    const Angles held = for_curves(angles);
+    return {retention_of(pores_of_bundle(type.packing, fibre_radius(type), liquid.surface_tension, held.advancing, held.receding)),
+            gate_of_dry_fibres(type.packing, angles.advancing)};
+}
+
+/// Its angles are the mean of both faces.
+CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double pitch, std::size_t crossed)
+{
+    const Angles back = for_curves(angles_on(type, textile.back_angle)), face = for_curves(angles_on(type, textile.face_angle));
+    return {type.section.width,
+            type.section.height,
+            type.area,
+            pitch * type.length_per_pitch[crossed],
+            pitch,
+            type.packing,
+            0.5 * (back.advancing + face.advancing),
+            0.5 * (back.receding + face.receding)};
+}
+
+} // namespace
+
+YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid)
+{
+    const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing);
+    return {wetted_pores(type, angles_on(type, textile.back_angle), liquid),
+            wetted_pores(type, angles_on(type, textile.face_angle), liquid), along * type.area / (liquid.viscosity * type.helix_tortuosity),
+            type.section.width * pitch * across / (0.25 * type.section.height)};
+}
+
+BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_number, std::size_t weft_number, const LiquidInPores& liquid)
+{
+    const YarnType &warp_type = textile.warp.types[warp_number], &weft_type = textile.weft.types[weft_number];
+    const double thickness = textile.thickness;
+    const CrossingYarn warp = crossing_yarn(warp_type, textile, textile.weft.pitch, weft_number),
+                       weft = crossing_yarn(weft_type, textile, textile.warp.pitch, warp_number);
+    const RoomBetweenYarns room = room_between(warp, weft, thickness, liquid.surface_tension);
+    const double overlap = warp.width * weft.width;
+    const double across_warp = across_per_viscosity(warp_type, liquid), across_weft = across_per_viscosity(weft_type, liquid);
+    const auto into = [&](const CrossingYarn& yarn, double across) {
+        return std::max(0.1 * overlap, yarn.outline() * yarn.length - overlap) * across / (0.25 * yarn.height);
+    };
+    BetweenParameters between;
+    between.volume = room.volume;
+    between.retention = retention_of(room.closure);
+    between.along_warp = room.along_warp * thickness * weft.pitch / (liquid.viscosity * warp.pitch);
+    between.along_weft = room.along_weft * thickness * warp.pitch / (liquid.viscosity * weft.pitch);
+    between.to_warp = into(warp, across_warp);
+    between.to_weft = into(weft, across_weft);
+    if (across_warp > 0 && across_weft > 0) between.yarns = overlap / (0.5 * warp.height / across_warp + 0.5 * weft.height / across_weft);
+    const double open = std::max(0.0, weft.pitch - warp.width) * std::max(0.0, warp.pitch - weft.width);
+    const double seen = open + 0.1 * warp.pitch * weft.pitch; // of the room from a face; the tenth is an assumption
+    between.face = seen * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+    return between;
+}
+
+} // namespace hygroloom

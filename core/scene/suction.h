@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a scene needs to know of yarns and of the room between them where liquid flows by suctions: the closure `pores`. SI.
+#pragma once
+
+#include "core/geometry/textile.h"
+#include "core/physics/retention.h"
+
+namespace hygroloom {
+
+/// Pores between fibres that have a contact angle.
+struct WettedPores {
+    Retention retention;
+    double gate = 0; ///< of dry ones, see gate_of_dry_fibres()
+};
+
+/// The room between the yarns at a crossing, m3/(Pa s) unless said.
+struct BetweenParameters {
+    double volume = 0; ///< m3
+    Retention retention;
+    double along_warp = 0, along_weft = 0; ///< from one crossing's to the next
+    double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
+    double yarns = 0;                      ///< from the one into the other, where they touch
+    double face = 0;                       ///< from liquid on one face
+};
+
+/// A yarn's pores and what flows in them.
+struct YarnBySuction {
+    WettedPores at_bottom, on_top; ///< of what lies on either face
+    double flow_along = 0;         ///< see YarnParameters
+    double face_conductance = 0;
+};
+
+/// The liquid's numbers, N/m and Pa s.
+struct LiquidInPores {
+    double surface_tension, viscosity;
+};
+
+/// One type of a textile's yarns; pitch in m from one crossing to the next.
+YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid);
+
+/// Where two types of its yarns cross, by their numbers.
+BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp, std::size_t weft, const LiquidInPores& liquid);
+
+} // namespace hygroloom

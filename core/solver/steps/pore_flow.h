@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid by suctions: an implicit Euler step along the yarns of one system, with the room beside each and the yarns that it crosses.
+#pragma once
+
+#include "core/solver/steps/pore_rounds.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Along all ends or all picks. Leaves in flux what passed each joint, in the yarn and beside it. The liquid between yarns has the
+/// temperature of the line's own segment: see Segments::room_with_warp.
+struct FlowAlongLines : PoreRounds {
+    template <typename Team> HL_FN void operator()(const Team& team, int index) const
+    {
+        const YarnLine at = s.visited_line(of_warp ? index : s.visited_ends() + index);
+        const int number = s.line_of(at.first);
+        const Line<Team> line{team, at.first, at.last, of_warp ? number : number - s.ends,
+                              of_warp ? number * s.picks : s.weft_of(0, number - s.ends)};
+        const int a = at.first, b = at.last;
+        bool flows = team.any_of(a, b, [&](int i) { return is_wet(line, i); });
+        if (flows) {
+            team.each(a, b, [&](int i) { look_at(line, i); });
+            flows = team.each_saying(a, b, [&](int i) { return couple(line, i); });
+        }
+        if (!flows) {
+            team.each(a, b, [&](int i) { s.flux[i] = 0; });
+            return;
+        }
+        solve(line);
+        accept(line, at);
+    }
+
+    /// Masses move by the solution's fluxes; each class notes the suction at which it settled.
+    template <typename Team> HL_FN void accept(const Line<Team>& line, const YarnLine& at) const
+    {
+        const int a = at.first, b = at.last;
+        const bool overflows = line.team.each_saying(a, b, [&](int i) {
+            s.flux[i] = i + 1 < b ? flux_along(line, 0, i) + flux_along(line, 1, i) : 0.0;
+            return pass(line, i);
+        });
+        if (overflows) WickAlongYarn{s, climate, dt, 0, 0}.carry_rounding(line.team, at);
+        line.team.each(a, b, [&](int i) { settle(line, i); });
+    }
+    /// Returns whether the own pores are left with more than they hold, or less than nothing.
+    template <typename Team> HL_FN bool pass(const Line<Team>& line, int i) const
+    {
+        const double along_own = inflow_along(line, 0, i), along_room = inflow_along(line, 1, i);
+        if (is_fed(i)) {
+            s.supplied[i] -= along_own + along_room;
+            return false;
+        }
+        const Place p = place(line, i);
+        if (pool.stands) take_from_pool(line, p, i);
+        const double ax = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
+        double mass[3] = {liquid(p, own_pores) + along_own + ax + ab, liquid(p, room_pores) + along_room - ax + bx,
+                          liquid(p, crossed_pores) - ab - bx};
+        // What rounds have left open goes to another class of the crossing, so that neither bound nor the total is touched.
+        double over = 0;
+        for (int which = 0; which < 3; ++which) over += put(mass[which], 0, capacity(p, which));
+        for (int which = 0; which < 3 && over != 0; ++which) over = put(mass[which], over, capacity(p, which));
+        mass[own_pores] += over;
+        warm(p, liquid(p, crossed_pores) - mass[crossed_pores]);
+        for (int which = 0; which < 3; ++which) liquid(p, which) = mass[which];
+        return over != 0;
+    }
+    /// Adds as much of what comes as the bounds let, and takes off what lies outside them; returns the rest.
+    HL_FN static double put(double& mass, double comes, double capacity)
+    {
+        const double wanted = mass + comes;
+        mass = wanted < 0 ? 0.0 : wanted > capacity ? capacity : wanted;
+        return wanted - mass;
+    }
+    template <typename Team> HL_FN void take_from_pool(const Line<Team>& line, const Place& p, int i) const
+    {
+        for (int which = 0; which < 3; ++which) {
+            const auto quanta = static_cast<std::int64_t>(from_pool(line, which, i) / water_quantum);
+            if (quanta == 0) continue;
+            const double mass = static_cast<double>(quanta) * water_quantum;
+            const int segment = which == crossed_pores ? p.crossed : p.own;
+            if (s.warmth[segment] != 0) {
+                const double heat =
+                    heat_capacity(yarn_of(p, which == crossed_pores ? crossed_pores : own_pores), s.length[segment], s.warm_water(segment));
+                if (quanta > 0)
+                    s.warmth[segment] *= heat * plain_inverse(heat + water_specific_heat * mass);
+                else
+                    s.lost[segment] -= water_specific_heat * mass * s.warmth[segment];
+            }
+            liquid(p, which) += mass;
+            s.offered[taker(p, which)] -= quanta;
+            atomic_add(drawn, quanta);
+        }
+    }
+    /// Liquid that comes from the crossed yarn, or goes there, carries its warmth.
+    HL_FN void warm(const Place& p, double came) const
+    {
+        if (s.warmth[p.own] == 0 && s.warmth[p.crossed] == 0) return;
+        const double carried = water_specific_heat * (came > 0 ? came : -came);
+        const int to = came > 0 ? p.own : p.crossed, from = came > 0 ? p.crossed : p.own;
+        const double heat = heat_capacity(yarn(p, came > 0), s.length[to], s.warm_water(to));
+        s.warmth[to] = (heat * s.warmth[to] + carried * s.warmth[from]) * plain_inverse(heat + carried);
+    }
+    template <typename Team> HL_FN void settle(const Line<Team>& line, int i) const
+    {
+        if (is_fed(i)) return;
+        constexpr double most = 1e9; // Pa, by far more than any pores suck
+        const Place p = place(line, i);
+        for (int which = 0; which < 3; ++which) {
+            const double found = line(suction + which, i);
+            const double sucks = found > -most && found < most ? found : line(before + which, i);
+            const double holds = liquid(p, which) * plain_inverse(capacity(p, which));
+            const int segment = which == crossed_pores ? p.crossed : p.own;
+            (which == room_pores ? s.between_suction[p.crossing] : s.suction[segment]) = sucks;
+            (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = holds;
+        }
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A yarn with the room beside it and the yarns that it crosses: what passes between these three classes of pores in a step, and how
+// readily. Which way liquid goes, and how readily, follows from the step's start and stays.
+#pragma once
+
+#include "core/solver/steps/pores_found.h"
+#include "core/solver/steps/yarn_lines.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// A pool on a face.
+struct StandingPool {
+    bool stands = false;
+    double pressure = 0; ///< Pa, by its weight and its curved surface
+};
+
+/// Classes of pores at a place of a line.
+enum PoreClass { own_pores, room_pores, crossed_pores };
+
+struct PoreLines {
+    /// What a line's team keeps of each place; of three, one for each class.
+    enum Column {
+        suction,           ///< Pa, as rounds find it
+        before = 3,        ///< Pa, at the step's start
+        held_before = 6,   ///< saturation
+        empties = 9,       ///< see PoreCourse
+        bend = 12,         ///< see PoreCourse
+        taken = 15,        ///< bends, see PoreCourse; a bit for each
+        left = 18,         ///< kg more comes than is held
+        falls = 21,        ///< kg/Pa, how what is held falls with suction
+        feed = 24,         ///< kg/Pa from the pool
+        most_fed = 27,     ///< kg
+        along = 30,        ///< kg/Pa to the next place: own, room
+        own_room = 32,     ///< kg/Pa
+        own_crossed = 33,  ///< kg/Pa
+        room_crossed = 34, ///< kg/Pa
+        response = 35      ///< Pa/kg, of the crossed segment
+    };
+    static constexpr int columns = 36;
+
+    Segments s;
+    ClimateParameters climate;
+    double dt;    ///< s; half of it across the lines, for stages of both systems pass each crossing
+    bool of_warp; ///< lines are all ends, or all picks
+    double lift;  ///< Pa, by which suction rises from a place to the next in liquid at rest
+    StandingPool pool;
+    std::int64_t* drawn;    ///< sums up quanta that came from the pool
+    std::int64_t* unsolved; ///< counts lines whose rounds did not close in
+
+    template <typename Team> struct Line {
+        const Team& team;
+        int first, last;
+        int number, base; ///< of the end or pick; segment of its first place, visited or not
+
+        HL_FN double& operator()(int column, int i) const { return team.column(column)[i - first]; }
+    };
+    struct Place {
+        int own, crossing, crossed; ///< segment, crossing, segment
+        int end, pick;
+    };
+    template <typename Team> HL_FN Place place(const Line<Team>& line, int i) const
+    {
+        const int k = i - line.base;
+        if (of_warp) return {i, i, s.weft_of(line.number, k), line.number, k};
+        const int crossing = s.warp_of(k, line.number);
+        return {i, crossing, crossing, k, line.number};
+    }
+    HL_FN const YarnParameters& yarn(const Place& p, bool own) const
+    {
+        return s.parameters[own == of_warp ? s.type_of_end(p.end) : s.type_of_pick(p.pick)];
+    }
+    HL_FN const YarnParameters& yarn_of(const Place& p, int which) const { return yarn(p, which == own_pores); }
+    HL_FN int face(const Place& p, int which) const { return s.face_of(p.crossing, (which == own_pores) == of_warp); }
+    HL_FN const WettedPores& pores(const Place& p, int which) const { return yarn_of(p, which).on_face[face(p, which)]; }
+    HL_FN const BetweenParameters& room(const Place& p) const { return s.crossing_at(p.end, p.pick).between; }
+    HL_FN bool is_fed(int i) const { return s.fed != nullptr && s.fed[i] != 0; }
+    HL_FN FindPores find() const { return {s, climate.density}; }
+    HL_FN int taker(const Place& p, int which) const
+    {
+        return which == own_pores ? p.own : which == room_pores ? 2 * s.crossings() + p.crossing : p.crossed;
+    }
+    HL_FN double& liquid(const Place& p, int which) const
+    {
+        return which == own_pores ? s.liquid[p.own] : which == room_pores ? s.between[p.crossing] : s.liquid[p.crossed];
+    }
+    HL_FN double capacity(const Place& p, int which) const // kg
+    {
+        return climate.density * (which == room_pores ? s.room[p.crossing] : s.pores[which == own_pores ? p.own : p.crossed]);
+    }
+    HL_FN Retention retention(const Place& p, int which) const
+    {
+        if (which == room_pores) return room(p).retention;
+        return find().retention(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
+    }
+    HL_FN PoresFound found(const Place& p, int which) const
+    {
+        if (which == room_pores) return find().between(p.crossing, room(p));
+        return find().segment(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
+    }
+
+    template <typename Team> HL_FN bool is_wet(const Line<Team>& line, int i) const
+    {
+        const Place p = place(line, i);
+        for (int which = 0; which < 3; ++which)
+            if (liquid(p, which) > 0 || (pool.stands && s.offered[taker(p, which)] > 0)) return true;
+        return false;
+    }
+    template <typename Team> HL_FN void look_at(const Line<Team>& line, int i) const
+    {
+        const Place p = place(line, i);
+        for (int which = 0; which < 3; ++which) {
+            const PoresFound now = found(p, which);
+            const double sucks = is_fed(i) ? 0.0 : now.suction;
+            line(suction + which, i) = line(before + which, i) = sucks;
+            line(held_before + which, i) = now.saturation;
+            const PoreCourse course = course_from(now.retention, {now.saturation, sucks});
+            line(empties + which, i) = course.empties;
+            line(bend + which, i) = course.bend;
+        }
+    }
+    template <typename Team> HL_FN PoreCourse course(const Line<Team>& line, const Place& p, int which, int i) const
+    {
+        const Retention holds = retention(p, which);
+        const HeldBefore then{line(held_before + which, i), line(before + which, i)};
+        return {holds, then.saturation, line_begins_at(holds, then), line(empties + which, i), line(bend + which, i)};
+    }
+
+    /// A class of pores as couplings see it.
+    struct End {
+        double suction, saturation, threshold, entry, capacity;
+        double gate; ///< of dry pores
+
+        HL_FN bool is_connected() const { return saturation > threshold; }
+    };
+    template <typename Team> HL_FN End end_of(const Line<Team>& line, const Place& p, int which, int i) const
+    {
+        const Retention& holds = which == room_pores ? room(p).retention : pores(p, which).retention;
+        // Between dry yarns liquid does not spread by itself.
+        const double gate = which != room_pores ? pores(p, which).gate : any_yarn_wet(line, p, i) ? 1.0 : 0.0;
+        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, capacity(p, which), gate};
+    }
+    template <typename Team> HL_FN bool any_yarn_wet(const Line<Team>& line, const Place& p, int i) const
+    {
+        return line(held_before + own_pores, i) > pores(p, own_pores).retention.threshold ||
+               line(held_before + crossed_pores, i) > pores(p, crossed_pores).retention.threshold;
+    }
+
+    /// kg/Pa in some seconds, of a conductance in kg/(s Pa); none where next to nothing would pass, so that rest is rest.
+    HL_FN static double coupling(double conductance, double difference, const End& from, const End& to, double seconds)
+    {
+        constexpr double clings = 1e-9;           // of what a class can hold
+        constexpr double least_difference = 1e-6; // of the entry suction
+        constexpr double least_rate = 1e-6;       // 1/s, of what either can hold
+        const double gap = difference < 0 ? -difference : difference;
+        const double smaller = from.capacity < to.capacity ? from.capacity : to.capacity;
+        const bool passes = from.saturation >= clings && gap > least_difference * from.entry && conductance * gap > least_rate * smaller;
+        return passes ? conductance * seconds : 0.0;
+    }
+    HL_FN double coupling_along(const End& here, const End& next, double conductance, int twice_power) const
+    {
+        const double difference = next.suction - here.suction - lift; // more than 0: on along the line
+        const End &from = difference > 0 ? here : next, &to = difference > 0 ? next : here;
+        if (!to.is_connected() && to.gate <= 0) return 0;
+        return coupling(conductance * share_of_permeability(from.saturation, from.threshold, twice_power), difference, from, to, dt);
+    }
+    /// Within a crossing. Liquid in the room stands on as much of the yarns' skin as it fills of the room.
+    HL_FN double coupling_across(const End& a, bool a_is_room, const End& b, double conductance) const
+    {
+        const double difference = b.suction - a.suction;
+        const End &from = difference > 0 ? a : b, &to = difference > 0 ? b : a;
+        const bool from_room = a_is_room && difference > 0;
+        double share = from_room ? from.saturation : share_of_permeability(from.saturation, from.threshold, 7);
+        if (!to.is_connected()) share *= to.gate;
+        return coupling(conductance * share, difference, from, to, 0.5 * dt);
+    }
+    /// Finds what couples a place's classes with each other and with the next place's; whether anything does.
+    template <typename Team> HL_FN bool couple(const Line<Team>& line, int i) const
+    {
+        const Place p = place(line, i);
+        const BetweenParameters& here = room(p);
+        const End own = end_of(line, p, own_pores, i), beside = end_of(line, p, room_pores, i), crossed = end_of(line, p, crossed_pores, i);
+        const double density = climate.density;
+        const bool bath = is_fed(i);
+        line(own_room, i) = bath ? 0.0 : coupling_across(beside, true, own, density * (of_warp ? here.to_warp : here.to_weft));
+        line(own_crossed, i) = bath ? 0.0 : coupling_across(own, false, crossed, density * here.yarns);
+        line(room_crossed, i) = bath ? 0.0 : coupling_across(beside, true, crossed, density * (of_warp ? here.to_weft : here.to_warp));
+        line(along, i) = line(along + 1, i) = 0;
+        if (i + 1 < line.last && !(bath && is_fed(i + 1))) { // what stands in a bath bears itself
+            const Place q = place(line, i + 1);
+            const BetweenParameters& there = room(q);
+            const double from = of_warp ? here.along_warp : here.along_weft, to = of_warp ? there.along_warp : there.along_weft;
+            const double in_series = from > 0 && to > 0 ? 2.0 * from * to / (from + to) : 0.0;
+            line(along, i) = coupling_along(own, end_of(line, q, own_pores, i + 1), density * along_yarn(yarn_of(p, own_pores), i), 7);
+            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), density * in_series, 8);
+        }
+        const bool by_pool = pool.stands && couple_with_pool(line, p, i);
+        return by_pool || line(own_room, i) > 0 || line(own_crossed, i) > 0 || line(room_crossed, i) > 0 || line(along, i) > 0 ||
+               line(along + 1, i) > 0;
+    }
+    HL_FN double along_yarn(const YarnParameters& yarn, int i) const // m3/(s Pa), from i to i + 1
+    {
+        double flows = yarn.flow_along * 2.0 * plain_inverse(s.length[i] + s.length[i + 1]);
+        if (s.narrows) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(i + 1, yarn));
+        if (s.warmth[i] == 0 && s.warmth[i + 1] == 0) return flows;
+        return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[i + 1]));
+    }
+    template <typename Team> HL_FN bool couple_with_pool(const Line<Team>& line, const Place& p, int i) const
+    {
+        bool any = false;
+        for (int which = 0; which < 3; ++which) {
+            const std::int64_t quanta = s.offered[taker(p, which)];
+            line(most_fed + which, i) = static_cast<double>(quanta) * water_quantum;
+            line(feed + which, i) = 0;
+            if (quanta <= 0) continue;
+            const End to = end_of(line, p, which, i);
+            const double conductance = which == room_pores ? room(p).face : yarn_of(p, which).face_conductance;
+            line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : to.gate);
+            any = any || line(feed + which, i) > 0;
+        }
+        return any;
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The suctions along a line at a step's end. What classes hold is the only part that is not linear, and it falls with suction: there is one
+// solution, whatever the step's length, and no suction lies outside those before.
+#pragma once
+
+#include "core/solver/steps/pore_line.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+struct PoreRounds : PoreLines {
+    /// kg from a place to the next, of the own pores (0) or of the room (1).
+    template <typename Team> HL_FN double flux_along(const Line<Team>& line, int which, int i) const
+    {
+        const double joint = line(along + which, i);
+        return joint > 0 ? joint * (line(suction + which, i + 1) - line(suction + which, i) - lift) : 0.0;
+    }
+    template <typename Team> HL_FN double inflow_along(const Line<Team>& line, int which, int i) const
+    {
+        double in = 0;
+        if (i > line.first) in += flux_along(line, which, i - 1);
+        if (i + 1 < line.last) in -= flux_along(line, which, i);
+        return in;
+    }
+    template <typename Team> HL_FN double from_room(const Line<Team>& line, int i) const // kg to the own pores
+    {
+        return line(own_room, i) * (line(suction + own_pores, i) - line(suction + room_pores, i));
+    }
+    template <typename Team> HL_FN double from_crossed(const Line<Team>& line, int i) const
+    {
+        return line(own_crossed, i) * (line(suction + own_pores, i) - line(suction + crossed_pores, i));
+    }
+    template <typename Team> HL_FN double from_crossed_to_room(const Line<Team>& line, int i) const
+    {
+        return line(room_crossed, i) * (line(suction + room_pores, i) - line(suction + crossed_pores, i));
+    }
+    /// kg; less than nothing goes back.
+    template <typename Team> HL_FN double from_pool(const Line<Team>& line, int which, int i) const
+    {
+        if (!pool.stands) return 0;
+        const double draws = line(feed + which, i) * (line(suction + which, i) + pool.pressure), most = line(most_fed + which, i);
+        return draws < most ? draws : most;
+    }
+
+    /// What a class holds at its suction; nested: as if the bends that are not taken were straight.
+    HL_FN static Held held(const PoreCourse& course, double suction, int bends_taken, bool nested)
+    {
+        Held held = course.at(suction);
+        if (!nested) return held;
+        double where[PoreCourse::bends], by[PoreCourse::bends];
+        course.find_bends(where, by);
+        for (int k = 0; k < PoreCourse::bends; ++k) {
+            if ((bends_taken >> k & 1) != 0 || suction >= where[k]) continue;
+            held.saturation += by[k] * (where[k] - suction);
+            held.fall += by[k];
+        }
+        return held;
+    }
+    /// Finds what is left of a place's balances; whether it is too much.
+    template <typename Team> HL_FN bool balance(const Line<Team>& line, int i, bool nested) const
+    {
+        constexpr double enough = 1e-10;     // of the capacity
+        constexpr double rounding = 1e-14;   // of what would flow by the whole suction
+        constexpr double least_fall = 1e-10; // of the capacity over the entry suction, so that full pores do not leave their suction open
+        if (is_fed(i)) return false;
+        const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
+        const double in[3] = {to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx};
+        const double ab_all = line(own_crossed, i), ax_all = line(own_room, i), bx_all = line(room_crossed, i);
+        const bool starts = i == line.first;
+        const double coupled[3] = {line(along, i) + (starts ? 0.0 : line(along, i - 1)) + ab_all + ax_all,
+                                   line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
+        const Place p = place(line, i);
+        bool open = false;
+        for (int which = 0; which < 3; ++which) {
+            const double cap = capacity(p, which), fed = from_pool(line, which, i);
+            const PoreCourse c = course(line, p, which, i);
+            const Held h = held(c, line(suction + which, i), nested ? static_cast<int>(line(taken + which, i)) : 0, nested);
+            const double over = in[which] + fed - cap * (h.saturation - c.saturation), least = least_fall / c.pores.entry;
+            line(left + which, i) = over;
+            line(falls + which, i) = cap * (h.fall > least ? h.fall : least);
+            if (pool.stands && fed < line(most_fed + which, i)) line(falls + which, i) += line(feed + which, i);
+            const double noise = enough * cap + rounding * coupled[which] * std::abs(line(suction + which, i));
+            open = open || !(over <= noise && over >= -noise);
+        }
+        return open;
+    }
+    /// For the change of the own suction and of the room's; the crossed segment's follows from both.
+    template <typename Team> HL_FN PairEquation row(const Line<Team>& line, int i) const
+    {
+        if (is_fed(i)) return {{0, 0}, {1, 0, 0, 1}, {0, 0}, {0, 0}};
+        const double ab = line(own_crossed, i), ax = line(own_room, i), bx = line(room_crossed, i);
+        const double fall = line(falls + crossed_pores, i), of_crossed = plain_inverse(fall + ab + bx);
+        line(response, i) = of_crossed;
+        const Pair before_along{i > line.first ? line(along, i - 1) : 0.0, i > line.first ? line(along + 1, i - 1) : 0.0};
+        const Pair next_along{line(along, i), line(along + 1, i)};
+        const double through = ax + ab * bx * of_crossed, left_crossed = line(left + crossed_pores, i) * of_crossed;
+        const double own = line(falls + own_pores, i) + before_along.first + next_along.first + ab * fall * of_crossed;
+        const double room = line(falls + room_pores, i) + before_along.second + next_along.second + bx * fall * of_crossed;
+        return {{-before_along.first, -before_along.second},
+                {own + through, -through, -through, room + through},
+                {-next_along.first, -next_along.second},
+                {-(line(left + own_pores, i) + ab * left_crossed), -(line(left + room_pores, i) + bx * left_crossed)}};
+    }
+    /// Along the solution; outside nested rounds for each class no further than to its next bend.
+    template <typename Team> HL_FN void move(const Line<Team>& line, int i, bool nested) const
+    {
+        if (is_fed(i)) return;
+        const Pair change = line.team.found_pair(line.first, i);
+        const double crossed = line(own_crossed, i) * change.first + line(room_crossed, i) * change.second - line(left + crossed_pores, i);
+        const double changes[3] = {change.first, change.second, crossed * line(response, i)};
+        const Place p = place(line, i);
+        for (int which = 0; which < 3; ++which) {
+            double& now = line(suction + which, i);
+            const double next = now + changes[which];
+            now = nested ? next : course(line, p, which, i).as_far_as_bends(now, next);
+        }
+    }
+    template <typename Team> HL_FN void newton_round(const Line<Team>& line, bool nested) const
+    {
+        line.team.solve_pairs(line.first, line.last, [&](int i) { return row(line, i); });
+        line.team.each(line.first, line.last, [&](int i) { move(line, i, nested); });
+    }
+
+    template <typename Team> HL_FN void begin_anew(const Line<Team>& line, int i) const
+    {
+        for (int which = 0; which < 3; ++which) {
+            line(suction + which, i) = line(before + which, i);
+            line(taken + which, i) = 0;
+        }
+    }
+    /// Takes the bends that suctions have passed; whether there are more of them than before.
+    template <typename Team> HL_FN bool take_bends(const Line<Team>& line, int i) const
+    {
+        const Place p = place(line, i);
+        bool more = false;
+        for (int which = 0; which < 3; ++which) {
+            double where[PoreCourse::bends], by[PoreCourse::bends];
+            course(line, p, which, i).find_bends(where, by);
+            const int had = static_cast<int>(line(taken + which, i));
+            int has = had;
+            for (int k = 0; k < PoreCourse::bends; ++k)
+                if (line(suction + which, i) < where[k] && by[k] > 0) has |= 1 << k;
+            more = more || has != had;
+            line(taken + which, i) = has;
+        }
+        return more;
+    }
+    /// Newton's rounds as they come, which mostly close in after a few; then nested ones (Casulli and Zanolli 2010), which do not depend on
+    /// where they begin.
+    template <typename Team> HL_FN void solve(const Line<Team>& line) const
+    {
+        constexpr int most_plain = 20, most_nested = 200;
+        const int a = line.first, b = line.last;
+        for (int round = 0; round < most_plain; ++round) {
+            if (!line.team.each_saying(a, b, [&](int i) { return balance(line, i, false); })) return;
+            newton_round(line, false);
+        }
+        line.team.each(a, b, [&](int i) { begin_anew(line, i); });
+        for (int round = 0; round < most_nested; ++round) {
+            if (line.team.each_saying(a, b, [&](int i) { return balance(line, i, true); }))
+                newton_round(line, true);
+            else if (!line.team.each_saying(a, b, [&](int i) { return take_bends(line, i); }))
+                return;
+        }
+        line.team.each(a, a + 1, [&](int) { atomic_add(unsolved, std::int64_t(1)); });
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Water that passes between free liquid, pools and yarns.
+#pragma once
+
+#include "core/solver/steps/supply.h"
+#include "core/solver/stock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Where the free liquid leaves the water that yarns absorb from it: quanta in the segments, and how far they lie.
+struct WaterAbsorbed {
+    Segments segments;
+    int* reach = nullptr; ///< see Reach
+};
+
+/// Water that swollen yarns have no room for: a particle's from each of these segments, its surplus in work0.
+struct WaterGivenBack {
+    std::vector<int> segments;
+};
+
+/// Liquid that comes without drops, in quanta. A pool lies within the circle of a half ball of its volume.
+struct Pools {
+    std::vector<std::int64_t> standing; ///< in each pool
+    ManyQuanta pumped;                  ///< into pools and as sweat
+    ManyQuanta ran_off;                 ///< of sweat that found no room
+
+    bool any_stands() const
+    {
+        return std::any_of(standing.begin(), standing.end(), [](std::int64_t quanta) { return quanta > 0; });
+    }
+    /// Whether there is more of the first than clings to the cloth: 0.06 ug.
+    bool feeds() const { return !standing.empty() && standing[0] > std::int64_t(1) << 30; }
+    /// What is pumped until a time, in the dt before it, s. Density in kg/m3.
+    void fill(const Scene& scene, double time, double dt, double density)
+    {
+        for (std::size_t k = 0; k < standing.size(); ++k) {
+            const ScenePool& pool = scene.supply.pools[k];
+            const double running = std::clamp(time, pool.start, pool.end) - std::clamp(time - dt, pool.start, pool.end);
+            const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
+            standing[k] += came;
+            pumped.add(came);
+        }
+    }
+    FedFace face_under(const Scene& scene, std::size_t k, double density) const
+    {
+        const int threads = scene.cloth.threads_per_cell;
+        const double cell = std::max(scene.cloth.warp_pitch, scene.cloth.weft_pitch);
+        return {scene.supply.pools[k].top, std::max(half_ball(k, density), cell / threads), scene.cloth.warp_pitch, scene.cloth.weft_pitch,
+                threads};
+    }
+    /// m from the middle: a cell may be covered in part.
+    static double reach(const Scene& scene, const FedFace& face)
+    {
+        const double cell = std::max(scene.cloth.warp_pitch, scene.cloth.weft_pitch);
+        return scene.cloth.threads_per_cell > 1 ? face.radius + cell : face.radius;
+    }
+    /// As flow by suction sees it.
+    StandingPool standing_pool(const Scene& scene, const ClimateParameters& climate) const
+    {
+        if (!feeds()) return {};
+        const double radius = half_ball(0, climate.density);
+        return {true,
+                2.0 * climate.surface_tension / std::max(radius, scene.cloth.warp_pitch) + climate.density * gravity_acceleration * radius};
+    }
+
+private:
+    double half_ball(std::size_t k, double density) const // m, its radius
+    {
+        const double volume = static_cast<double>(standing[k]) * water_quantum / density;
+        return std::cbrt(1.5 * volume / pi);
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION

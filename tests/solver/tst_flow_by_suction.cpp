@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Liquid that flows by suctions, in yarns and between them: what it holds at a suction, and that steps keep all of it within its bounds.
+#include "core/physics/between_yarns.h"
+#include "core/physics/retention.h"
+#include "core/plan/planning.h"
+#include "core/verify/set_ups.h"
+
+#include <QTest>
+
+#include <functional>
+#include <random>
+
+using namespace hygroloom;
+
+namespace {
+
+/// Of bundles between loose and dense, wetted well and hardly; and of the room between yarns.
+std::vector<Retention> some_pores()
+{
+    std::vector<Retention> pores;
+    for (double packing : {0.3, 0.5, 0.7, 0.85})
+        for (double degrees : {0.0, 35.0, 60.0, 84.0})
+            pores.push_back(retention_of(pores_of_bundle(packing, 8e-6, 0.0727, radian_from_degree(degrees), 0)));
+    PoreClosure between;
+    between.entry_suction = 1400;
+    between.shape = 2;
+    between.hysteresis = 1.75;
+    between.threshold = 0.34;
+    between.front_suction = 1400 / std::sqrt(0.34);
+    pores.push_back(retention_of(between));
+    return pores;
+}
+
+/// A library fabric's patch with drops of liquid put anywhere in it, or none.
+Scene wet_patch(const std::string& fabric, unsigned seed, bool swelling)
+{
+    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
+    experiment.name = "patch";
+    experiment.closure = Closure::pores;
+    experiment.sample_mm = {8, 6};
+    experiment.swelling = swelling;
+    const Design design = design_of(library_fabric(fabric), experiment);
+    const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+    const ModelPlan plan = plan_model(design, textile, design.experiments[0], Fidelity::draft);
+    Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
+    scene.supply.pools.clear();
+    scene.rules.rest_tolerance = 0;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    const auto type_of = [&](int i) {
+        return scene.cloth.type[static_cast<std::size_t>(
+            i < scene.cloth.crossings() ? i / scene.cloth.picks : scene.cloth.ends + (i - scene.cloth.crossings()) / scene.cloth.ends)];
+    };
+    for (int i = 0; i < scene.cloth.segments(); ++i) {
+        const double pores = scene.cloth.yarns[type_of(i)].pore_area * scene.cloth.length[static_cast<std::size_t>(i)];
+        scene.cloth.start.liquid.push_back(share(random) < 0.3 ? 0.4 * share(random) * scene.climate.density * pores : 0.0);
+    }
+    for (int i = 0; i < scene.cloth.crossings(); ++i)
+        scene.cloth.start.between.push_back(
+            share(random) < 0.3 ? share(random) * scene.climate.density * scene.cloth.crossing[0].between.volume : 0.0);
+    return scene;
+}
+
+/// 4 ul poured on textile F, of a cotton of the design's own.
+Design fed_design()
+{
+    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
+    experiment.name = "pool";
+    experiment.closure = Closure::pores;
+    experiment.sample_mm = {8, 8};
+    experiment.volume_ul = 4;
+    Fabric fabric = library_fabric("Textile F");
+    fabric.contact_angle_deg.reset();
+    Design design = design_of(fabric, experiment);
+    design.materials.push_back(*find_library_material("cotton"));
+    design.materials[0].name = "own cotton";
+    design.materials[0].based_on = "cotton";
+    design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"own cotton", 1.0}};
+    return design;
+}
+
+std::vector<float> water_after_a_second(const Design& design, std::uint64_t seed)
+{
+    const std::unique_ptr<Backend> backend = make_cpu_backend();
+    const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+    Scene scene =
+        build_scene(design, textile, design.experiments[0], plan_model(design, textile, design.experiments[0], Fidelity::draft), seed);
+    scene.supply.pools[0].end = 0.5;
+    scene.supply.pools[0].rate = 4e-9 / 0.5;
+    return frames_at(*backend, scene, {1}).front().liquid;
+}
+
+double differ(const std::vector<float>& a, const std::vector<float>& b)
+{
+    double sum = 0, all = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += std::abs(static_cast<double>(a[i] - b[i]));
+        all += static_cast<double>(a[i]);
+    }
+    return sum / all;
+}
+
+using Change = std::function<void(Design&)>;
+
+} // namespace
+Q_DECLARE_METATYPE(Change)
+
+class TestFlowBySuction : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsHeldFallsWithSuctionBetweenBothCurves()
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> share(0, 1);
+        for (const Retention& pores : some_pores())
+            for (int k = 0; k < 200; ++k) {
+                const double saturation = k == 0 ? 0.0 : k == 1 ? 1.0 : share(random);
+                const double low = suction_filling(pores, saturation), high = suction_emptying(pores, saturation);
+                const HeldBefore before{saturation, saturation >= 1 ? high * share(random)
+                                                                    : std::min(low, high) + std::abs(high - low) * share(random)};
+                const PoreCourse course = course_from(pores, before);
+                double last = 1;
+                for (double suction = -2 * pores.entry; suction < 20 * pores.entry; suction += 0.01 * pores.entry) {
+                    const Held held = course.at(suction);
+                    QVERIFY(held.saturation >= 0 && held.saturation <= 1 && held.fall >= 0);
+                    QVERIFY2(held.saturation <= last + 1e-12, qPrintable(QString("%1 over %2").arg(held.saturation).arg(last)));
+                    QVERIFY(held.saturation >= held_filling(pores, suction).saturation - 1e-9 ||
+                            held.saturation >= held_emptying(pores, suction).saturation - 1e-9);
+                    last = held.saturation;
+                }
+            }
+    }
+    void withItsBendsStraightenedWhatIsHeldIsConvex() // which is why nested rounds close in
+    {
+        std::mt19937 random(4);
+        std::uniform_real_distribution<double> share(0, 1);
+        for (const Retention& pores : some_pores())
+            for (int k = 0; k < 100; ++k) {
+                const double saturation = k == 0 ? 0.0 : k == 1 ? 1.0 : share(random);
+                const double low = suction_filling(pores, saturation), high = std::max(low, suction_emptying(pores, saturation));
+                const PoreCourse course = course_from(pores, {saturation, low + (high - low) * share(random)});
+                double where[PoreCourse::bends], by[PoreCourse::bends];
+                course.find_bends(where, by);
+                const auto straightened = [&](double suction) {
+                    double fall = course.at(suction).fall;
+                    for (int b = 0; b < PoreCourse::bends; ++b)
+                        if (suction < where[b]) fall += by[b];
+                    return fall;
+                };
+                double last = 1e300;
+                for (double suction = 0.01 * pores.entry; suction < 8 * pores.entry; suction += 0.0137 * pores.entry) {
+                    const double fall = straightened(suction);
+                    QVERIFY2(fall <= last * (1 + 1e-9) + 1e-6 / pores.entry,
+                             qPrintable(QString("%1 over %2 at %3").arg(fall).arg(last).arg(suction / pores.entry)));
+                    last = fall;
+                }
+            }
+    }
+    void poresConductFromTheirThresholdOn()
+    {
+        QCOMPARE(share_of_permeability(0.18, 0.2, 7), 0.0);
+        QCOMPARE(share_of_permeability(1.0, 0.2, 7), 1.0);
+        QVERIFY(std::abs(share_of_permeability(0.6, 0.2, 7) - std::pow(0.5, 3.5)) < 1e-15);
+        QVERIFY(std::abs(share_of_permeability(0.6, 0.2, 8) - std::pow(0.5, 4)) < 1e-15);
+    }
+    void theRoomBetweenTheYarnsOfTextileFIsAsComputedByHand() // 0.1141 mm of void, pores of 48.18 um
+    {
+        Experiment experiment = standard_experiment(ExperimentType::droplet);
+        experiment.name = "drop";
+        experiment.closure = Closure::pores;
+        experiment.climate.temperature_c = 20;
+        const Design design = design_of(library_fabric("Textile F"), experiment);
+        const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        const Scene scene =
+            build_scene(design, textile, design.experiments[0], plan_model(design, textile, design.experiments[0], Fidelity::draft), 1);
+        const BetweenParameters& between = scene.cloth.crossing[0].between;
+        const auto within = [](double value, double expected) { return std::abs(value / expected - 1) < 0.005; };
+        QVERIFY(within(between.volume / scene.cloth.cell_area, 0.1141e-3));
+        QVERIFY(within(between.retention.entry, 1373));
+        QVERIFY(within(between.retention.threshold, 0.3389));
+        QVERIFY(within(between.retention.emptying / between.retention.entry, 1.748));
+        const double permeability =
+            between.along_warp * scene.climate.viscosity * scene.cloth.weft_pitch / (textile.thickness * scene.cloth.warp_pitch);
+        QVERIFY2(within(permeability, 2.80e-11), qPrintable(QString::number(permeability)));
+        QVERIFY(std::abs(cosine_on_wet_yarn(0.5, 0.5) - (1 - 0.5 * (1 - std::cos(0.5)))) < 1e-15);
+        QVERIFY(std::abs(cosine_on_dry_yarn(0.5, 0.5) - (0.5 * (1 + std::cos(0.5)) - 1)) < 1e-15);
+    }
+    void stepsKeepAllWaterWithinItsBounds_data()
+    {
+        QTest::addColumn<QString>("fabric");
+        QTest::addColumn<bool>("swelling");
+        QTest::newRow("F") << "Textile F" << false;
+        QTest::newRow("C, loose and coarse") << "Textile C" << false;
+        QTest::newRow("viscose that swells") << "Viscose challis" << true;
+    }
+    void stepsKeepAllWaterWithinItsBounds()
+    {
+        QFETCH(QString, fabric);
+        QFETCH(bool, swelling);
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        for (unsigned seed : {1u, 2u}) {
+            Scene scene = wet_patch(fabric.toStdString(), seed, swelling);
+            for (double step : {1e-4, 1e-2, 3.0}) {
+                scene.rules.network_step = scene.rules.calm_network_step = step;
+                scene.rules.saturation_change = 1;
+                const Frame frame = frames_at(*backend, scene, {10 * step}).front();
+                const double all = frame.ledger.water_delivered + frame.ledger.water_initial;
+                QVERIFY2(std::abs(frame.ledger.water_imbalance()) < 1e-12 * all,
+                         qPrintable(QString::number(frame.ledger.water_imbalance() / all)));
+                QVERIFY2(std::abs(frame.ledger.energy_imbalance()) < 1e-9 * std::max(1e-6, std::abs(frame.ledger.energy_released)),
+                         qPrintable(QString::number(frame.ledger.energy_imbalance())));
+                for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
+                    QVERIFY(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.0F);
+                    QVERIFY(frame.between[i] >= 0 && frame.liquid[i] >= frame.between[i]);
+                }
+            }
+        }
+    }
+    void eachKeyOfTheClosureChangesTheWater_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::newRow("receding angle") << Change([](Design& d) { d.materials[0].receding_angle_deg = 20; });
+        QTest::newRow("cross-section") << Change([](Design& d) { d.materials[0].cross_section.perimeter_factor = 1.3; });
+        QTest::newRow("contact angle") << Change([](Design& d) { d.fabrics[0].contact_angle_deg = 45; });
+        QTest::newRow("finish of the face") << Change([](Design& d) { d.fabrics[0].finish_face = 60; });
+        QTest::newRow("finish of the back") << Change([](Design& d) { d.fabrics[0].finish_back = 60; });
+        QTest::newRow("irregularity") << Change([](Design& d) { d.fabrics[0].warp.irregularity_cv = 0.15; });
+        QTest::newRow("twist of the warp") << Change([](Design& d) { d.fabrics[0].warp.twist_per_m = 1400; });
+        QTest::newRow("plies of the weft") << Change([](Design& d) { d.fabrics[0].weft.plies = 2; });
+    }
+    void eachKeyOfTheClosureChangesTheWater()
+    {
+        QFETCH(Change, change);
+        Design plain = fed_design(), changed = plain;
+        change(changed);
+        const std::vector<float> before = water_after_a_second(plain, 1), after = water_after_a_second(changed, 1);
+        QVERIFY(before == water_after_a_second(plain, 1));
+        QVERIFY2(differ(before, after) > 1e-3, qPrintable(QString::number(differ(before, after))));
+    }
+    void theSeedMattersWhereYarnsAreUnevenOnly()
+    {
+        Design design = fed_design();
+        QVERIFY(water_after_a_second(design, 1) == water_after_a_second(design, 2));
+        design.fabrics[0].weft.irregularity_cv = 0.15;
+        QVERIFY(differ(water_after_a_second(design, 1), water_after_a_second(design, 2)) > 1e-3);
+    }
+    void aStainComesToRestToTheByte()
+    {
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        Scene scene = wet_patch("Textile F", 5, false);
+        scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
+        scene.rules.saturation_change = 1;
+        scene.rules.network_step = scene.rules.calm_network_step = 10;
+        backend->load(scene);
+        const auto saturations_at = [&](double time) {
+            while (backend->advance(time) < time) {}
+            return backend->frame().saturation;
+        };
+        const auto before = saturations_at(3e5);
+        QVERIFY(before == saturations_at(3.001e5));
+        QVERIFY(*std::max_element(before.begin(), before.end()) > 0.2F);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFlowBySuction)
+#include "tst_flow_by_suction.moc"
