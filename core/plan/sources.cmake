@@ -16,6 +16,7 @@ target_sources(hygroloom_core PRIVATE
   plan/bundling.cpp
   plan/expectation.cpp
   plan/fidelity.cpp
+  plan/frame_times.cpp
   plan/model_plan.cpp
   plan/parts.cpp
   plan/plan_json.cpp

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/run/failover.h"
-#include "core/run/frame_times.h"
+#include "core/plan/frame_times.h"
 #include "core/run/plan_run.h"
 #include "core/run/publisher.h"
 #include "core/run/session.h"

@@ -2,7 +2,6 @@
 target_sources(hygroloom_core PRIVATE
   run/apart.cpp
   run/failover.cpp
-  run/frame_times.cpp
   run/hdf5_file.cpp
   run/part_watch.cpp
   run/plan_run.cpp

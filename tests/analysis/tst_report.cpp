@@ -46,6 +46,7 @@ Frame frame_at_time(const Textile& textile, double time, std::size_t particles)
         frame.regain.push_back(0.07f);
         frame.vapour.push_back(0.01f);
         frame.temperature.push_back(293.15f + number);
+        frame.between.push_back(0);
     }
     for (std::size_t i = 0; i < particles; ++i) {
         frame.positions.push_back({0.001f * static_cast<float>(i), 0, 0.002f});

@@ -30,11 +30,15 @@ struct Network : SegmentFields<HostArray> {
         const auto n = static_cast<std::size_t>(2 * ends * picks);
         each(
             [&](const auto& field, auto& array) {
+                using Count = SegmentCount; // liquid does not flow by suction
+                if (field.count == Count::sucking_segments || field.count == Count::sucking_crossings || field.count == Count::offered_takers)
+                    return;
                 const bool per_shell = field.count == SegmentCount::shells, per_crossing = field.count == SegmentCount::crossings;
                 array.assign(per_shell ? n * static_cast<std::size_t>(shells) : per_crossing ? n / 2 : n, {});
             },
             *this);
         fed.clear();
+        dry_pores.clear();
         warp_up_share.clear();
         length.assign(n, 3e-4);
         pores.assign(n / 2, warp.pore_area * 3e-4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/run/frame_times.h"
+#include "core/plan/frame_times.h"
 
 #include <algorithm>
 #include <cmath>
