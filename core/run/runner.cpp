@@ -2,8 +2,8 @@
 #include "core/run/runner.h"
 
 #include "core/base/error.h"
-#include "core/run/failover.h"
 #include "core/plan/frame_times.h"
+#include "core/run/failover.h"
 #include "core/run/plan_run.h"
 #include "core/run/publisher.h"
 #include "core/run/session.h"

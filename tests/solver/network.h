@@ -31,7 +31,8 @@ struct Network : SegmentFields<HostArray> {
         each(
             [&](const auto& field, auto& array) {
                 using Count = SegmentCount; // liquid does not flow by suction
-                if (field.count == Count::sucking_segments || field.count == Count::sucking_crossings || field.count == Count::offered_takers)
+                if (field.count == Count::sucking_segments || field.count == Count::sucking_crossings ||
+                    field.count == Count::offered_takers)
                     return;
                 const bool per_shell = field.count == SegmentCount::shells, per_crossing = field.count == SegmentCount::crossings;
                 array.assign(per_shell ? n * static_cast<std::size_t>(shells) : per_crossing ? n / 2 : n, {});
