@@ -145,33 +145,35 @@ struct PoreLines {
                line(held_before + crossed_pores, i) > pores(p, crossed_pores).retention.threshold;
     }
 
-    /// kg/Pa in some seconds, of a conductance in kg/(s Pa); none where next to nothing would pass, so that rest is rest.
-    HL_FN static double coupling(double conductance, double difference, const End& from, const End& to, double seconds)
+    /// kg/Pa in some seconds, of a conductance in kg/(s Pa). Says where more than next to nothing would pass: in a line with no such place
+    /// nothing does, so that rest is rest. In others all couple, or what one place gives would come from its neighbours alone.
+    HL_FN static double coupling(double conductance, double difference, const End& from, const End& to, double seconds, bool& moves)
     {
         constexpr double clings = 1e-9;           // of what a class can hold
         constexpr double least_difference = 1e-6; // of the entry suction
         constexpr double least_rate = 1e-6;       // 1/s, of what either can hold
+        if (from.saturation < clings) return 0;
         const double gap = difference < 0 ? -difference : difference;
         const double smaller = from.capacity < to.capacity ? from.capacity : to.capacity;
-        const bool passes = from.saturation >= clings && gap > least_difference * from.entry && conductance * gap > least_rate * smaller;
-        return passes ? conductance * seconds : 0.0;
+        moves = moves || (gap > least_difference * from.entry && conductance * gap > least_rate * smaller);
+        return conductance * seconds;
     }
-    HL_FN double coupling_along(const End& here, const End& next, double conductance, int twice_power) const
+    HL_FN double coupling_along(const End& here, const End& next, double conductance, int twice_power, bool& moves) const
     {
         const double difference = next.suction - here.suction - lift; // more than 0: on along the line
         const End &from = difference > 0 ? here : next, &to = difference > 0 ? next : here;
         if (!to.is_connected() && to.gate <= 0) return 0;
-        return coupling(conductance * share_of_permeability(from.saturation, from.threshold, twice_power), difference, from, to, dt);
+        return coupling(conductance * share_of_permeability(from.saturation, from.threshold, twice_power), difference, from, to, dt, moves);
     }
     /// Within a crossing. Liquid in the room stands on as much of the yarns' skin as it fills of the room.
-    HL_FN double coupling_across(const End& a, bool a_is_room, const End& b, double conductance) const
+    HL_FN double coupling_across(const End& a, bool a_is_room, const End& b, double conductance, bool& moves) const
     {
         const double difference = b.suction - a.suction;
         const End &from = difference > 0 ? a : b, &to = difference > 0 ? b : a;
         const bool from_room = a_is_room && difference > 0;
         double share = from_room ? from.saturation : share_of_permeability(from.saturation, from.threshold, 7);
         if (!to.is_connected()) share *= to.gate;
-        return coupling(conductance * share, difference, from, to, 0.5 * dt);
+        return coupling(conductance * share, difference, from, to, 0.5 * dt, moves);
     }
     /// Finds what couples a place's classes with each other and with the next place's; whether anything does.
     template <typename Team> HL_FN bool couple(const Line<Team>& line, int i) const
@@ -181,21 +183,23 @@ struct PoreLines {
         const End own = end_of(line, p, own_pores, i), beside = end_of(line, p, room_pores, i), crossed = end_of(line, p, crossed_pores, i);
         const double density = climate.density;
         const bool bath = is_fed(i);
-        line(own_room, i) = bath ? 0.0 : coupling_across(beside, true, own, density * (of_warp ? here.to_warp : here.to_weft));
-        line(own_crossed, i) = bath ? 0.0 : coupling_across(own, false, crossed, density * here.yarns);
-        line(room_crossed, i) = bath ? 0.0 : coupling_across(beside, true, crossed, density * (of_warp ? here.to_weft : here.to_warp));
+        bool moves = false;
+        line(own_room, i) = bath ? 0.0 : coupling_across(beside, true, own, density * (of_warp ? here.to_warp : here.to_weft), moves);
+        line(own_crossed, i) = bath ? 0.0 : coupling_across(own, false, crossed, density * here.yarns, moves);
+        line(room_crossed, i) =
+            bath ? 0.0 : coupling_across(beside, true, crossed, density * (of_warp ? here.to_weft : here.to_warp), moves);
         line(along, i) = line(along + 1, i) = 0;
         if (i + 1 < line.last && !(bath && is_fed(i + 1))) { // what stands in a bath bears itself
             const Place q = place(line, i + 1);
             const BetweenParameters& there = room(q);
             const double from = of_warp ? here.along_warp : here.along_weft, to = of_warp ? there.along_warp : there.along_weft;
             const double in_series = from > 0 && to > 0 ? 2.0 * from * to / (from + to) : 0.0;
-            line(along, i) = coupling_along(own, end_of(line, q, own_pores, i + 1), density * along_yarn(yarn_of(p, own_pores), i), 7);
-            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), density * in_series, 8);
+            line(along, i) =
+                coupling_along(own, end_of(line, q, own_pores, i + 1), density * along_yarn(yarn_of(p, own_pores), i), 7, moves);
+            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), density * in_series, 8, moves);
         }
         const bool by_pool = pool.stands && couple_with_pool(line, p, i);
-        return by_pool || line(own_room, i) > 0 || line(own_crossed, i) > 0 || line(room_crossed, i) > 0 || line(along, i) > 0 ||
-               line(along + 1, i) > 0;
+        return by_pool || moves;
     }
     HL_FN double along_yarn(const YarnParameters& yarn, int i) const // m3/(s Pa), from i to i + 1
     {

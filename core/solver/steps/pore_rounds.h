@@ -58,9 +58,10 @@ struct PoreRounds : PoreLines {
     /// Finds what is left of a place's balances; whether it is too much.
     template <typename Team> HL_FN bool balance(const Line<Team>& line, int i, bool nested) const
     {
-        constexpr double enough = 1e-10;     // of the capacity
-        constexpr double rounding = 1e-14;   // of what would flow by the whole suction
-        constexpr double least_fall = 1e-10; // of the capacity over the entry suction, so that full pores do not leave their suction open
+        constexpr double enough = 1e-10;      // of the capacity
+        constexpr double rounding = 1e-14;    // of what would flow by the whole suction
+        constexpr double least_fall = 1e-10;  // of the capacity over the entry suction, so that full pores do not leave their suction open
+        constexpr double least_share = 1e-13; // of what couples them, so that elimination does not lose it among full pores in long steps
         if (is_fed(i)) return false;
         const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
         const double in[3] = {to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx};
@@ -74,9 +75,10 @@ struct PoreRounds : PoreLines {
             const double cap = capacity(p, which), fed = from_pool(line, which, i);
             const PoreCourse c = course(line, p, which, i);
             const Held h = held(c, line(suction + which, i), nested ? static_cast<int>(line(taken + which, i)) : 0, nested);
-            const double over = in[which] + fed - cap * (h.saturation - c.saturation), least = least_fall / c.pores.entry;
+            const double over = in[which] + fed - cap * (h.saturation - c.saturation);
+            const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
             line(left + which, i) = over;
-            line(falls + which, i) = cap * (h.fall > least ? h.fall : least);
+            line(falls + which, i) = cap * h.fall > least ? cap * h.fall : least;
             if (pool.stands && fed < line(most_fed + which, i)) line(falls + which, i) += line(feed + which, i);
             const double noise = enough * cap + rounding * coupled[which] * std::abs(line(suction + which, i));
             open = open || !(over <= noise && over >= -noise);
