@@ -12,6 +12,10 @@ target_sources(hygroloom_core PRIVATE
   verify/measured_wicking_cases.cpp
   verify/moisture_cases.cpp
   verify/pore_cases.cpp
+  verify/pore_fabric_cases.cpp
+  verify/pore_flow_cases.cpp
+  verify/pore_set_ups.cpp
+  verify/retention_column.cpp
   verify/set_ups.cpp
   verify/swing_fit.cpp
   verify/tester_case.cpp

@@ -89,6 +89,9 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
 // The cases by subject; each file adds its own.
 std::vector<VerifyCase> wicking_cases();
 std::vector<VerifyCase> pore_cases();
+std::vector<VerifyCase> pore_flow_cases();
+std::vector<VerifyCase> retention_column_cases();
+std::vector<VerifyCase> pore_fabric_cases();
 std::vector<VerifyCase> moisture_cases();
 std::vector<VerifyCase> heat_cases();
 std::vector<VerifyCase> laboratory_cases();

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The closure `pores` on library fabrics: the room between their yarns, what dry repellent ones keep out, and that nothing gains energy.
+#include "core/physics/between_yarns.h"
+#include "core/physics/water.h"
+#include "core/plan/planning.h"
+#include "core/solver/segments.h"
+#include "core/verify/fits.h"
+#include "core/verify/pore_set_ups.h"
+
+#include <random>
+
+namespace hygroloom {
+namespace {
+
+double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
+
+struct WovenPatch {
+    Design design;
+    Textile textile;
+    const Experiment& experiment() const { return design.experiments[0]; }
+};
+
+/// A horizontal test on a fabric, by suctions.
+WovenPatch woven_patch(Fabric fabric, double sample_mm, double volume_ul, double duration)
+{
+    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
+    experiment.closure = Closure::pores;
+    experiment.climate.temperature_c = 20;
+    experiment.sample_mm = {sample_mm, sample_mm};
+    experiment.volume_ul = volume_ul;
+    experiment.duration_s = duration;
+    WovenPatch patch{design_of(std::move(fabric), experiment), {}};
+    patch.textile = textile_of_run(patch.design, patch.design.fabrics[0], patch.experiment());
+    return patch;
+}
+
+Scene scene_of(const WovenPatch& patch)
+{
+    const ModelPlan plan = plan_model(patch.design, patch.textile, patch.experiment(), Fidelity::draft);
+    Scene scene = build_scene(patch.design, patch.textile, patch.experiment(), plan, 1);
+    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
+    scene.rules.rest_tolerance = scene.rules.step_error = 0;
+    return scene;
+}
+
+std::vector<VerifyResult> repellent_drop(const VerifyValues& v, Backend& backend)
+{
+    Fabric fabric = library_fabric(v.at("fabric").word);
+    fabric.contact_angle_deg = value(v, "contact_angle_deg");
+    const double time = value(v, "time_s"), angle = radian_from_degree(value(v, "contact_angle_deg"));
+    WovenPatch patch = woven_patch(fabric, 12, value(v, "volume_ul"), time);
+    double gate = 0;
+    for (YarnSystem* system : {&patch.textile.warp, &patch.textile.weft})
+        for (YarnType& type : system->types) {
+            if (value(v, "packing") > 0) type.packing = value(v, "packing");
+            // Princen's gap against that which random rods leave: what opens at all.
+            const double core = std::clamp(0.9 / type.packing - 1, 0.0, 0.5), dense = std::min(0.9, type.packing * (1 + 0.5 * core));
+            const double gap = (0.86 - 0.54 * dense) * (0.9523 / std::sqrt(dense) - 1);
+            const double widest = (0.5 * pi - angle) * std::cos(angle) + std::sin(angle) - 1;
+            if (angle < 0.5 * pi && widest > gap) gate = std::max(gate, 1 - gap / widest);
+        }
+    const Scene scene = scene_of(patch);
+    const Frame frame = frames_at(backend, scene, {time}).front();
+    double in_yarns = 0, between = 0;
+    for (std::size_t i = 0; i < frame.liquid.size(); ++i) {
+        between += static_cast<double>(frame.between[i]);
+        in_yarns += static_cast<double>(frame.liquid[i]) - static_cast<double>(frame.between[i]);
+    }
+    constexpr double some = 1e-9; // kg
+    if (gate > 0) return {at_least("water_in_yarns_kg", in_yarns, some)};
+    return {{"water_in_yarns_kg", in_yarns, 0, 0}, {"water_between_yarns_kg", between, 0, 0}};
+}
+
+/// The page's formulas, one after the other, with both angles of each yarn.
+struct ExpectedRoom {
+    double volume, radius, entry, threshold, hysteresis, along_warp, along_weft;
+};
+double expected_permeability(const CrossingYarn& along, const CrossingYarn& across, double thickness, double share, double radius)
+{
+    const double f = std::min(0.5, 0.5 * across.width / along.pitch);
+    const double over = std::max(0.02, 1 - across.height / thickness - along.area / (across.pitch * thickness));
+    const double beside = std::max(0.02, (share - f * over) / (1 - f));
+    return share * radius * radius / 20 / ((1 - f) * std::pow(share / beside, 3) + f * std::pow(share / over, 3));
+}
+ExpectedRoom expected_room(const CrossingYarn& warp, const CrossingYarn& weft, double thickness, double tension)
+{
+    const double cell = warp.pitch * weft.pitch, layer = thickness * cell;
+    ExpectedRoom room{};
+    room.volume = std::max(0.05 * layer, layer - warp.area * warp.length - weft.area * weft.length);
+    const auto around = [](const CrossingYarn& y) { // a racetrack
+        return pi * std::min(y.width, y.height) + 2 * std::abs(y.width - y.height) * (y.width > y.height);
+    };
+    const double overlap = warp.width * weft.width;
+    const double skin = std::max(overlap, around(warp) * warp.length + around(weft) * weft.length - 2 * overlap);
+    room.radius = 2 * room.volume / skin;
+    const auto cosine = [&](double a, double b) { return 1 - 0.5 * (warp.packing * (1 - std::cos(a)) + weft.packing * (1 - std::cos(b))); };
+    const double wets = cosine(warp.advancing, weft.advancing), dries = cosine(warp.receding, weft.receding);
+    room.entry = tension * wets / room.radius;
+    room.hysteresis = std::max(1.1, dries / wets / (1 - 0.3701));
+    const double half = 0.5 * std::pow(overlap * warp.height * weft.height, 0.25), corner = cell / (16 * half * wets) / (2 * room.radius);
+    room.threshold = std::clamp(corner * corner, 0.1, 0.6);
+    room.along_warp = expected_permeability(warp, weft, thickness, room.volume / layer, room.radius);
+    room.along_weft = expected_permeability(weft, warp, thickness, room.volume / layer, room.radius);
+    return room;
+}
+
+std::vector<VerifyResult> between_yarns(const VerifyValues& v, Backend&)
+{
+    const WovenPatch patch = woven_patch(library_fabric(v.at("fabric").word), 4, 15, 1);
+    const Textile& textile = patch.textile;
+    const Scene scene = scene_of(patch);
+    const auto yarn = [](const YarnType& type, double pitch) {
+        const double most = radian_from_degree(85), advancing = std::min(most, type.contact_angle);
+        return CrossingYarn{type.section.width,
+                            type.section.height,
+                            type.area,
+                            pitch * type.length_per_pitch[0],
+                            pitch,
+                            type.packing,
+                            advancing,
+                            std::min(advancing, type.receding_angle)};
+    };
+    const CrossingYarn warp = yarn(textile.warp.types[0], textile.weft.pitch), weft = yarn(textile.weft.types[0], textile.warp.pitch);
+    const double cell = warp.pitch * weft.pitch, tension = water_surface_tension(pore_temperature);
+    const ExpectedRoom room = expected_room(warp, weft, textile.thickness, tension);
+    const BetweenParameters& solver = scene.cloth.crossing[0].between;
+    const double per_flow = scene.climate.viscosity / textile.thickness;
+    const auto near = [](const char* name, double computed, double expected) {
+        return VerifyResult{name, computed, expected, 5e-3 * expected};
+    };
+    return {near("void_mm", 1e3 * solver.volume / cell, 1e3 * room.volume / cell),
+            near("pore_radius_um", um_from_metre(room.entry * room.radius / solver.retention.entry), um_from_metre(room.radius)),
+            near("entry_suction_pa", solver.retention.entry, room.entry),
+            near("threshold_saturation", solver.retention.threshold, room.threshold),
+            near("hysteresis", solver.retention.emptying / solver.retention.entry, room.hysteresis),
+            near("permeability_warp_m2", solver.along_warp * per_flow * warp.pitch / weft.pitch, room.along_warp),
+            near("permeability_weft_m2", solver.along_weft * per_flow * weft.pitch / warp.pitch, room.along_weft)};
+}
+
+/// Pores as they fill and empty, followed by what they hold.
+struct FollowedPores {
+    Retention retention;
+    double capacity = 0; ///< m3
+    HeldBefore held{};
+
+    /// J that liquid brings in on the way to a saturation: -V int p ds.
+    double move_to(double saturation)
+    {
+        if (saturation == held.saturation) return 0;
+        constexpr int parts = 24;
+        const HeldBefore from{held.saturation, line_begins_at(retention, held)};
+        double sum = 0, before = from.suction;
+        for (int k = 1; k <= parts; ++k) {
+            const double next = suction_after(retention, from, from.saturation + (saturation - from.saturation) * k / parts);
+            sum += 0.5 * (before + next) / parts;
+            before = next;
+        }
+        const double energy = -capacity * sum * (saturation - from.saturation);
+        held = {saturation, saturation >= nearly_full ? 0.0 : before}; // a frame does not tell how far full pores are pressed
+        return energy;
+    }
+};
+
+/// All of a scene: its segments, then its rooms.
+std::vector<FollowedPores> pores_of(const Scene& scene)
+{
+    Segments s;
+    static_cast<Yarns&>(s) = yarns_of(scene);
+    s.warp_up = scene.cloth.warp_up.data();
+    std::vector<FollowedPores> all;
+    const auto add = [&](const Retention& retention, double volume, double liquid) {
+        const double held = liquid / (scene.climate.density * volume);
+        all.push_back({retention, volume, {held, held >= nearly_full ? 0.0 : suction_filling(retention, held)}});
+    };
+    for (int i = 0; i < scene.cloth.segments(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const YarnParameters& yarn = s.yarn_of(i);
+        const double volume = scene.cloth.pores.empty() ? yarn.pore_area * scene.cloth.length[k] : scene.cloth.pores[k];
+        add(yarn.on_face[s.face_of(s.crossing_of(i), s.is_warp(i))].retention, volume, scene.cloth.start.liquid[k]);
+    }
+    for (int c = 0; c < scene.cloth.crossings(); ++c) {
+        const BetweenParameters& between = s.crossing_at(c / scene.cloth.picks, c % scene.cloth.picks).between;
+        add(between.retention, between.volume, scene.cloth.start.between[static_cast<std::size_t>(c)]);
+    }
+    return all;
+}
+
+/// Yarns and the room between them are wet in the middle, in stripes.
+Scene striped_patch(const std::string& fabric, double time)
+{
+    Scene scene = scene_of(woven_patch(library_fabric(fabric), 6, 15, time));
+    scene.supply.pools.clear();
+    scene.rules.network_step = scene.rules.calm_network_step = 0.5;
+    scene.rules.saturation_change = 0.2;
+    const Yarns yarns = yarns_of(scene);
+    const int ends = scene.cloth.ends, picks = scene.cloth.picks;
+    const auto is_wet = [&](int end, int pick) { return 3 * std::abs(2 * end - ends) < ends && 3 * std::abs(2 * pick - picks) < picks; };
+    for (int i = 0; i < scene.cloth.segments(); ++i) {
+        const int rest = i - scene.cloth.crossings();
+        const bool wet = rest < 0 ? is_wet(i / picks, i % picks) : is_wet(rest % ends, rest / ends);
+        const double volume = yarns.yarn_of(i).pore_area * scene.cloth.length[static_cast<std::size_t>(i)];
+        scene.cloth.start.liquid.push_back(wet && i % 3 != 0 ? 0.9 * scene.climate.density * volume : 0.0);
+    }
+    scene.cloth.pores.clear();
+    for (int c = 0; c < scene.cloth.crossings(); ++c)
+        scene.cloth.start.between.push_back(is_wet(c / picks, c % picks) && c % 2 == 0
+                                                ? scene.climate.density * yarns.crossing_at(c / picks, c % picks).between.volume
+                                                : 0.0);
+    return scene;
+}
+
+/// The least that a closed cycle of saturation takes, of many at random.
+double least_cycle_work(const std::vector<FollowedPores>& kinds)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(0, 1);
+    double least = std::numeric_limits<double>::infinity();
+    for (int cycle = 0; cycle < 200; ++cycle) {
+        FollowedPores pores = kinds[static_cast<std::size_t>(cycle) * 7919 % kinds.size()];
+        const double start = 0.02 + 0.97 * share(random), width = share(random);
+        pores.held = {start, suction_filling(pores.retention, start)};
+        const auto move = [&](double to) {
+            double work = 0;
+            const double from = pores.held.saturation;
+            for (int k = 1; k <= 20; ++k) work += pores.move_to(from + (to - from) * k / 20);
+            return work;
+        };
+        double work = 0;
+        for (int turn = 0; turn < 4; ++turn) work += move(std::clamp(start + width * (2 * share(random) - 1), 0.01, 0.999));
+        least = std::min(least, work + move(start));
+    }
+    return least;
+}
+
+std::vector<VerifyResult> free_energy(const VerifyValues& v, Backend& backend)
+{
+    const double until = value(v, "time_s");
+    const Scene scene = striped_patch(v.at("fabric").word, until);
+    std::vector<FollowedPores> pores = pores_of(scene);
+    const double cycle = least_cycle_work(pores);
+    backend.load(scene);
+    double largest = -std::numeric_limits<double>::infinity(), released = 0;
+    const auto segments = static_cast<std::size_t>(scene.cloth.segments());
+    for (double time = 0, dt = 1e-3; time < until; dt = std::min(1.05 * dt, 0.5)) { // steps are no longer, mostly as long
+        time = std::min(until, time + dt);
+        while (backend.advance(time) < time) {}
+        const Frame frame = backend.frame();
+        double change = 0;
+        for (std::size_t k = 0; k < pores.size(); ++k) {
+            const double volume = scene.climate.density * pores[k].capacity;
+            change += pores[k].move_to(k < segments ? static_cast<double>(frame.saturation[k])
+                                                    : 2 * static_cast<double>(frame.between[k - segments]) / volume);
+        }
+        largest = std::max(largest, change);
+        released -= change;
+    }
+    return {{"largest_rise_j", largest, 0, 1e-12, Rule::at_most},
+            {"cycle_work_j", cycle, 0, 1e-12, Rule::at_least},
+            at_least("released_j", released, 1e-9)}; // or nothing has moved
+}
+
+} // namespace
+
+std::vector<VerifyCase> pore_fabric_cases()
+{
+    const VerifyParameter fabric{"fabric", 0, 0, 0, "Textile F"};
+    return {
+        {"repellent_drop",
+         "A pool on a fabric whose contact angle is too large for its dry yarns: nothing enters.",
+         {fabric,
+          {"packing", 0, 0, 0.95, ""},
+          {"contact_angle_deg", 89, 0, 180, ""},
+          {"volume_ul", 15, 0.01, 500, ""},
+          {"time_s", 60, 1e-3, 1e4, ""}},
+         repellent_drop},
+        {"between_yarns",
+         "The room between a fabric's yarns at a crossing: what it holds, at which suction, and how it lets water through.",
+         {fabric},
+         between_yarns},
+        {"free_energy",
+         "Water runs in a patch without any supply: no step raises its free energy, and no closed cycle of saturation gives work.",
+         {fabric, {"time_s", 20, 1e-2, 1e4, ""}},
+         free_energy},
+    };
+}
+
+} // namespace hygroloom
