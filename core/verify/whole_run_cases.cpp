@@ -23,6 +23,17 @@ ExperimentType experiment_type(const std::string& word)
     throw Error("experiment: Must be one of " + names + "; \"" + word + "\" was given.");
 }
 
+Closure closure_of(const std::string& word)
+{
+    std::string names;
+    for (int i = 0; i < closures; ++i) {
+        const auto closure = static_cast<Closure>(i);
+        if (word == name_of(closure)) return closure;
+        names += (names.empty() ? "" : ", ") + std::string(name_of(closure));
+    }
+    throw Error("closure: Must be one of " + names + "; \"" + word + "\" was given.");
+}
+
 /// A laboratory's experiment on a sample of a few millimetres, long enough for a part of it.
 Experiment small_experiment(const VerifyValues& v)
 {
@@ -37,6 +48,8 @@ Experiment small_experiment(const VerifyValues& v)
     experiment.feed_s = std::min(experiment.feed_s, duration);
     for (Droplet& droplet : experiment.droplets) droplet.volume_ul = volume;
     experiment.duration_s = duration;
+    experiment.closure = closure_of(v.at("closure").word);
+    experiment.swelling = v.at("swelling").value != 0;
     return experiment;
 }
 
@@ -256,6 +269,7 @@ std::vector<VerifyCase> whole_run_cases()
 {
     const std::vector<VerifyParameter> small_run{{"experiment", 0, 0, 0, "droplet"}, {"fabric", 0, 0, 0, "Textile F"},
                                                  {"duration_s", 1, 1e-3, 1e4, ""},   {"volume_ul", 3, 1e-3, 100, ""},
+                                                 {"closure", 0, 0, 0, "kissa"},      on_or_off("swelling", false),
                                                  {"temperature_c", 20, -10, 60, ""}, {"contact_angle_deg", -1, -1, 180, ""}};
     return {
         {"conservation",

@@ -104,6 +104,36 @@ private Q_SLOTS:
                                                         << "fabric=C speed_m_s=1 volume_ul=8 particles=1000";
         QTest::newRow("as fast as drops may be") << "impact"
                                                  << "speed_m_s=10 particles=500";
+        QTest::newRow("a slug that empties later") << "slug_arrest"
+                                                   << "hysteresis=1.2 time_s=600";
+        QTest::newRow("an hour later") << "slug_arrest"
+                                       << "hysteresis=1.2 time_s=3600";
+        QTest::newRow("a slug without hysteresis") << "slug_arrest"
+                                                   << "hysteresis=1 time_s=3600";
+        QTest::newRow("a short slug in dense fibres") << "slug_arrest"
+                                                      << "packing=0.7 contact_angle_deg=50 slug_mm=4 time_s=200";
+        QTest::newRow("a slug at rest in coarse fibres") << "slug_rest"
+                                                         << "packing=0.4 fibre_radius_um=15 slug_mm=5 cell_mm=0.25";
+        QTest::newRow("a loose yarn in water") << "supplied_yarn"
+                                               << "packing=0.35 contact_angle_deg=10 fibre_radius_um=12 time_s=2";
+        QTest::newRow("a dense yarn that hardly wets") << "supplied_yarn"
+                                                       << "packing=0.7 contact_angle_deg=65 time_s=100";
+        QTest::newRow("a yarn beside a room it drinks from") << "two_fronts"
+                                                             << "conductance=1";
+        QTest::newRow("a fast room") << "two_fronts"
+                                     << "permeability_m2=1e-10 entry_suction_pa=800 porosity=0.5 time_s=3";
+        QTest::newRow("the top of the strip") << "retention_column"
+                                              << "height_mm=300";
+        QTest::newRow("finer rooms") << "retention_column"
+                                     << "entry_suction_pa=2500 shape=3 hysteresis=1.4 height_mm=250 strip_mm=400";
+        QTest::newRow("nothing enters a cloth that repels") << "repellent_drop"
+                                                            << "fabric=D contact_angle_deg=110";
+        QTest::newRow("something enters what wets") << "repellent_drop"
+                                                    << "contact_angle_deg=30 time_s=1";
+        QTest::newRow("rooms of a denim") << "between_yarns"
+                                          << "fabric=Denim";
+        QTest::newRow("a loose cloth at work") << "free_energy"
+                                               << "fabric=C time_s=5";
         QTest::newRow("wide tube, wetting") << "washburn"
                                             << "radius_um=200 contact_angle_deg=0 time_s=0.5 temperature_c=40";
         QTest::newRow("fine tube") << "washburn"
@@ -289,6 +319,23 @@ private Q_SLOTS:
                     << QString("experiment=%1|fabric=%2|duration_s=%3").arg(experiment.c_str(), fabric).arg(duration);
             }
     }
+    void suctionsConserveWaterAndEnergyWhileFibresSwell_data()
+    {
+        QTest::addColumn<QString>("changes");
+        for (const char* experiment : {"droplet", "horizontal_wicking", "vertical_wicking", "drying"})
+            for (const char* fabric : {"C", "F", "Viscose challis"})
+                QTest::addRow("%s on %s", experiment, fabric) << QString("experiment=%1|fabric=%2|duration_s=%3|closure=pores|swelling=1")
+                                                                     .arg(experiment, fabric)
+                                                                     .arg(experiment == std::string("droplet") ? 0.3 : 20);
+    }
+    void suctionsConserveWaterAndEnergyWhileFibresSwell()
+    {
+        QFETCH(QString, changes);
+        std::map<std::string, std::string> values;
+        for (const QString& change : changes.split('|'))
+            values[change.section('=', 0, 0).toStdString()] = change.section('=', 1).toStdString();
+        check("conservation", values, "cpu");
+    }
     void everyExperimentConservesWaterAndEnergy()
     {
         QFETCH(QString, changes);
@@ -390,6 +437,18 @@ private Q_SLOTS:
         QTest::newRow("no such fabric") << "conservation"
                                         << "fabric"
                                         << "Textile Z";
+        QTest::newRow("higher than the strip") << "retention_column"
+                                               << "height_mm"
+                                               << "301";
+        QTest::newRow("a yarn that water does not enter") << "supplied_yarn"
+                                                          << "contact_angle_deg"
+                                                          << "80";
+        QTest::newRow("a slug of no cell") << "slug_arrest"
+                                           << "cell_mm"
+                                           << "0.01";
+        QTest::newRow("no such closure") << "conservation"
+                                         << "closure"
+                                         << "sponge";
         QTest::newRow("no such experiment") << "conservation"
                                             << "experiment"
                                             << "boiling";
