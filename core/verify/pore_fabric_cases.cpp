@@ -2,7 +2,6 @@
 // The closure `pores` on library fabrics: the room between their yarns, what dry repellent ones keep out, and that nothing gains energy.
 #include "core/physics/between_yarns.h"
 #include "core/physics/water.h"
-#include "core/plan/planning.h"
 #include "core/solver/segments.h"
 #include "core/verify/fits.h"
 #include "core/verify/pore_set_ups.h"
@@ -36,9 +35,12 @@ WovenPatch woven_patch(Fabric fabric, double sample_mm, double volume_ul, double
 
 Scene scene_of(const WovenPatch& patch)
 {
-    const ModelPlan plan = plan_model(patch.design, patch.textile, patch.experiment(), Fidelity::draft);
+    ModelPlan plan;
+    plan.parts.push_back({"wicking", true, false, ""});
+    plan.fibre_shells = 1;
+    plan.knobs.network_step_limit = 5e-3;
+    plan.knobs.saturation_change = 0.1;
     Scene scene = build_scene(patch.design, patch.textile, patch.experiment(), plan, 1);
-    scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
     scene.rules.rest_tolerance = scene.rules.step_error = 0;
     return scene;
 }
