@@ -146,7 +146,8 @@ struct PoreLines {
     }
 
     /// kg/Pa in some seconds, of a conductance in kg/(s Pa). Says where more than next to nothing would pass: in a line with no such place
-    /// nothing does, so that rest is rest. In others all couple, or what one place gives would come from its neighbours alone.
+    /// nothing does, so that rest is rest. In others those that conduct well couple, too, or what one place gives would come from its
+    /// neighbours alone.
     HL_FN static double coupling(double conductance, double difference, const End& from, const End& to, double seconds, bool& moves)
     {
         constexpr double clings = 1e-9;           // of what a class can hold
@@ -155,8 +156,10 @@ struct PoreLines {
         if (from.saturation < clings) return 0;
         const double gap = difference < 0 ? -difference : difference;
         const double smaller = from.capacity < to.capacity ? from.capacity : to.capacity;
-        moves = moves || (gap > least_difference * from.entry && conductance * gap > least_rate * smaller);
-        return conductance * seconds;
+        constexpr double small_difference = 1e-3; // of the entry suction
+        const bool passes = gap > least_difference * from.entry && conductance * gap > least_rate * smaller;
+        moves = moves || passes;
+        return passes || conductance * small_difference * from.entry > least_rate * smaller ? conductance * seconds : 0.0;
     }
     HL_FN double coupling_along(const End& here, const End& next, double conductance, int twice_power, bool& moves) const
     {
