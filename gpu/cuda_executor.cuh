@@ -182,12 +182,12 @@ public:
         int blocks = lines;
         if (bytes + sizeof(double) * columns <= static_cast<std::size_t>(most_shared_)) {
             bytes += sizeof(double) * columns;
-            check_cuda(cudaFuncSetAttribute(run_lines<Stage>, cudaFuncAttributeMaxDynamicSharedMemorySize, most_shared_), name);
         } else {
             blocks = std::min(lines, blocks_each * processors_);
             line_room_.resize(columns * static_cast<std::size_t>(blocks));
             room.columns = line_room_.data();
         }
+        check_cuda(cudaFuncSetAttribute(run_lines<Stage>, cudaFuncAttributeMaxDynamicSharedMemorySize, most_shared_), name);
         const Lap lap(stage_clock_.get(), name);
         run_lines<<<static_cast<unsigned>(blocks), static_cast<unsigned>(threads), bytes, own_stream>>>(lines, room, stage);
         check_cuda(cudaGetLastError(), name);

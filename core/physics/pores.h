@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Formulas of a coming closure, which cases of verify use and the solver does not use yet.
+// The closure `pores`: its numbers from geometry and two contact angles.
 // Liquid between parallel fibres: how much they hold at a suction while they fill and while they drain, and which bundles wet at all.
 // Angles in radian, everything else SI; suction is positive below the air's pressure, saturation 0..1 of the pore volume.
 #pragma once

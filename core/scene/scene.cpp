@@ -230,7 +230,7 @@ void add_unevenness(Scene& scene, const Textile& textile, std::uint64_t seed)
         const double kept = std::exp(-textile.system(other_kind(kind)).pitch / alike_over);
         for (int yarn = 0; yarn < own.count; ++yarn) {
             const YarnType& type = textile.type(kind, yarn);
-            const double least = std::max(0.5, (1.0 - 0.95) / (1.0 - type.packing)); // of the pores
+            const double least = std::clamp((1.0 - 0.95) / (1.0 - type.packing), 0.5, 1.0); // of the pores
             double off = 0;
             for (int k = 0; k < crossed; ++k) {
                 const auto stream = static_cast<std::uint64_t>(2 * yarn + (kind == YarnKind::warp ? 0 : 1));

@@ -221,7 +221,7 @@ template <typename Executor> void YarnNetwork<Executor>::supply(double time, dou
 template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double time, double dt)
 {
     pools_.fill(*scene_, time, dt, climate_.density);
-    if (by_suction()) return; // yarns draw while liquid moves
+    if (by_suction() && scene_->rules.wicking) return; // yarns draw while liquid moves
     for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
         if (pools_.standing[k] <= 0) continue;
         const FedFace face = face_under(k);

@@ -124,8 +124,10 @@ private Q_SLOTS:
                     const Held held = course.at(suction);
                     QVERIFY(held.saturation >= 0 && held.saturation <= 1 && held.fall >= 0);
                     QVERIFY2(held.saturation <= last + 1e-12, qPrintable(QString("%1 over %2").arg(held.saturation).arg(last)));
-                    QVERIFY(held.saturation >= held_filling(pores, suction).saturation - 1e-9 ||
-                            held.saturation >= held_emptying(pores, suction).saturation - 1e-9);
+                    QVERIFY(held.saturation >=
+                            std::min(held_filling(pores, suction).saturation, held_emptying(pores, suction).saturation) - 1e-9);
+                    if (saturation > 0.3) // where less is held, menisci bulge more than the curve is steep
+                        QVERIFY(held.saturation <= held_emptying(pores, suction).saturation + 1e-9);
                     last = held.saturation;
                 }
             }
