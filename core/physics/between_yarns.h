@@ -29,10 +29,9 @@ struct RoomBetweenYarns {
     double along_warp = 0, along_weft = 0; ///< m2, permeabilities
 };
 
-/// Cosine of the contact angle on a yarn whose own pores are full of the liquid, and on one whose pores are dry (Bico, Thiele and Quere
-/// 2002; Cassie and Baxter 1944): of the surface, packing is fibre.
+/// Cosine of the contact angle on a yarn whose own pores are full of the liquid (Bico, Thiele and Quere 2002): of the surface, packing is
+/// fibre.
 inline double cosine_on_wet_yarn(double packing, double angle) { return 1.0 - packing * (1.0 - std::cos(angle)); }
-inline double cosine_on_dry_yarn(double packing, double angle) { return packing * (1.0 + std::cos(angle)) - 1.0; }
 
 /// Permeability along one system's direction, m2: narrow slices where a crossed yarn stands in the way, wide ones beside it, one after the
 /// other, each by Kozeny and Carman with a constant of 5; derived here. The weakest number of the closure.

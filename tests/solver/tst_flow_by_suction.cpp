@@ -185,7 +185,6 @@ private Q_SLOTS:
             between.along_warp * scene.climate.viscosity * scene.cloth.weft_pitch / (textile.thickness * scene.cloth.warp_pitch);
         QVERIFY2(within(permeability, 2.80e-11), qPrintable(QString::number(permeability)));
         QVERIFY(std::abs(cosine_on_wet_yarn(0.5, 0.5) - (1 - 0.5 * (1 - std::cos(0.5)))) < 1e-15);
-        QVERIFY(std::abs(cosine_on_dry_yarn(0.5, 0.5) - (0.5 * (1 + std::cos(0.5)) - 1)) < 1e-15);
     }
     void stepsKeepAllWaterWithinItsBounds_data()
     {
