@@ -92,11 +92,10 @@ struct Formulas {
     double warp_angle = 0, weft_angle = 0;
 };
 
-Formulas formulas_of(const Design& design, const Fabric& fabric, const FabricQuantities& q)
+Formulas formulas_of(const FabricQuantities& q)
 {
     Formulas f;
-    f.permeability = permeability_of(q, blended_material(design, fabric.warp.material).fibre_radius_um,
-                                     blended_material(design, fabric.weft.material).fibre_radius_um);
+    f.permeability = permeability_of(q);
     f.warp_angle = braiding_angle_deg(q.weft.pitch_mm, q.warp.rise_mm);
     f.weft_angle = braiding_angle_deg(q.warp.pitch_mm, q.weft.rise_mm);
     return f;
@@ -253,7 +252,7 @@ int check(const ProjectOptions& options)
         const FabricQuantities& quantities = fitted.derived;
         const std::vector<StripeYarn>& stripes = fitted.stripes;
         const MeasuredGeometry geometry = measure_geometry(design, fabric, &fitted);
-        const Formulas formulas = formulas_of(design, fabric, quantities);
+        const Formulas formulas = formulas_of(quantities);
         json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));
         Json& entry = json["fabrics"].back();
         entry["derived"]["warp"]["braiding_angle_deg"] = formulas.warp_angle;

@@ -34,6 +34,8 @@ struct CrossSection {
 /// Shapes that have a name, with their factors: round, trilobal, bean, channelled. Sources stand in resources/materials/fibres.json.
 const std::vector<CrossSection>& cross_sections();
 
+constexpr double least_fibre_radius_um = 0.001, most_fibre_radius_um = 200;
+
 /// One fibre substance, dry.
 struct Material {
     std::string name;

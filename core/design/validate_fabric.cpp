@@ -46,6 +46,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
     list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, loosest_packing, densest_packing);
     if (!yarn.diameter_mm && !yarn.linear_density_tex) list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
+    list.range_if_given(where + ".filament_count", "number of filaments", yarn.filament_count, fewest_filaments, most_filaments);
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
     list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
@@ -133,6 +134,24 @@ void warn_of_closed_yarns(const FittedFabric& fabric, const std::string& where, 
             break;
         }
     }
+}
+
+/// A count of filaments says how thick they are, whatever the material's own radius is.
+void validate_filaments(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
+{
+    if (!yarn.filament_count) return;
+    const Material fibre = blended_material(design, yarn.material);
+    const double tex = free_yarn(yarn, fibre.density_kg_m3).linear_density_tex;
+    const double radius = filament_radius_um(tex, *yarn.filament_count, fibre.density_kg_m3);
+    if (!list.range(where + ".filament_count", "radius of a fibre that follows from the number of filaments", radius, least_fibre_radius_um,
+                    most_fibre_radius_um, "um"))
+        return;
+    if (std::abs(radius / fibre.fibre_radius_um - 1) > 0.01)
+        list.add(
+            Severity::note, "filaments", where + ".filament_count",
+            fmt::format("{:.4g} tex of {} filaments ({:.0f} kg/m3) make a fibre radius of {:.3g} um, which counts; that of {} is {:.3g} "
+                        "um and is left aside.",
+                        tex, *yarn.filament_count, fibre.density_kg_m3, radius, fibre.name, fibre.fibre_radius_um));
 }
 
 /// Whether yarns can be fitted at all.
@@ -283,6 +302,11 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
             validate_material(*material, {}, own);
             if (own.errors() > 0) return nullptr;
         }
+    if (list.errors() > before) return nullptr;
+    validate_filaments(design, fabric.warp, where + ".warp", list);
+    validate_filaments(design, fabric.weft, where + ".weft", list);
+    for (std::size_t i = 0; i < fabric.extra_yarns.size(); ++i)
+        validate_filaments(design, fabric.extra_yarns[i], fmt::format("{}.extra_yarns[{}]", where, i), list);
     if (list.errors() > before || !can_be_fitted(design, fabric, where, list)) return nullptr;
     FittedYarns fit = fit_yarns(design, fabric);
     validate_fit(fabric, fit, where, list);

@@ -25,6 +25,7 @@ struct Yarn {
     std::optional<double> diameter_mm; ///< of the free yarn
     std::optional<double> linear_density_tex;
     std::optional<double> packing_factor; ///< fibre volume / yarn volume
+    std::optional<int> filament_count;    ///< of continuous filaments; their radius then follows from it, not from the material
     int fibres_per_yarn = 30;             ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
     TwistDirection twist_direction = TwistDirection::z;
@@ -36,6 +37,7 @@ struct Yarn {
     bool operator==(const Yarn&) const = default;
 };
 
+constexpr int fewest_filaments = 2, most_filaments = 100000;
 constexpr int most_plies = 6;
 constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65
 

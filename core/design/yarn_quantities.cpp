@@ -100,6 +100,7 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     yarn.rise_mm = 2 * (warp ? yarns.fitted.at(type, 0).warp : yarns.fitted.at(0, type).weft);
     yarn.crimp_percent = crimp_percent(yarns, warp, type);
     yarn.cover = mean_width_of(yarns, warp, type) / yarn.pitch_mm;
+    yarn.fibre_radius_um = fitted.fibre.fibre_radius_um;
     // Void area over wetted perimeter of parallel cylinders, twice.
     yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
     yarn.contact_angle_deg = yarns.fabric.contact_angle_deg.value_or(fitted.fibre.contact_angle_deg);

@@ -15,7 +15,8 @@ struct YarnQuantities {
     double pitch_mm = 0; ///< from yarn to yarn
     double rise_mm = 0;  ///< of the centreline, from side to side
     double crimp_percent = 0;
-    double cover = 0;          ///< sett x mean width, 1 = touching
+    double cover = 0; ///< sett x mean width, 1 = touching
+    double fibre_radius_um = 0;
     double pore_radius_um = 0; ///< between the fibres: 2 x void area / wetted perimeter
     double contact_angle_deg = 0;
     double receding_angle_deg = 0;

@@ -168,6 +168,12 @@ FreeYarn free_yarn(const Yarn& yarn, double density)
     return free;
 }
 
+double filament_radius_um(double linear_density_tex, int filaments, double fibre_density_kg_m3)
+{
+    const double section_mm2 = linear_density_tex / (filaments * fibre_density_kg_m3); // 1 tex over 1 kg/m3 is 1 mm2
+    return 1e3 * std::sqrt(section_mm2 / pi);
+}
+
 YarnOrder yarn_order(const Fabric& fabric, bool warp)
 {
     const std::vector<YarnRun> alike{{0, 1}};
@@ -219,6 +225,8 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             yarn.fibre = blended_material(design, yarn_in(fabric, warp, number).material);
             yarn.receding_angle_deg = receding_angle_of(design, yarn_in(fabric, warp, number).material, fabric.contact_angle_deg);
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
+            if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
+                yarn.fibre.fibre_radius_um = filament_radius_um(yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }

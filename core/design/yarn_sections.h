@@ -27,6 +27,9 @@ struct FreeYarn {
 /// The missing values from the given ones: tex = packing x density x pi d2 / 4. Precondition: a diameter or a linear density is given.
 FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
 
+/// Of the filaments that share a linear density, as round ones of the same section, um.
+double filament_radius_um(double linear_density_tex, int filaments, double fibre_density_kg_m3);
+
 /// The different yarns of one system and the order they come in.
 struct YarnOrder {
     std::vector<int> yarns;          ///< of each type, as yarn_in() numbers them; yarns that differ in colour alone are one type

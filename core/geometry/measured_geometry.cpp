@@ -243,9 +243,9 @@ double through(double open, double r2, double across) { return open * r2 / 8 + (
 
 double braiding_angle_deg(double pitch, double rise) { return rise > 0 ? 2 * std::atan2(pitch, rise) * 180.0 / pi : 180; }
 
-Permeability permeability_of(const FabricQuantities& q, double warp_fibre_radius_um, double weft_fibre_radius_um)
+Permeability permeability_of(const FabricQuantities& q)
 {
-    const double warp_r = metre_from_um(warp_fibre_radius_um), weft_r = metre_from_um(weft_fibre_radius_um);
+    const double warp_r = metre_from_um(q.warp.fibre_radius_um), weft_r = metre_from_um(q.weft.fibre_radius_um);
     const double warp_phi = q.warp.packing_factor_in_fabric, weft_phi = q.weft.packing_factor_in_fabric;
     const double open = 1 - q.cover_factor, hole = metre_from_um(q.inter_yarn_pore_radius_um);
     const double across = 0.5 * (permeability_across(warp_r, warp_phi) + permeability_across(weft_r, weft_phi));

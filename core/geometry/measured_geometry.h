@@ -48,8 +48,8 @@ struct MeasuredGeometry {
 /// no error.
 MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, const FittedFabric* fitted = nullptr);
 
-/// By formula, beside MeasuredGeometry::permeability. Radii in um as FabricQuantities has them.
-Permeability permeability_of(const FabricQuantities& quantities, double warp_fibre_radius_um, double weft_fibre_radius_um);
+/// By formula, beside MeasuredGeometry::permeability.
+Permeability permeability_of(const FabricQuantities& quantities);
 
 /// Eq. 2 of the paper, tan(angle/2) = l / (2 (d + h)) with l two pitches and d + h the centreline's rise from side to side.
 double braiding_angle_deg(double pitch, double rise);

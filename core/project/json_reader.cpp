@@ -194,6 +194,11 @@ void ObjectReader::read(const std::string& key, std::optional<double>& value)
     if (const ProjectJson* member = find(key)) value = number_in(*member, file_, path_of(key));
 }
 
+void ObjectReader::read(const std::string& key, std::optional<int>& value)
+{
+    if (find(key)) read(key, value.emplace());
+}
+
 void ObjectReader::read(const std::string& key, int& value)
 {
     const ProjectJson* member = find(key);

@@ -43,6 +43,7 @@ public:
     void read(const std::string& key, bool& value);
     void read(const std::string& key, std::string& value);
     void read(const std::string& key, std::optional<double>& value);
+    void read(const std::string& key, std::optional<int>& value);
     void read(const std::string& key, std::array<double, 2>& value);
     /// Refuses unknown keys, with the nearest known one, then a missing key of the required ones.
     void finish(const std::vector<std::string>& required = {}) const;

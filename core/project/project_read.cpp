@@ -172,6 +172,7 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     object.read("diameter_mm", yarn.diameter_mm);
     object.read("linear_density_tex", yarn.linear_density_tex);
     object.read("packing_factor", yarn.packing_factor);
+    object.read("filament_count", yarn.filament_count);
     object.read("fibres_per_yarn", yarn.fibres_per_yarn);
     object.read("twist_per_m", yarn.twist_per_m);
     yarn.twist_direction = read_direction(object, "twist_direction", yarn.twist_direction);

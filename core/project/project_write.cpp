@@ -65,6 +65,7 @@ ProjectJson write_yarn(const Yarn& yarn)
     write_if_given(json, "diameter_mm", yarn.diameter_mm);
     write_if_given(json, "linear_density_tex", yarn.linear_density_tex);
     write_if_given(json, "packing_factor", yarn.packing_factor);
+    if (yarn.filament_count) json["filament_count"] = *yarn.filament_count;
     json["fibres_per_yarn"] = yarn.fibres_per_yarn;
     json["twist_per_m"] = yarn.twist_per_m;
     const auto letter = [](TwistDirection direction) { return direction == TwistDirection::z ? "Z" : "S"; };

@@ -78,6 +78,7 @@ Design rich()
     fabric.finish_face = 110.5;
     fabric.finish_back = 0;
     fabric.weft.irregularity_cv = 0.125;
+    fabric.weft.filament_count = 96;
     fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
     fabric.thickness_mm.reset();
     design.fabrics.push_back(fabric);

@@ -126,6 +126,11 @@ private Q_SLOTS:
         row("fabrics[0].warp", "no_size", [](Design& d) { d.fabrics[0].warp.diameter_mm.reset(); });
         row("fabrics[0].weft.fibres_per_yarn", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 501; });
         row("fabrics[0].weft.fibres_per_yarn ", "range", [](Design& d) { d.fabrics[0].weft.fibres_per_yarn = 0; });
+        row("fabrics[0].weft.filament_count", "range", [](Design& d) { d.fabrics[0].weft.filament_count = 1; });
+        row("fabrics[0].warp.filament_count", "range", [](Design& d) { // two of 0.13 mm2 each
+            d.fabrics[0].warp.diameter_mm = 0.81;
+            d.fabrics[0].warp.filament_count = 2;
+        });
         row("fabrics[0].weft.twist_per_m", "range", [](Design& d) { d.fabrics[0].weft.twist_per_m = -1; });
         row("fabrics[0].warp.material", "no_material", [](Design& d) { d.fabrics[0].warp.material.clear(); });
         row("fabrics[0].warp.material ", "unknown_material", [](Design& d) { d.fabrics[0].warp.material = {{"stone", 1.0}}; });

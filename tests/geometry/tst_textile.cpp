@@ -98,6 +98,32 @@ private Q_SLOTS:
         fabric.measured.tortuosity = 1.7;
         QCOMPARE(build_textile(design, fabric, {0, 0, 4, 4}).warp.types[0].helix_tortuosity, 1.7);
     }
+    void countedFilamentsSayHowThickTheyAre()
+    {
+        Design design = example("textile-F");
+        Fabric& fabric = design.fabrics[0];
+        Material fibre = *find_library_material("polyester");
+        fibre.name = "of 1380 kg/m3";
+        fibre.based_on = "polyester";
+        fibre.density_kg_m3 = 1380;
+        design.materials.push_back(fibre);
+        fabric.warp.material = {{fibre.name, 1.0}};
+        fabric.warp.diameter_mm.reset();
+        fabric.warp.linear_density_tex = tex_from_denier(150);
+        fabric.warp.filament_count = 48;
+        const YarnType warp = build_textile(design, fabric, {0, 0, 4, 4}).warp.types[0];
+        // The trade's formula for round filaments: diameter in um = 11.89 (denier over g/cm3)^1/2, to its last digit.
+        QVERIFY(std::abs(2 * warp.fibre.fibre_radius_um / std::sqrt(150.0 / 48 / 1.38) - 11.89) < 5e-3);
+        QCOMPARE(warp.pore_radius, metre_from_um(warp.fibre.fibre_radius_um) * (1 - warp.packing) / warp.packing);
+        fabric.warp.filament_count = 192; // four times as many: half as thick
+        QCOMPARE(build_textile(design, fabric, {0, 0, 4, 4}).warp.types[0].pore_radius, 0.5 * warp.pore_radius);
+        const std::vector<Issue> issues = validate(design);
+        const auto found = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.code == "filaments"; });
+        QVERIFY(found != issues.end() && found->severity == Severity::note);
+        QCOMPARE(found->where, std::string("fabrics[0].warp.filament_count"));
+        QVERIFY2(found->text.find("16.67 tex of 192 filaments") == 0 && found->text.find("4.47 um") != std::string::npos,
+                 found->text.c_str());
+    }
     void roundYarnsKeepPeircesLimit() // plain square cloth jams at pitch / D = 0.866, D the sum of the diameters
     {
         QVERIFY(!interlace(0.867 * 2, {1, 1}, {1, 1}).jammed);

@@ -226,6 +226,7 @@ private Q_SLOTS:
         QTest::newRow("finish of the face") << Change([](Design& d) { d.fabrics[0].finish_face = 60; });
         QTest::newRow("finish of the back") << Change([](Design& d) { d.fabrics[0].finish_back = 60; });
         QTest::newRow("irregularity") << Change([](Design& d) { d.fabrics[0].warp.irregularity_cv = 0.15; });
+        QTest::newRow("filaments of the warp") << Change([](Design& d) { d.fabrics[0].warp.filament_count = 200; });
         QTest::newRow("twist of the warp") << Change([](Design& d) { d.fabrics[0].warp.twist_per_m = 1400; });
         QTest::newRow("plies of the weft") << Change([](Design& d) { d.fabrics[0].weft.plies = 2; });
     }

@@ -49,6 +49,17 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     addTwist();
     addPlies();
     addColor();
+    QuantityEdit* filaments = form.addQuantity(
+        Quantity::count(fewest_filaments, most_filaments),
+        field(
+            tr("Filaments"), tr("filament count"), "filament_count", [](const Yarn& y) { return std::optional<double>(y.filament_count); },
+            [](Yarn& y, std::optional<double> v) {
+                y.filament_count.reset();
+                if (v) y.filament_count = static_cast<int>(*v);
+            },
+            tr("Of a yarn of continuous filaments. Their radius, and the pores between them, follow from it and the linear density. Leave "
+               "empty for staple yarns: the material's fibre radius counts.")),
+        true);
     QuantityEdit* fibres = form.addQuantity(
         Quantity::count(1, 500), field(
                                      tr("Fibres drawn"), tr("fibre count"), "fibres_per_yarn",
@@ -64,8 +75,8 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                "“pores” only.")));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
-    fields_ = {fibre_,           blend_, share_,     diameter_,      density_, packing_, twist_,
-               twist_direction_, plies_, ply_twist_, ply_direction_, color_,   fibres,   evenness};
+    fields_ = {fibre_, blend_,     share_,         diameter_, density_,  packing_, twist_,  twist_direction_,
+               plies_, ply_twist_, ply_direction_, color_,    filaments, fibres,   evenness};
     form.onRefresh([this] { refresh(); });
 }
 
