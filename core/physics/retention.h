@@ -17,6 +17,7 @@ struct Retention {
     double emptying = 0;  ///< Pa, at which full pores begin to empty
     double front = 0;     ///< Pa, see PoreClosure
     double dry = 0;       ///< Pa, at and beyond which dry pores stay dry
+    double gives = 0;     ///< Pa, at which the menisci of full pores begin to bulge
     double threshold = 0; ///< saturation
     int twice_shape = 8;
 };
@@ -26,7 +27,15 @@ inline Retention retention_of(const PoreClosure& pores)
 {
     return {pores.entry_suction, pores.hysteresis * pores.entry_suction,
             pores.front_suction, (1.0 + front_ramp) * pores.front_suction,
-            pores.threshold,     static_cast<int>(std::lround(2.0 * pores.shape))};
+            pores.entry_suction, pores.threshold,
+            static_cast<int>(std::lround(2.0 * pores.shape))};
+}
+/// The same of the room between yarns: its menisci stand at the cloth's faces while it is full and give way only as it empties.
+inline Retention retention_of_room(const PoreClosure& pores)
+{
+    Retention room = retention_of(pores);
+    room.gives = room.emptying;
+    return room;
 }
 
 /// The same pores, finer by this factor.
@@ -36,6 +45,7 @@ HL_FN Retention narrowed(Retention pores, double factor)
     pores.emptying *= factor;
     pores.front *= factor;
     pores.dry *= factor;
+    pores.gives *= factor;
     return pores;
 }
 
@@ -139,10 +149,10 @@ struct PoreCourse {
     }
 };
 
-/// Where the line of bulging menisci begins, Pa: full pores keep all until the suction at which they would fill, however they were pressed.
+/// Where the line of bulging menisci begins, Pa: full pores keep all until then, however they were pressed.
 HL_FN double line_begins_at(const Retention& pores, const HeldBefore& before)
 {
-    return before.saturation >= nearly_full && before.suction < pores.entry ? pores.entry : before.suction;
+    return before.saturation >= nearly_full && before.suction < pores.gives ? pores.gives : before.suction;
 }
 
 HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
@@ -170,7 +180,8 @@ HL_FN double suction_after(const Retention& pores, const HeldBefore& then, doubl
 {
     if (saturation <= 0) return pores.dry;
     constexpr double little = 1e-9; // of saturation, about which a curve may be missed
-    const double suction = then.suction + (then.saturation - saturation) * pores.entry / bulging;
+    const double begins = saturation < then.saturation - little ? line_begins_at(pores, then) : then.suction;
+    const double suction = begins + (then.saturation - saturation) * pores.entry / bulging;
     if (saturation < nearly_full && held_filling(pores, suction).saturation > saturation + little)
         return suction_filling(pores, saturation);
     if (held_emptying(pores, suction).saturation < saturation - little) return suction_emptying(pores, saturation);

@@ -80,7 +80,7 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     };
     BetweenParameters between;
     between.volume = room.volume;
-    between.retention = retention_of(room.closure);
+    between.retention = retention_of_room(room.closure);
     between.along_warp = room.along_warp * thickness * weft.pitch / (liquid.viscosity * warp.pitch);
     between.along_weft = room.along_weft * thickness * warp.pitch / (liquid.viscosity * weft.pitch);
     between.to_warp = into(warp, across_warp);

@@ -59,7 +59,7 @@ void open_rooms(Scene& scene, const RoomBeside& room)
     const double section = 1e-8, cell = scene.cloth.length[0];
     BetweenParameters& between = scene.cloth.crossing[0].between;
     between.volume = room.porosity * section * cell;
-    between.retention = retention_of(room.pores);
+    between.retention = retention_of_room(room.pores);
     between.along_warp = room.permeability * section / (scene.climate.viscosity * cell);
 }
 

@@ -27,7 +27,7 @@ std::vector<Retention> some_pores()
     between.hysteresis = 1.75;
     between.threshold = 0.34;
     between.front_suction = 1400 / std::sqrt(0.34);
-    pores.push_back(retention_of(between));
+    pores.push_back(retention_of_room(between));
     return pores;
 }
 
