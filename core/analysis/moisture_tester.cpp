@@ -165,8 +165,10 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
         fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed is first "
                     "reached.",
                     100 * share_of_largest),
-        drop_ul > 0 ? fmt::format("The solution falls in drops of at most {:g} ul, each when the pump has delivered it.", drop_ul)
-                    : std::string("The solution stands on the cloth as a pool that the yarns absorb.")};
+        drop_ul > 0 ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "
+                                  "that the cloth absorbs; how they fall and strike is left out.",
+                                  drop_ul)
+                    : std::string("The solution flows evenly into a pool that the cloth absorbs.")};
 }
 
 } // namespace hygroloom

@@ -38,9 +38,7 @@ Table make_table()
               .standard = "AATCC 195",
               .source = WaterSource::pool,
               .usual = usual({21, 0.65, 0}, "saline", {80, 80}, 120),
-              .fields = {{"feed_s", &E::feed_s, "time the pump runs", 0.01, 86400, "s"},
-                         {.key = "drop_ul", .value = &E::drop_ul, .absent_at_zero = true},
-                         volume}},
+              .fields = {{"feed_s", &E::feed_s, "time the pump runs", 0.01, 86400, "s"}, {.key = "drop_ul", .value = &E::drop_ul}, volume}},
              {.key = "vertical_wicking",
               .title = "Vertical wicking",
               .standard = "AATCC 197",
@@ -121,14 +119,13 @@ std::array<double, 2> sample_extent_mm(const Experiment& experiment)
 
 std::vector<Droplet> falling_drops(const Experiment& experiment)
 {
-    if (uses_field(experiment.type, "droplets")) return experiment.droplets;
-    if (!uses_field(experiment.type, "drop_ul") || !(experiment.drop_ul > 0)) return {};
-    const double count = std::ceil(experiment.volume_ul / experiment.drop_ul * (1 - 1e-12)); // 0.3 / 0.1 is three
-    std::vector<Droplet> drops(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < drops.size(); ++i)
-        drops[i] = {experiment.volume_ul / count, // falls when the pump has delivered it
-                    static_cast<double>(i + 1) * experiment.feed_s / count};
-    return drops;
+    return uses_field(experiment.type, "droplets") ? experiment.droplets : std::vector<Droplet>{};
+}
+
+int drops_of_feed(const Experiment& experiment)
+{
+    if (!uses_field(experiment.type, "drop_ul") || !(experiment.drop_ul > 0)) return 0;
+    return static_cast<int>(std::ceil(experiment.volume_ul / experiment.drop_ul * (1 - 1e-12))); // 0.3 / 0.1 is three
 }
 
 Climate climate_at(const Experiment& experiment, double time_s)

@@ -71,7 +71,7 @@ struct Experiment {
     std::vector<Droplet> droplets{Droplet{}};
     double volume_ul = 200;          ///< moisture_management, horizontal_wicking
     double feed_s = 20;              ///< moisture_management: how long the pump runs
-    double drop_ul = 0;              ///< moisture_management: volume of each drop of the feed; 0: a pool that the yarns absorb
+    double drop_ul = 25;             ///< moisture_management: largest volume of a drop that the feed comes in; 0: it flows evenly
     bool along_weft = false;         ///< vertical_wicking: the strip's long side
     double immersion_mm = 10;        ///< vertical_wicking: depth of the strip's end in the liquid
     double initial_water_g_m2 = 100; ///< drying
@@ -109,7 +109,6 @@ struct ExperimentField {
     const char* name = ""; ///< of a number, in messages; empty where its limits depend on other fields
     double least = 0, most = 0;
     const char* unit = "";
-    bool absent_at_zero = false; ///< whether the file leaves the key out at 0
 };
 
 /// A row of the table of types. Reading, writing and validating follow from it.
@@ -150,10 +149,13 @@ std::array<double, 2> sample_extent_mm(const Experiment& experiment);
 
 /// The most drops that one experiment may have.
 constexpr int most_droplets = 64;
+constexpr int most_drops_of_feed = 4000;
 constexpr double fastest_droplet_m_s = 10; ///< raindrops reach 9
 
-/// All drops that fall: those of the experiment, or its feed in equal drops at equal intervals.
+/// All drops that fall.
 std::vector<Droplet> falling_drops(const Experiment& experiment);
+/// The equal drops that a feed comes in, each when the pump has delivered it, the last when it stops. 0: it flows evenly.
+int drops_of_feed(const Experiment& experiment);
 
 Climate climate_at(const Experiment& experiment, double time_s);
 

@@ -94,14 +94,10 @@ void validate_feed_drops(const Experiment& e, const std::string& where, IssueLis
     if (e.drop_ul == 0) return;
     constexpr double smallest = 0.5, largest = 1000;
     if (!list.range(where + ".drop_ul", "volume of each drop of the feed", e.drop_ul, smallest, largest, "ul")) return;
-    if (e.drop_ul > e.volume_ul)
-        list.error("drop_too_large", where + ".drop_ul",
-                   fmt::format("The feed's drops of {} ul hold more than the whole feed of {} ul; make them smaller or the feed larger.",
-                               e.drop_ul, e.volume_ul));
-    else if (e.volume_ul > most_droplets * e.drop_ul)
+    if (e.volume_ul > most_drops_of_feed * e.drop_ul)
         list.error("too_many_drops", where + ".drop_ul",
-                   fmt::format("A feed of {} ul may fall in at most {} drops, of {} ul or more; given are drops of {} ul.", e.volume_ul,
-                               most_droplets, e.volume_ul / most_droplets, e.drop_ul));
+                   fmt::format("A feed of {} ul may come in at most {} drops, of {} ul or more; given are drops of {} ul.", e.volume_ul,
+                               most_drops_of_feed, e.volume_ul / most_drops_of_feed, e.drop_ul));
 }
 
 void validate_climate(const Climate& climate, const std::string& where, IssueList& list)

@@ -25,9 +25,12 @@ struct Retention {
 /// Shape in halves, 1 to 6.
 inline Retention retention_of(const PoreClosure& pores)
 {
-    return {pores.entry_suction, pores.hysteresis * pores.entry_suction,
-            pores.front_suction, (1.0 + front_ramp) * pores.front_suction,
-            pores.entry_suction, pores.threshold,
+    return {pores.entry_suction,
+            pores.hysteresis * pores.entry_suction,
+            pores.front_suction,
+            (1.0 + front_ramp) * pores.front_suction,
+            pores.entry_suction,
+            pores.threshold,
             static_cast<int>(std::lround(2.0 * pores.shape))};
 }
 /// The same of the room between yarns: its menisci stand at the cloth's faces while it is full and give way only as it empties.

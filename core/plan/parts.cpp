@@ -61,7 +61,7 @@ public:
     void liquid()
     {
         const bool on = add(decide("liquid", b_.drops > 0, supply_in_words(experiment_, b_.drops, b_.delivered), forced_));
-        drops_ = info_of(experiment_.type).source == WaterSource::drops || b_.drops > 0;
+        drops_ = info_of(experiment_.type).source == WaterSource::drops;
         wet_ = drops_ ? on : b_.delivered > 0;
     }
     void wicking()

@@ -37,11 +37,12 @@ std::string pool_in_words(const Experiment&, std::size_t, double delivered)
 {
     return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * delivered);
 }
-std::string pump_in_words(const Experiment& experiment, std::size_t drops, double delivered)
+std::string pump_in_words(const Experiment& experiment, std::size_t, double delivered)
 {
-    if (drops == 0) return pool_in_words(experiment, drops, delivered);
-    return fmt::format("{} of {:.4g} ul {} {:.4g} mg in {:.4g} s.", drops == 1 ? "One drop" : fmt::format("{} drops", drops),
-                       experiment.volume_ul / static_cast<double>(drops), drops == 1 ? "brings" : "bring", 1e6 * delivered,
+    const int drops = drops_of_feed(experiment);
+    if (drops == 0) return pool_in_words(experiment, 0, delivered);
+    return fmt::format("{} of {:.4g} ul, {:.4g} mg in {:.4g} s, join a pool that the cloth absorbs; none is followed as it falls.",
+                       drops == 1 ? "One drop" : fmt::format("{} drops", drops), experiment.volume_ul / drops, 1e6 * delivered,
                        experiment.feed_s);
 }
 std::string bath_in_words(const Experiment&, std::size_t, double) { return "The strip hangs in the liquid; no drop falls."; }

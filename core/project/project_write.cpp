@@ -182,10 +182,7 @@ ProjectJson write_experiment(const Experiment& experiment)
     if (experiment.swelling) json["swelling"] = true;
     json[type.sample_key] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
     json["duration_s"] = experiment.duration_s;
-    for (const ExperimentField& field : type.fields) {
-        const ProjectJson value = std::visit(FieldWriter{experiment}, field.value);
-        if (!field.absent_at_zero || value != 0.0) json[field.key] = value;
-    }
+    for (const ExperimentField& field : type.fields) json[field.key] = std::visit(FieldWriter{experiment}, field.value);
     return json;
 }
 

@@ -51,6 +51,8 @@ void check(const Supply& supply)
     const auto by_time = [](const SceneDroplet& a, const SceneDroplet& b) { return a.time < b.time; };
     demand(std::is_sorted(supply.droplets.begin(), supply.droplets.end(), by_time), "its drops are not in order of time");
     for (const ScenePool& pool : supply.pools) demand(pool.end >= pool.start && pool.rate >= 0, "a pool ends before it begins");
+    for (const ScenePool& pool : supply.pools)
+        demand(pool.drop >= 0 && (pool.drop == 0 || pool.rate > 0), "drops join a pool that nothing feeds");
     demand(supply.sweat >= 0, "it takes sweat away");
 }
 

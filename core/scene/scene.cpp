@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -326,7 +327,8 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
     switch (experiment.type) {
     case ExperimentType::droplet: break;
     case ExperimentType::moisture_management:
-        if (experiment.drop_ul == 0) scene.supply.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
+        scene.supply.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
+        if (const int drops = drops_of_feed(experiment); drops > 0) scene.supply.pools[0].drop = volume / drops;
         break;
     case ExperimentType::horizontal_wicking: scene.supply.pools.push_back({0, pouring, volume / pouring, true}); break;
     case ExperimentType::vertical_wicking: hang_in_liquid(scene, textile, experiment); break;
@@ -340,6 +342,26 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
 }
 
 } // namespace
+
+namespace {
+constexpr double rounding = 1e-9; // of the time from drop to drop
+} // namespace
+
+double ScenePool::delivered(double time) const
+{
+    const double running = std::clamp(time, start, end) - start;
+    if (drop <= 0) return rate * running;
+    const double came = std::ceil(rate * (time - start) / drop - rounding) - 1.0;
+    return drop * std::clamp(came, 0.0, std::round(rate * (end - start) / drop));
+}
+
+double ScenePool::next_change(double time) const
+{
+    double next = time < start ? start : time < end ? end : std::numeric_limits<double>::infinity();
+    if (drop > 0 && time >= start && time < end)
+        next = std::min(next, start + (std::floor(rate * (time - start) / drop + rounding) + 1.0) * drop / rate);
+    return next;
+}
 
 AirMoment air_of(const Climate& air, double time, const Textile& textile, const Experiment& experiment)
 {

@@ -144,6 +144,12 @@ struct ScenePool {
     double start = 0, end = 0; ///< s
     double rate = 0;           ///< m3/s
     bool top = true;
+    double drop = 0; ///< m3, in which it comes, each when the rate has delivered it; 0: evenly
+
+    /// m3 that came until a time, s; a drop just after its own, at which a step ends.
+    double delivered(double time) const;
+    /// s: the next time after this at which it begins or ends or a drop comes; infinite where there is none.
+    double next_change(double time) const;
 };
 
 /// Liquid that comes to the cloth while the scene runs.

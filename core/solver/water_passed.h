@@ -38,8 +38,7 @@ struct Pools {
     {
         for (std::size_t k = 0; k < standing.size(); ++k) {
             const ScenePool& pool = scene.supply.pools[k];
-            const double running = std::clamp(time, pool.start, pool.end) - std::clamp(time - dt, pool.start, pool.end);
-            const std::int64_t came = std::llround(pool.rate * running * density / water_quantum);
+            const std::int64_t came = std::llround((pool.delivered(time) - pool.delivered(time - dt)) * density / water_quantum);
             standing[k] += came;
             pumped.add(came);
         }

@@ -179,10 +179,7 @@ template <typename Executor> double YarnNetwork<Executor>::next_event(double tim
     const auto consider = [&](double event) {
         if (event > time) next = std::min(next, event);
     };
-    for (const ScenePool& pool : scene_->supply.pools) {
-        consider(pool.start);
-        consider(pool.end);
-    }
+    for (const ScenePool& pool : scene_->supply.pools) consider(pool.next_change(time));
     for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
     return next;
 }
@@ -221,7 +218,10 @@ template <typename Executor> void YarnNetwork<Executor>::supply(double time, dou
 template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double time, double dt)
 {
     pools_.fill(*scene_, time, dt, climate_.density);
-    if (by_suction() && scene_->rules.wicking) return; // yarns draw while liquid moves
+    if (by_suction() && scene_->rules.wicking) { // yarns draw while liquid moves
+        if (pools_.feeds()) face_under(0);       // visited before any stage of this step
+        return;
+    }
     for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
         if (pools_.standing[k] <= 0) continue;
         const FedFace face = face_under(k);
@@ -384,7 +384,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     if (wakes) steps_.begin_anew(drops_about);
     if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
     region_.include_reached(found.reach);
-    const auto changes_now = [&](const ScenePool& pool) { return pool.start == step.time || pool.end == step.time; };
+    const auto changes_now = [&](const ScenePool& pool) { return pool.next_change(step.time - step.dt) == step.time; };
     const bool changes =
         std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now); // courses of climate have no jumps
     if (changes) steps_.begin_anew(drops_about);

@@ -161,12 +161,13 @@ private Q_SLOTS:
         QVERIFY(refusal("{\"temperature_c\": 30}", "{\"time_s\": 1}").contains("begins at 0 s; given is 1"));
         QVERIFY(refusal("{\"temperature_c\": 30}, ", "").contains("begins at 0 s"));
     }
-    void aFeedMayFallInDrops()
+    void aFeedComesInDrops()
     {
         Design design;
         design.experiments = {standard_experiment(ExperimentType::moisture_management)};
         design.experiments[0].name = "feed";
-        QVERIFY(!has(format_project(design), "drop_ul")); // a pool needs no word
+        QVERIFY(has(format_project(design), "\"drop_ul\": 25.0"));
+        QVERIFY(parse_project(replaced(format_project(design), "\"drop_ul\": 25.0,", ""), "text") == design);
         design.experiments[0].drop_ul = 12.5;
         const std::string text = format_project(design);
         QVERIFY(has(text, "\"drop_ul\": 12.5"));

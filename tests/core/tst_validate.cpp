@@ -187,8 +187,7 @@ private Q_SLOTS:
         row("experiments[0].drop_ul ", "range", [=](Design& d) { feed(d, 10, 0.49); });
         row("experiments[0].drop_ul  ", "range", [=](Design& d) { feed(d, 1e5, 1001); });
         row("experiments[0].drop_ul   ", "range", [=](Design& d) { feed(d, 200, nan); });
-        row("experiments[0].drop_ul", "drop_too_large", [=](Design& d) { feed(d, 200, 201); });
-        row("experiments[0].drop_ul", "too_many_drops", [=](Design& d) { feed(d, 200, 3.1); });
+        row("experiments[0].drop_ul", "too_many_drops", [=](Design& d) { feed(d, 1e5, 24); });
         row("experiments[0].volume_ul", "range", [=](Design& d) { set_up(d, ExperimentType::horizontal_wicking).volume_ul = -1; });
         row("experiments[0].strip_mm[0]", "range", [=](Design& d) { set_up(d, ExperimentType::vertical_wicking).sample_mm[0] = 0; });
         row("experiments[0].immersion_mm", "range", [=](Design& d) { set_up(d, ExperimentType::vertical_wicking).immersion_mm = 150; });
@@ -298,13 +297,14 @@ private Q_SLOTS:
         Design design = sound();
         Experiment& experiment = design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
         experiment.name = "feed";
-        for (double drop : {0.0, 3.125, 10.0, 200.0}) { // none, 64, 20, one
+        for (double drop : {0.0, 0.5, 25.0, 300.0}) { // none, 400, eight, one
             experiment.drop_ul = drop;
             QVERIFY2(!has_error(validate(design)), qPrintable(QString::number(drop)));
         }
-        experiment.drop_ul = 3;
+        experiment.volume_ul = 1e4;
+        experiment.drop_ul = 2;
         QCOMPARE(QString::fromStdString(find(validate(design), "too_many_drops")->text),
-                 QString("A feed of 200 ul may fall in at most 64 drops, of 3.125 ul or more; given are drops of 3 ul."));
+                 QString("A feed of 10000 ul may come in at most 4000 drops, of 2.5 ul or more; given are drops of 2 ul."));
     }
     void belowFreezingIsAWarning()
     {

@@ -80,8 +80,8 @@ private Q_SLOTS:
         document_->setExperimentIndex(static_cast<int>(ExperimentType::moisture_management));
         const std::string before = text();
         QuantityEdit* drops = field("Drop volume");
-        QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("from one pool"));
-        QCOMPARE(drops->value().value(), 0.0);
+        QVERIFY(drops->isVisibleTo(panel_.get()) && drops->toolTip().contains("evenly"));
+        QCOMPARE(drops->value().value(), 25.0);
         drops->setFocus();
         drops->selectAll();
         QTest::keyClicks(drops, "0.01 ml");
@@ -89,12 +89,12 @@ private Q_SLOTS:
         QCOMPARE(document_->experiment()->drop_ul, 10.0);
         document_->history()->undo();
         QCOMPARE(text(), before);
-        QCOMPARE(drops->value().value(), 0.0);
+        QCOMPARE(drops->value().value(), 25.0);
         document_->edit("drops", {}, [](Design& d) {
-            d.experiments[1].volume_ul = 200;
+            d.experiments[1].volume_ul = 1e4;
             d.experiments[1].drop_ul = 2;
         });
-        QVERIFY(field("Drop volume")->accessibleDescription().contains("of 3.125 ul or more"));
+        QVERIFY(field("Drop volume")->accessibleDescription().contains("of 2.5 ul or more"));
     }
 
     void theClimateIsConstantUntilATimeIsAdded()

@@ -161,12 +161,13 @@ void ExperimentPanel::addTypes()
                        fixedField(
                            tr("Feed time"), tr("feed time"), "feed_s", [](const Experiment& e) { return std::optional(e.feed_s); },
                            [](Experiment& e, double v) { e.feed_s = v; }, tr("Time for which the pump runs.")));
-    form_->addQuantity(Quantity::volume(0, 1000),
-                       fixedField(
-                           tr("Drop volume"), tr("drop volume of the feed"), "drop_ul",
-                           [](const Experiment& e) { return std::optional(e.drop_ul); }, [](Experiment& e, double v) { e.drop_ul = v; },
-                           tr("The feed falls in drops of this volume at equal intervals, each when the pump has delivered it, at most 64. "
-                              "0: the yarns absorb from one pool.")));
+    form_->addQuantity(
+        Quantity::volume(0, 1000),
+        fixedField(
+            tr("Drop volume"), tr("drop volume of the feed"), "drop_ul", [](const Experiment& e) { return std::optional(e.drop_ul); },
+            [](Experiment& e, double v) { e.drop_ul = v; },
+            tr("The feed comes in equal drops of at most this volume, each when the pump has delivered it. Drops join a pool "
+               "that the cloth absorbs. 0: the feed flows evenly.")));
     group("direction");
     direction_ = new QComboBox;
     direction_->addItems({tr("Along the warp"), tr("Along the weft")});
