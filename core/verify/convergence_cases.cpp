@@ -100,7 +100,7 @@ Field absorbing_yarn(Backend& backend, int cells, int steps)
 }
 
 /// A wet spot with its parts at work one after the other: wicking, conduction, crossings, vapour, fibres and air.
-std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time)
+std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time, int steps)
 {
     std::array<Frame, 3> frames;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -108,7 +108,7 @@ std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time)
         scene.rules.vapour = vapour;
         scene.rules.saturation_change = 1e3; // steps stay alike
         scene.rules.calm_network_step = 0;
-        scene.rules.network_step = time / (80 << k); // and every fourth an exchange with fibres and air
+        scene.rules.network_step = time / (steps << k); // and every fourth an exchange with fibres and air
         frames[k] = frames_at(backend, scene, {time}).back();
     }
     return frames;
@@ -137,7 +137,8 @@ std::vector<VerifyResult> convergence(const VerifyValues&, Backend& backend)
     };
     // Pores and their liquid reach equilibrium within a millisecond; vapour is tested with steps of several, as in runs.
     constexpr double long_time = 1; // s
-    const std::array<Frame, 3> dry = working_spots(backend, false, 2 * short_time), all = working_spots(backend, true, long_time);
+    const std::array<Frame, 3> dry = working_spots(backend, false, 2 * short_time, 2 * steps),
+                               all = working_spots(backend, true, long_time, steps);
     results.push_back(splitting_order("splitting_saturation", dry, &Frame::saturation));
     results.push_back(splitting_order("splitting_regain", dry, &Frame::regain));
     results.push_back(splitting_order("splitting_temperature", dry, &Frame::temperature));

@@ -46,20 +46,16 @@ double crank_concentration(double fourier, double position)
     return 1.0 - sum;
 }
 
-/// Between the middles of the shells of segment 0, and from the last one's to the skin.
-double regain_at(const Frame& frame, int shells, double skin, double position)
+/// On lines over the section within through the middles of the shells of segment 0, and from the last one's to the skin.
+double regain_at(const Frame& frame, int shells, double skin, double section)
 {
-    const auto start = [&](int k) { // thinner towards the skin
-        const double inwards = 1.0 - static_cast<double>(k) / shells;
-        return 1.0 - inwards * inwards;
-    };
+    const auto start = [&](int k) { return 2.0 - std::exp2(1.0 - static_cast<double>(k) / shells); };
     const auto middle = [&](int k) { return 0.5 * (start(k) + start(k + 1)); };
-    int outer = 0;
-    while (outer < shells && middle(outer) < position) ++outer;
+    int outer = 1;
+    while (outer < shells && middle(outer) < section) ++outer;
     const auto at = [&](int k) { return static_cast<double>(frame.shells[static_cast<std::size_t>(k)]); };
-    if (outer == 0) return at(0);
     const bool is_skin = outer == shells;
-    const double inner = middle(outer - 1), share = (position - inner) / ((is_skin ? 1.0 : middle(outer)) - inner);
+    const double inner = middle(outer - 1), share = (section - inner) / ((is_skin ? 1.0 : middle(outer)) - inner);
     return at(outer - 1) + share * ((is_skin ? skin : at(outer)) - at(outer - 1));
 }
 
@@ -79,9 +75,9 @@ std::vector<VerifyResult> crank_cylinder(const VerifyValues& v, Backend& backend
     const Frame frame = frames_at(backend, scene, {time}).front();
     const double expected = crank_uptake(fourier), position = value(v, "position"),
                  skin = regain_at_reference(scene.cloth.yarns[0].isotherm, 1.0);
-    return {
-        {"uptake", static_cast<double>(frame.regain[0]) / skin, expected, 0.005 * expected},
-        {"concentration", regain_at(frame, scene.rules.fibre_shells, skin, position) / skin, crank_concentration(fourier, position), 0.01}};
+    return {{"uptake", static_cast<double>(frame.regain[0]) / skin, expected, 0.005 * expected},
+            {"concentration", regain_at(frame, scene.rules.fibre_shells, skin, position * position) / skin,
+             crank_concentration(fourier, position), 0.01}};
 }
 
 struct AirExchange {

@@ -148,6 +148,12 @@ private Q_SLOTS:
                                       << "fourier=0.05";
         QTest::newRow("late uptake") << "crank_cylinder"
                                      << "fourier=0.3";
+        QTest::newRow("shells of drafts") << "crank_cylinder"
+                                          << "shells=5";
+        QTest::newRow("usual shells, early") << "crank_cylinder"
+                                             << "shells=8 fourier=0.01";
+        QTest::newRow("shells of references, at first") << "crank_cylinder"
+                                                        << "shells=16 fourier=0.005";
         QTest::newRow("desert") << "wet_bulb"
                                 << "temperature_c=40 relative_humidity=0.1";
         QTest::newRow("with radiation") << "wet_bulb"

@@ -18,7 +18,21 @@ struct ShellRows {
     double known[largest_shell_count], follows[largest_shell_count];
 };
 
-/// Implicit Euler on shells (see ShellWalk) with the skin held at a regain, eliminated from the middle outwards.
+/// Flow into a fibre of radius 1 and diffusivity 1 at its skin: from_skin x (the skin's regain - the last shell's) - from_last x (the last
+/// shell's - that of the one within).
+struct SkinFlow {
+    double from_skin, from_last;
+};
+/// The slope at the skin of the parabola over the fibre's section, as the square of the radius goes, that has the skin's regain and the
+/// means of the two last shells; of a single shell, that of the straight line.
+HL_FN SkinFlow skin_flow(int shells, double ratio)
+{
+    const double wider = plain_inverse(ratio), part = 8.0 * plain_inverse(wider - 1.0), both = plain_inverse(1.0 + wider);
+    return shells > 1 ? SkinFlow{part * (2.0 + wider) * both, part * both * both} : SkinFlow{8.0, 0.0};
+}
+
+/// Implicit Euler on shells (see ShellWalk) with the skin held at a regain, eliminated from the middle outwards. Between shells water flows
+/// as if regain were linear in the section within, which is exact for the late, parabolic profile.
 HL_FN Fibre prepare_fibre(const Segments& s, int i, const YarnParameters& yarn, double temperature, double dt, ShellRows& rows)
 {
     const int n = s.shells;
@@ -29,6 +43,8 @@ HL_FN Fibre prepare_fibre(const Segments& s, int i, const YarnParameters& yarn, 
     const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;
     const double everywhere = constant ? fibre_diffusivity(yarn.diffusivity, 0.0, temperature) : 0.0;
     ShellWalk walk = from_the_middle(n);
+    const SkinFlow at_skin = skin_flow(n, walk.ratio);
+    const double apart = 0.5 * (plain_inverse(walk.ratio) - walk.ratio); // middles of shells, over what is left at the face between them
     double base = 0, slope = 0; // base + slope x the shell's regain: what it and those within hold at the end
     double inner = 0, known = 0, follows = 0;
     double here = regain[0];
@@ -37,8 +53,8 @@ HL_FN Fibre prepare_fibre(const Segments& s, int i, const YarnParameters& yarn, 
         const double next = skin ? here : regain[k + 1];
         const double diffusivity = constant ? everywhere : fibre_diffusivity(yarn.diffusivity, 0.5 * (here + next), temperature);
         const double share = walk.outwards();
-        // Conductance of the outer face: 2 x its radius over the distance of the shells' middles, or of the last one's from the skin.
-        const double outer = scale * diffusivity * (skin ? 4.0 * n * n : (1.0 - walk.square) * plain_inverse(walk.width * walk.left));
+        const double outer = scale * diffusivity * (skin ? at_skin.from_skin : 4.0 * (2.0 - walk.left) * plain_inverse(apart * walk.left));
+        if (skin) inner += scale * diffusivity * at_skin.from_last;
         const double pivot = plain_inverse(share + inner - inner * follows + outer);
         base += slope * known; // of the shell before
         slope = share + slope * follows;

@@ -173,29 +173,28 @@ HL_FN double heat_capacity(const YarnParameters& yarn, double length, double wat
     return length * yarn.fibre_area * yarn.fibre_density * yarn.fibre_specific_heat + water * water_specific_heat;
 }
 
-/// Goes one after the other through the shells that divide a fibre: thinner towards the skin, where water enters first.
+/// Goes one after the other through the shells that divide a fibre. Their sections shrink towards the skin, where water enters first, all
+/// by the same ratio; over all of them to a half.
 struct ShellWalk {
-    double width, left;          ///< left: how far the skin still is, before shells are drawn to it, of the radius
-    double square = left * left; ///< in radii of the fibre, as it is drawn
+    double ratio; ///< of a shell's section to that of the next one inwards
+    double left;  ///< 2 - the section within, of the fibre's: from 2 in the middle to 1 at the skin
 
     /// Over the next shell towards the skin; its share of the fibre's section.
     HL_FN double outwards()
     {
-        const double inner = square;
-        left -= width;
-        square = left * left;
-        return (inner - square) * (2.0 - inner - square);
+        const double inner = left;
+        left *= ratio;
+        return inner - left;
     }
     HL_FN double inwards()
     {
-        const double outer = square;
-        left += width;
-        square = left * left;
-        return (square - outer) * (2.0 - square - outer);
+        const double outer = left;
+        left *= 1.0 / ratio;
+        return left - outer;
     }
 };
-HL_FN ShellWalk from_the_middle(int shells) { return {plain_inverse(static_cast<double>(shells)), 1.0}; }
-HL_FN ShellWalk from_the_skin(int shells) { return {plain_inverse(static_cast<double>(shells)), 0.0}; }
+HL_FN ShellWalk from_the_middle(int shells) { return {std::exp2(-1.0 / shells), 2.0}; }
+HL_FN ShellWalk from_the_skin(int shells) { return {std::exp2(-1.0 / shells), 1.0}; }
 
 /// Water bound in a segment's fibres, kg, summed up over their shells.
 HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segment)
