@@ -11,9 +11,11 @@
 namespace hygroloom::inline HL_PRECISION {
 
 constexpr Real touching_in_spacings = Real(0.1); // to a skin; the cloth's field keeps most particles farther off
-constexpr Real friction_coefficient = Real(0.2); // of water sliding on yarn, per normal impulse
-constexpr int most_cells = 400000;               // of the grid that finds neighbours, if particles are not many more
-constexpr Real skin_in_spacings = Real(0.2);     // by which neighbours are listed too far, to last for several steps
+// Of water sliding on yarn, per normal impulse; without a source. 0 and 1 change a drop's absorbency time on cotton by -2 and +8 %, its
+// radius by 0.6 %.
+constexpr Real friction_coefficient = Real(0.2);
+constexpr int most_cells = 400000;           // of the grid that finds neighbours, if particles are not many more
+constexpr Real skin_in_spacings = Real(0.2); // by which neighbours are listed too far, to last for several steps
 /// Of sqrt(gamma / (rho spacing)), at which a swing at a particle's own frequency would carry it a twentieth of the spacing.
 constexpr double resting_speed = 0.05;         // root of the mean square, over all particles, each times its size
 constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
