@@ -5,6 +5,7 @@
 #include "app/cli_metrics.h"
 
 #include "core/base/text.h"
+#include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
 #include "gpu/backends.h"
 
@@ -51,7 +52,18 @@ std::map<std::string, std::string> idle_by_reason(const ModelPlan& plan)
     return knobs;
 }
 
-void print_plan(const ModelPlan& plan, const std::string& fabric, const std::string& experiment)
+/// Keys of the project without effect in this experiment, by the reason.
+std::map<std::string, std::string> keys_by_reason(const std::vector<IdleKey>& idle)
+{
+    std::map<std::string, std::string> keys;
+    for (const IdleKey& key : idle) {
+        std::string& names = keys[key.because];
+        names += (names.empty() ? "" : ", ") + key.key;
+    }
+    return keys;
+}
+
+void print_plan(const ModelPlan& plan, const std::vector<IdleKey>& idle, const std::string& fabric, const std::string& experiment)
 {
     fmt::print("fabric       {}\nexperiment   {}\n", fabric, experiment);
     fmt::print("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
@@ -69,6 +81,8 @@ void print_plan(const ModelPlan& plan, const std::string& fabric, const std::str
     }
     head = "no effect";
     for (const auto& [why, knobs] : idle_by_reason(plan)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);
+    head = "idle keys";
+    for (const auto& [why, keys] : keys_by_reason(idle)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, keys);
 }
 
 int plan(const SimulateOptions& options)
@@ -84,12 +98,15 @@ int plan(const SimulateOptions& options)
     ModelPlan plan = planned(options, design, textile.front(), choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
     const std::string experiment = chosen_experiment(design, options).name;
+    const std::vector<IdleKey> idle = idle_keys(fabric, chosen_experiment(design, options), plan);
     if (options.json) {
         nlohmann::ordered_json json{{"fabric", fabric.name}, {"experiment", experiment}};
         json.update(plan_value(plan));
+        json["idle_keys"] = nlohmann::ordered_json::array();
+        for (const IdleKey& key : idle) json["idle_keys"].push_back({{"key", key.key}, {"because", key.because}});
         fmt::print("{}\n", json.dump(2));
     } else {
-        print_plan(plan, fabric.name, experiment);
+        print_plan(plan, idle, fabric.name, experiment);
     }
     return exit_ok;
 }

@@ -73,20 +73,26 @@ SystemMass mass_of(const WovenYarns& woven, bool warp)
     return mass;
 }
 
-/// Volume of loops and hairs on one system, mm3 per mm2 of fabric. Fibres of plied yarns are taken to lie along the yarn.
-double flyaway_volume(const Fabric& fabric, const YarnOrder& order, const std::vector<FittedYarn>& yarns, bool warp, double length_per_mm2)
+/// Loops and hairs on one system, per mm2 of fabric: volume in mm3, surface in mm2.
+struct Flyaways {
+    double volume = 0, surface = 0;
+};
+/// Fibres of plied yarns are taken to lie along the yarn.
+Flyaways flyaways_of(const Fabric& fabric, const YarnOrder& order, const std::vector<FittedYarn>& yarns, bool warp, double length_per_mm2)
 {
     const Flyaway& flyaway = fabric.flyaway;
-    double volume = 0;
+    Flyaways all;
     for (std::size_t type = 0; type < yarns.size(); ++type) {
         const Yarn& yarn = yarn_in(fabric, warp, order.yarns[type]);
         const double turns = yarn.plies > 1 ? 0 : 1e-3 * yarn.twist_per_m;
         const double loop = mean_loop_length(flyaway.loop_height_mm, turns, std::sqrt(section_area(yarns[type].section) / pi));
         const double per_mm = flyaway.loop_density_per_mm * loop + flyaway.hair_density_per_mm * flyaway.hair_length_mm;
         const double radius = 1e-3 * yarns[type].fibre.fibre_radius_um;
-        volume += order.share[type] * length_per_mm2 * per_mm * pi * radius * radius;
+        const double length = order.share[type] * length_per_mm2 * per_mm;
+        all.volume += length * pi * radius * radius;
+        all.surface += length * 2 * pi * radius;
     }
-    return volume;
+    return all;
 }
 
 /// The yarns' name begins the sentence: "The warp yarns".
@@ -137,9 +143,11 @@ FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
     const double fibre_mm = warp_mass.solid + weft_mass.solid;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;
-    const double fly = flyaway_volume(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm) +
-                       flyaway_volume(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
-    q.smoothness = std::max(0.0, 1 - fly / q.thickness_mm);
+    const Flyaways on_warp = flyaways_of(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm),
+                   on_weft =
+                       flyaways_of(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
+    q.hair_surface = 0.5 * (on_warp.surface + on_weft.surface);
+    q.smoothness = std::max(0.0, 1 - (on_warp.volume + on_weft.volume) / q.thickness_mm);
     q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));
     q.gap_warp_mm = q.warp.pitch_mm * (1 - q.warp.cover);
     q.gap_weft_mm = q.weft.pitch_mm * (1 - q.weft.cover);

@@ -20,6 +20,7 @@ struct FabricQuantities {
     double gap_weft_mm = 0;
     double inter_yarn_pore_radius_um = 0; ///< hydraulic radius of the hole between four yarns
     double smoothness = 1;                ///< 1 - volume of flyaway fibres / volume of the fabric
+    double hair_surface = 0;              ///< of the flyaway fibres on one face, over its area
     bool jammed = false;                  ///< yarns cannot bend round each other without being squeezed
     std::vector<std::string> notes;       ///< what was done to the sections, in sentences
 };

@@ -37,4 +37,9 @@ HL_FN double base_of_drop(double cosine)
     return std::cbrt(pi / (height * height));
 }
 
+/// Share of a dry face that liquid on it touches between hairs, which keep air under themselves until they are wet. Surface of hairs over
+/// the face's area: seen from above a quarter of it, in the mean over directions (Cauchy); what hairs at random leave open (Corte and
+/// Kallmes 1962). Air is taken to be as wide as the hair over it, an assumption of the order.
+HL_FN double share_between_hairs(double hair_surface) { return std::exp(-0.25 * hair_surface); }
+
 } // namespace hygroloom

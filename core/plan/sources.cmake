@@ -17,6 +17,7 @@ target_sources(hygroloom_core PRIVATE
   plan/expectation.cpp
   plan/fidelity.cpp
   plan/frame_times.cpp
+  plan/idle_keys.cpp
   plan/model_plan.cpp
   plan/parts.cpp
   plan/plan_json.cpp

@@ -35,11 +35,11 @@ Angles for_curves(const Angles& angles)
     return {advancing, std::min(angles.receding, advancing)};
 }
 
-WettedPores wetted_pores(const YarnType& type, const Angles& angles, const LiquidInPores& liquid)
+WettedPores wetted_pores(const YarnType& type, const Angles& angles, const LiquidInPores& liquid, double between_hairs)
 {
     const Angles held = for_curves(angles);
     return {retention_of(pores_of_bundle(type.packing, fibre_radius(type), liquid.surface_tension, held.advancing, held.receding)),
-            gate_of_dry_fibres(type.packing, angles.advancing)};
+            gate_of_dry_fibres(type.packing, angles.advancing), between_hairs};
 }
 
 /// Its angles are the mean of both faces.
@@ -61,8 +61,10 @@ CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double 
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid)
 {
     const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing);
-    return {wetted_pores(type, angles_on(type, textile.back_angle), liquid),
-            wetted_pores(type, angles_on(type, textile.face_angle), liquid), along * type.area / (liquid.viscosity * type.helix_tortuosity),
+    const double between_hairs = share_between_hairs(textile.quantities.hair_surface);
+    return {wetted_pores(type, angles_on(type, textile.back_angle), liquid, between_hairs),
+            wetted_pores(type, angles_on(type, textile.face_angle), liquid, between_hairs),
+            along * type.area / (liquid.viscosity * type.helix_tortuosity),
             type.section.width * pitch * across / (0.25 * type.section.height)};
 }
 

@@ -10,7 +10,8 @@ namespace hygroloom {
 /// Pores between fibres that have a contact angle.
 struct WettedPores {
     Retention retention;
-    double gate = 0; ///< of dry ones, see gate_of_dry_fibres()
+    double gate = 0;          ///< of dry ones, see gate_of_dry_fibres()
+    double between_hairs = 1; ///< share of dry ones that a drop on the face touches, see share_between_hairs()
 };
 
 /// The room between the yarns at a crossing, m3/(Pa s) unless said.

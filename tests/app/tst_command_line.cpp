@@ -188,6 +188,17 @@ private Q_SLOTS:
         QVERIFY(source("cuda").contains("H200")); // a GPU that need not be there
         QVERIFY(!source("cpu").contains("H200") && source("cpu").contains("thread(s)"));
     }
+    void planNamesTheKeysThatChangeNothing()
+    {
+        const QStringList plan{"plan", example("textile-F.hygro")};
+        const QString text = run_cli(plan).out;
+        QVERIFY2(text.contains("only the closure pores reads it: ") && text.contains("yarn.twist_per_m"), qPrintable(text));
+        const QJsonArray keys = run_cli(plan + QStringList{"--json"}).json()["idle_keys"].toArray();
+        const auto is_twist = [](const QJsonValue& key) { return key.toObject()["key"].toString() == "yarn.twist_per_m"; };
+        const auto twist = std::find_if(keys.begin(), keys.end(), is_twist);
+        QVERIFY(twist != keys.end());
+        QCOMPARE(twist->toObject()["because"].toString(), QString("only the closure pores reads it"));
+    }
     void planListsTheKnobsAndTakesOne()
     {
         const QStringList plan{"plan", example("textile-F.hygro"), "--set", "fidelity.fibre_shells=12"};

@@ -94,6 +94,12 @@ private Q_SLOTS:
         QVERIFY(within(slot, 699.6, 1e-4));
         QVERIFY(within(1.0 / meniscus_curvature(1e-4, 43e-6, 0), 43e-6, 1e-12)); // between the nearest points
     }
+    void hairsLeaveOpenWhatRandomCoverDoes()
+    {
+        QCOMPARE(share_between_hairs(0), 1.0);
+        QVERIFY(within(share_between_hairs(4 * std::log(2.0)), 0.5, 1e-12));                             // a cover of ln 2
+        QVERIFY(within(share_between_hairs(3), share_between_hairs(1) * share_between_hairs(2), 1e-12)); // one coat over another
+    }
     void aDropStandsOnWhatItsAngleAndTheCoverLeaveIt()
     {
         QVERIFY(within(cosine_on_fabric(radian_from_degree(35), 1), std::cos(radian_from_degree(35)), 1e-12));

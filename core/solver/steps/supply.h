@@ -38,8 +38,8 @@ struct Taker {
     HL_FN double capacity() const { return density * (is_room() ? s.room[crossing()] : s.pores[number]); } // kg
     HL_FN double held() const { return is_room() ? s.between[crossing()] : s.liquid[number]; }
     HL_FN double room() const { return capacity() - held() - static_cast<double>(s.absorbed[number]) * water_quantum; }
-    /// kg that it draws in dt from liquid at no suction on one of its faces, however much room there is.
-    HL_FN double draws(double dt, double room) const
+    /// kg that it draws in dt from liquid at no suction on one of its faces, however much room there is. Hairs hold drops off dry yarns.
+    HL_FN double draws(double dt, double room, bool from_drop = false) const
     {
         if (s.suction == nullptr) {
             const YarnParameters& yarn = s.yarn_of(number);
@@ -49,7 +49,8 @@ struct Taker {
         if (is_room()) return drawn(find.between(crossing(), at().between), dt * at().between.face, yarn_is_wet() ? 1.0 : 0.0);
         const YarnParameters& yarn = s.yarn_of(number);
         const int face = s.face_of(crossing(), s.is_warp(number));
-        return drawn(find.segment(number, yarn, face), dt * yarn.face_conductance, yarn.on_face[face].gate);
+        const WettedPores& dry = yarn.on_face[face];
+        return drawn(find.segment(number, yarn, face), dt * yarn.face_conductance, from_drop ? dry.gate * dry.between_hairs : dry.gate);
     }
 
 private:

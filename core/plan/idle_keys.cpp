@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/plan/idle_keys.h"
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+/// Whether liquid can come to the cloth, or out of the air.
+bool meets_liquid(const Experiment& experiment)
+{
+    const auto condenses = [](const Climate& climate) { return climate.relative_humidity > 1; };
+    return info_of(experiment.type).source != WaterSource::air || condenses(experiment.climate) || condenses(experiment.initial) ||
+           std::any_of(experiment.climates.begin(), experiment.climates.end(),
+                       [&](const ClimateMoment& m) { return condenses(m.climate); });
+}
+
+bool counts_filaments(const Fabric& fabric)
+{
+    const auto counts = [](const Yarn& yarn) { return yarn.filament_count.has_value(); };
+    return counts(fabric.warp) && counts(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), counts);
+}
+
+struct Row {
+    bool idle;
+    const char* because;
+    std::vector<const char*> keys;
+};
+
+std::vector<Row> table(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
+{
+    const bool by_suction = experiment.closure == Closure::pores, printed = experiment.closure == Closure::paper;
+    const auto out = [&](const char* part) { return !plan.on(part) && !plan.watches(part); };
+    const bool turned_over_alike =
+        !wets_a_spot(experiment.type) && info_of(experiment.type).source != WaterSource::face && !fabric.finish_face && !fabric.finish_back;
+    return {
+        {!by_suction,
+         "only the closure pores reads it",
+         {"material.receding_angle_deg", "material.cross_section", "yarn.twist_per_m", "yarn.plies", "yarn.ply_twist_per_m",
+          "yarn.irregularity_cv", "fabric.finish_face", "fabric.finish_back", "fabric.flyaway.loop_density_per_mm",
+          "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
+        {by_suction, "the closure pores has radii from fibres and packing", {"fabric.capillary_radius_um"}},
+        {by_suction && falling_drops(experiment).empty(),
+         "no drop falls, which hairs would hold off",
+         {"fabric.flyaway.loop_density_per_mm", "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
+        {turned_over_alike, "no face differs from the other", {"draft.rising_shed"}},
+        {out("vapour"), "vapour is left out", {"experiment.climate.relative_humidity"}},
+        {!meets_liquid(experiment),
+         "no liquid comes to the cloth",
+         {"material.contact_angle_deg", "material.receding_angle_deg", "material.cross_section", "yarn.twist_per_m", "yarn.plies",
+          "yarn.ply_twist_per_m", "fabric.contact_angle_deg", "fabric.finish_face", "fabric.finish_back", "fabric.capillary_radius_um",
+          "experiment.liquid", "liquid.surface_tension_mn_m", "liquid.viscosity_mpa_s", "liquid.density_kg_m3"}},
+        {fabric.contact_angle_deg.has_value(), "the fabric's contact_angle_deg counts", {"material.contact_angle_deg"}},
+        {printed,
+         "the closure paper gives all fibres the contact angle of cotton, and one pore radius",
+         {"material.contact_angle_deg", "fabric.capillary_radius_um"}},
+        {counts_filaments(fabric), "filament_count says how thick the fibres are", {"material.fibre_radius_um"}},
+        {fabric.measured.tortuosity.has_value(),
+         "the measured tortuosity counts",
+         {"yarn.twist_per_m", "yarn.plies", "yarn.ply_twist_per_m"}},
+        {out("sorption"),
+         "sorption is left out",
+         {"material.saturation_regain", "material.fibre_diffusivity_m2_s", "material.heat_of_wetting_j_g", "material.sorption_heat_j_g"}},
+        {out("heat"),
+         "heat is left out",
+         {"material.thermal_conductivity_w_mk", "material.specific_heat_j_kgk", "material.heat_of_wetting_j_g",
+          "material.sorption_heat_j_g"}},
+    };
+}
+
+} // namespace
+
+std::vector<IdleKey> idle_keys(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
+{
+    std::vector<IdleKey> keys;
+    for (const Row& row : table(fabric, experiment, plan))
+        for (const char* key : row.keys)
+            if (row.idle && std::none_of(keys.begin(), keys.end(), [&](const IdleKey& known) { return known.key == key; }))
+                keys.push_back({key, row.because});
+    return keys;
+}
+
+} // namespace hygroloom
