@@ -23,8 +23,14 @@ using namespace hygroloom;
 
 namespace {
 
-constexpr int designs = 700, chunks = 70; // about one in five is refused
-constexpr double longest = 5;             // s of simulated time; whole runs of a few go on to their end
+constexpr int chunk_size = 10;
+/// About one in five is refused. HYGROLOOM_EXTREMES asks for another number.
+int designs()
+{
+    const int asked = qEnvironmentVariableIntValue("HYGROLOOM_EXTREMES");
+    return asked > 0 ? asked : 700;
+}
+constexpr double longest = 5; // s of simulated time; whole runs of a few go on to their end
 // Steps get longer and cheaper with fewer particles; with those of a draft some drops would take millions of steps.
 const KnobSettings few_particles{{"particles_per_droplet", 100}};
 
@@ -61,6 +67,7 @@ Yarn random_yarn(Dice& dice)
         dice.chance(0.3) ? dice.one_of<double>({loosest_packing, densest_packing}) : dice.between(loosest_packing, densest_packing);
     yarn.fibres_per_yarn = dice.one_of<int>({1, 2, 30, 500});
     yarn.twist_per_m = dice.one_of<double>({0, 700, 2000});
+    yarn.irregularity_cv = dice.one_of<double>({0, 0, 0.2, 0.4});
     return yarn;
 }
 
@@ -115,6 +122,7 @@ Design random_design(int index, double& simulated)
     fabric.ends_per_cm = std::clamp(10 / *fabric.warp.diameter_mm * dice.by_decades(0.05, 2), 0.5, 500.0);
     fabric.picks_per_cm = std::clamp(10 / *fabric.weft.diameter_mm * dice.by_decades(0.05, 2), 0.5, 500.0);
     if (dice.chance(0.7)) fabric.contact_angle_deg = dice.one_of<double>({0, 1e-6, 60, 89.9, 90, 90.1, 120, 180});
+    if (dice.chance(0.2)) fabric.finish_face = dice.one_of<double>({0, 60, 89.9, 120, 180});
     if (dice.chance(0.2)) {
         fabric.extra_yarns = {random_yarn(dice)};
         fabric.weft_order = {{0, 2}, {1, 1}};
@@ -146,11 +154,12 @@ Design random_design(int index, double& simulated)
         experiment.liquid = "own";
     else
         experiment.liquid = dice.one_of<std::string>({"water", "saline", "sweat"});
-    experiment.closure = static_cast<Closure>(dice.one_of<int>({0, 0, 1, 2}));
+    experiment.closure = dice.one_of<Closure>({Closure::pores, Closure::pores, Closure::kissa, Closure::li_zhu, Closure::paper});
     experiment.swelling = dice.chance(0.3);
     if (experiment.type == ExperimentType::droplet) add_droplets(dice, experiment);
     experiment.volume_ul = dice.by_decades(1e-3, 1e4);
     experiment.feed_s = dice.by_decades(0.01, 10);
+    experiment.drop_ul = dice.one_of<double>({0, 25, 1000});
     experiment.along_weft = dice.chance(0.5);
     experiment.immersion_mm = experiment.sample_mm[1] * dice.between(0.01, 0.99);
     experiment.initial_water_g_m2 = dice.one_of<double>({0, 1, 100, 1000, 1e5});
@@ -254,14 +263,14 @@ class TestExtremes : public QObject {
 private Q_SLOTS:
     void anyDesignStaysBalancedAndBounded_data()
     {
-        QTest::addColumn<int>("chunk");
-        for (int chunk = 0; chunk < chunks; ++chunk) QTest::addRow("from %d", chunk * designs / chunks) << chunk;
+        QTest::addColumn<int>("first");
+        for (int first = 0; first < designs(); first += chunk_size) QTest::addRow("from %d", first) << first;
     }
     void anyDesignStaysBalancedAndBounded()
     {
-        QFETCH(int, chunk);
+        QFETCH(int, first);
         int wrong = 0;
-        for (int index = chunk * designs / chunks; index < (chunk + 1) * designs / chunks; ++index) {
+        for (int index = first; index < std::min(first + chunk_size, designs()); ++index) {
             const std::string what = run(index);
             if (!what.empty()) qWarning("%s", what.c_str());
             wrong += !what.empty();
@@ -271,7 +280,7 @@ private Q_SLOTS:
     void cleanupTestCase()
     {
         for (const auto& [what, count] : covered_) qInfo("%4d %s", count, what.c_str());
-        if (covered_["run"] + covered_["refused"] == designs) QVERIFY2(covered_["run"] >= 500, "too few designs are valid");
+        if (covered_["run"] + covered_["refused"] == designs()) QVERIFY2(covered_["run"] >= 5 * designs() / 7, "too few designs are valid");
     }
 
 private:
