@@ -64,7 +64,7 @@ struct Experiment {
     Climate climate;                     ///< at the start
     std::vector<ClimateMoment> climates; ///< later ones, in order of time
     std::string liquid = "water";
-    Closure closure = Closure::kissa;
+    Closure closure = Closure::pores;
     bool swelling = false;                   ///< fibres that take up water narrow the pores between them
     std::array<double, 2> sample_mm{20, 20}; ///< along the weft, along the warp; of vertical_wicking across and along the strip
     double duration_s = 10;

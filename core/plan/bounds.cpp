@@ -68,7 +68,8 @@ public:
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t type = 0; type < shares.size(); ++type) {
                 if (shares[type] <= 0) continue;
-                const double holds = look_at(system.types[type], shares[type] / system.pitch) / shares[type];
+                const double holds =
+                    look_at(system.types[type], angle_on(textile, system.types[type]), shares[type] / system.pitch) / shares[type];
                 if (holds > 0) least = std::min(least, holds);
             }
             if (std::isfinite(least)) b_.capacity += least;
@@ -89,12 +90,18 @@ private:
             gain = std::max(gain, std::abs(regain_in(isotherm, moment.climate) - regain_in(isotherm, experiment_.climate)));
         return gain;
     }
+    /// The smallest contact angle of the type, with the finishes of faces where they act.
+    double angle_on(const Textile& textile, const YarnType& type) const
+    {
+        if (experiment_.closure != Closure::pores) return type.contact_angle;
+        return std::min(textile.face_angle.value_or(type.contact_angle), textile.back_angle.value_or(type.contact_angle));
+    }
     /// along: m of yarn per m2, crimp left out. Returns kg/m2 that the type's pores hold; 0 when it does not wick.
-    double look_at(const YarnType& type, double along)
+    double look_at(const YarnType& type, double contact_angle, double along)
     {
         const double density = b_.liquid.density;
         const double pores = type.area * (1.0 - type.packing) * density, fibres = type.area * type.packing * type.fibre.density_kg_m3;
-        const bool wicks = std::cos(type.contact_angle) > 1e-12;
+        const bool wicks = std::cos(contact_angle) > 1e-12;
         const double gain = gain_of({type.fibre.standard_regain, type.fibre.saturation_regain, type.fibre.gab.monolayer_regain,
                                      type.fibre.gab.c, type.fibre.gab.k});
         everything += along * pores;
@@ -107,12 +114,12 @@ private:
         b_.temperature_rise =
             std::max(b_.temperature_rise, fibres * gain * heat / (fibres * type.fibre.specific_heat_j_kgk + liquid * water_specific_heat));
         b_.finest = std::min(b_.finest, type.section.height);
-        b_.smallest_angle = std::min(b_.smallest_angle, type.contact_angle * 180.0 / pi);
+        b_.smallest_angle = std::min(b_.smallest_angle, contact_angle * 180.0 / pi);
         b_.wicks = b_.wicks || wicks;
-        if (wicks) b_.suction = std::max(b_.suction, std::cos(type.contact_angle));
+        if (wicks) b_.suction = std::max(b_.suction, std::cos(contact_angle));
         if (wicks) b_.pores += along * pores / density;
         b_.uptake += along * pores / density / type.tortuosity *
-                     saturated_liquid_diffusivity(b_.liquid.surface_tension, type.contact_angle, type.pore_radius, b_.liquid.viscosity);
+                     saturated_liquid_diffusivity(b_.liquid.surface_tension, contact_angle, type.pore_radius, b_.liquid.viscosity);
         return wicks ? along * pores : 0.0;
     }
 

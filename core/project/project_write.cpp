@@ -178,7 +178,7 @@ ProjectJson write_experiment(const Experiment& experiment)
     ProjectJson json{{"name", experiment.name}, {"type", type.key}};
     json["climate"] = write_climates(experiment);
     json["liquid"] = experiment.liquid;
-    if (experiment.closure != Closure::kissa) json["closure"] = name_of(experiment.closure);
+    if (experiment.closure != Closure::pores) json["closure"] = name_of(experiment.closure);
     if (experiment.swelling) json["swelling"] = true;
     json[type.sample_key] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
     json["duration_s"] = experiment.duration_s;
