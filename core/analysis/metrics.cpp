@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hygroloom {
 namespace {
@@ -102,6 +103,18 @@ double water_of_face(double water, const Frame& frame)
     return std::abs(water) > rounding * frame.ledger.water_bound ? water : 0.0;
 }
 
+/// Takes in the segments that are wet; whether any had not been before.
+bool spreads(std::vector<bool>& was_wet, const Frame& frame)
+{
+    was_wet.resize(frame.saturation.size(), false);
+    bool any = false;
+    for (std::size_t i = 0; i < was_wet.size(); ++i)
+        if (!was_wet[i] && frame.saturation[i] >= wet_saturation) any = was_wet[i] = true;
+    return any;
+}
+
+constexpr double rest = 10; // s, without a newly wet segment
+
 } // namespace
 
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face)
@@ -123,6 +136,7 @@ void MetricsCollector::start(const RunRecord& run)
     regain_at_start_.clear();
     pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
     edge_time_.reset();
+    was_wet_.clear();
     had_free_water_ = false;
     for (const SwitchedPart& part : run.switched_on) add(part);
 }
@@ -166,6 +180,11 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
     metrics_.ledger = frame.ledger;
+    metrics_.water_between_yarns = std::accumulate(frame.between.begin(), frame.between.end(), 0.0);
+    if (spreads(was_wet_, frame)) last_wetted_ = frame.time;
+    metrics_.time_of_arrest.reset();
+    if (frame.time - last_wetted_ >= rest && metrics_.maximum_wetted_radius_top + metrics_.maximum_wetted_radius_bottom > 0)
+        metrics_.time_of_arrest = last_wetted_;
     if (!edge_time_ && wet_at_the_end(textile_, frame, experiment_)) edge_time_ = frame.time;
 
     // Absorbency: the first time with no free liquid; a later drop starts it anew.

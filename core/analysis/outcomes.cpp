@@ -51,23 +51,29 @@ double ring_mm(M m, FaceIndices ManagementIndices::*face, double radius)
 const MetricGroup& stain()
 {
     using G = ManagementGrades;
-    static const MetricGroup group{[](M) { return true; },
-                                   {{{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
-                                     [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_top); }},
-                                    {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
-                                     [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
-                                    {{"maximum_wetted_radius_top_ring_mm", "wetted radius in 5 mm rings", "top", "mm", more, true},
-                                     [](M m) -> Value { return ring_mm(m, &ManagementIndices::top, m.maximum_wetted_radius_top); },
-                                     "",
-                                     &G::maximum_wetted_radius_top},
-                                    {{"maximum_wetted_radius_bottom_ring_mm", "wetted radius in 5 mm rings", "bottom", "mm", more, true},
-                                     [](M m) -> Value { return ring_mm(m, &ManagementIndices::bottom, m.maximum_wetted_radius_bottom); },
-                                     "",
-                                     &G::maximum_wetted_radius_bottom},
-                                    {{"wetted_area_ellipse_warp_mm", "stain on top, semi-axis along warp", "", "mm", neither},
-                                     [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_warp); }},
-                                    {{"wetted_area_ellipse_weft_mm", "stain on top, semi-axis along weft", "", "mm", neither},
-                                     [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }}}};
+    static const MetricGroup group{
+        [](M) { return true; },
+        {{{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_top); }},
+         {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
+         {{"maximum_wetted_radius_top_ring_mm", "wetted radius in 5 mm rings", "top", "mm", more, true},
+          [](M m) -> Value { return ring_mm(m, &ManagementIndices::top, m.maximum_wetted_radius_top); },
+          "",
+          &G::maximum_wetted_radius_top},
+         {{"maximum_wetted_radius_bottom_ring_mm", "wetted radius in 5 mm rings", "bottom", "mm", more, true},
+          [](M m) -> Value { return ring_mm(m, &ManagementIndices::bottom, m.maximum_wetted_radius_bottom); },
+          "",
+          &G::maximum_wetted_radius_bottom},
+         {{"wetted_area_ellipse_warp_mm", "stain on top, semi-axis along warp", "", "mm", neither},
+          [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_warp); }},
+         {{"wetted_area_ellipse_weft_mm", "stain on top, semi-axis along weft", "", "mm", neither},
+          [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }},
+         {{"time_of_arrest_s", "stain at rest from", "", "s", neither},
+          [](M m) { return m.time_of_arrest; },
+          "the stain grew within the last 10 s, or nothing is wet"},
+         {{"water_between_yarns_g", "water between the yarns", "", "g", neither}, [](M m) -> Value { return 1e3 * m.water_between_yarns; }},
+         {{"water_shed_below_g", "water shed below", "", "g", neither}, [](M m) -> Value { return 1e3 * m.ledger.water_dripped; }}}};
     return group;
 }
 

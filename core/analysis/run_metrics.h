@@ -29,6 +29,8 @@ struct Metrics {
     std::optional<double> absorbency_time;   ///< s
     double wetted_area_ellipse_warp = 0;     ///< m, semi-axis along the warp, of the final stain on top
     double wetted_area_ellipse_weft = 0;     ///< m
+    std::optional<double> time_of_arrest;    ///< s: when the last segment got wet that had been dry, at least 10 s before the end
+    double water_between_yarns = 0;          ///< kg, at the end
     std::optional<ManagementIndices> management;
     std::optional<WickingResult> wicking;
     std::optional<double> horizontal_rate; ///< m2/s: area of the stain over the time in which it grew to 95 % of it (AATCC 198)

@@ -117,6 +117,31 @@ private Q_SLOTS:
         QVERIFY(std::abs(m.wetted_area_ellipse_warp - radius) < 2e-4); // a filled disc's semi-axis is its radius
         QVERIFY(m.series.radius_top[10] > m.series.radius_top[5]);
     }
+    void aStainRestsFromItsLastNewlyWetSegmentOn()
+    {
+        RunRecord run;
+        run.textile = cloth(30, 30);
+        MetricsCollector collector;
+        collector.start(run);
+        const auto at = [&](double time, double radius, float between) {
+            Frame f = stained_frame(run.textile, 0, 0, radius);
+            f.time = time;
+            f.between.assign(f.liquid.size(), between);
+            collector.add(f);
+        };
+        at(0, 0, 0);
+        at(1, 1e-3, 2e-9f);
+        at(3, 2e-3, 2e-9f);
+        at(4, 1.5e-3, 2e-9f); // what dries is not newly wet
+        at(5, 2e-3, 2e-9f);
+        at(12.9, 2e-3, 2e-9f);
+        QVERIFY(!collector.metrics().time_of_arrest);
+        at(13, 2e-3, 1e-9f);
+        QCOMPARE(collector.metrics().time_of_arrest.value(), 3.0);
+        QVERIFY(std::abs(collector.metrics().water_between_yarns / (1e-9 * run.textile.segments()) - 1) < 1e-6);
+        at(14, 3e-3, 1e-9f);
+        QVERIFY(!collector.metrics().time_of_arrest);
+    }
     void waterLeftOverMeansNoAbsorbencyTime()
     {
         RunRecord run;

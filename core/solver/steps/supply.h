@@ -45,15 +45,29 @@ struct Taker {
             const YarnParameters& yarn = s.yarn_of(number);
             return dt * yarn.intake_flux * yarn.face_area * room / capacity();
         }
-        const FindPores find{s, density};
-        if (is_room()) return drawn(find.between(crossing(), at().between), dt * at().between.face, yarn_is_wet() ? 1.0 : 0.0);
-        const YarnParameters& yarn = s.yarn_of(number);
-        const int face = s.face_of(crossing(), s.is_warp(number));
-        const WettedPores& dry = yarn.on_face[face];
-        return drawn(find.segment(number, yarn, face), dt * yarn.face_conductance, from_drop ? dry.gate * dry.between_hairs : dry.gate);
+        const PoresFound pores = found();
+        const double draws = density * dt * conductance(pores) * pores.suction;
+        return draws > 0 ? draws : 0.0;
     }
+    /// m3/(Pa s), from liquid on one of its faces, where liquid flows by suction.
+    HL_FN double conductance() const { return conductance(found()); }
 
 private:
+    HL_FN PoresFound found() const
+    {
+        const FindPores find{s, density};
+        if (is_room()) return find.between(crossing(), at().between);
+        return find.segment(number, s.yarn_of(number), face());
+    }
+    HL_FN int face() const { return s.face_of(crossing(), s.is_warp(number)); }
+    HL_FN double conductance(const PoresFound& pores) const
+    {
+        if (is_room()) return pores.is_connected() || yarn_is_wet() ? at().between.face : 0.0;
+        const YarnParameters& yarn = s.yarn_of(number);
+        const WettedPores& dry = yarn.on_face[face()];
+        const double gate = from_drop ? dry.gate * dry.between_hairs : dry.gate;
+        return yarn.face_conductance * (pores.is_connected() ? 1.0 : gate);
+    }
     HL_FN const CrossingParameters& at() const { return s.crossing_at(crossing() / s.picks, crossing() % s.picks); }
     HL_FN bool yarn_is_wet() const
     {
@@ -63,11 +77,6 @@ private:
             return find.segment(segment, s.yarn_of(segment), s.face_of(at, is_warp)).is_connected();
         };
         return is_wet(at, true) || is_wet(s.weft_of(at / s.picks, at % s.picks), false);
-    }
-    HL_FN double drawn(const PoresFound& pores, double conductance, double gate) const
-    {
-        const double draws = density * conductance * pores.suction * (pores.is_connected() ? 1.0 : gate);
-        return draws > 0 ? draws : 0.0;
     }
 };
 
@@ -136,22 +145,20 @@ struct AskPool {
     HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
 };
 
-/// How readily each taker takes from a pool on a face, summed up; in a unit of its own.
+/// How readily each taker takes from a pool on a face, summed up.
 struct WeighPool {
     Segments s;
     FedFace face;
+    double density;
+    double unit; ///< m3/(Pa s), so large that the sum is counted
     std::int64_t* total;
 
     HL_FN std::int64_t weight(int taker) const
     {
-        constexpr double unit = 1e-24; // m3/(Pa s)
         const int crossing = taker - 2 * s.crossings();
         const double inside = crossing >= 0 ? face.places_inside(s, crossing) : 0.0;
         const double share = crossing >= 0 ? inside / (face.places * face.places) : face.share(s, taker);
-        if (share <= 0) return 0;
-        const double readily =
-            crossing >= 0 ? s.crossing_at(crossing / s.picks, crossing % s.picks).between.face : s.yarn_of(taker).face_conductance;
-        return static_cast<std::int64_t>(share * readily / unit);
+        return share > 0 ? static_cast<std::int64_t>(share * Taker{s, density, taker}.conductance() / unit) : 0;
     }
     HL_FN std::int64_t operator()(int index) const
     {
