@@ -202,7 +202,7 @@ private Q_SLOTS:
              {"above 5 % of the dry mass", "seven rings", "every 5 mm", "every 0.1 s; frames lie up to 1.2 s apart during the feed",
               "until 90 % of the largest content", "drops of at most 25 ul", "liquid on the cloth"})
             QVERIFY2(says(drops, part), part);
-        QVERIFY(says(pool, "stands on the cloth as a pool") && says(pool, "up to 0.6 s apart"));
+        QVERIFY(says(pool, "flows evenly into a pool") && says(pool, "up to 0.6 s apart"));
     }
 };
 

@@ -91,6 +91,7 @@ private Q_SLOTS:
                               "fabrics[0].warp.material=polyester",
                               "fabrics[0].weft.material=polyester",
                               "fabrics[0].contact_angle_deg=20",
+                              "experiments[3].closure=kissa",
                               "experiments[3].volume_ul=1",
                               "experiments[3].sample_mm=[16,16]",
                               "experiments[3].duration_s=200",

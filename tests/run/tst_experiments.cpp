@@ -94,6 +94,8 @@ double moved_heat(const Ledger& l)
 
 } // namespace
 
+Q_DECLARE_METATYPE(Closure)
+
 class TestExperiments : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -142,7 +144,9 @@ private Q_SLOTS:
     }
     void aStripAbsorbsByTheRootOfTime()
     {
-        const Result strip = run(small(ExperimentType::vertical_wicking));
+        Design design = small(ExperimentType::vertical_wicking);
+        design.experiments[0].closure = Closure::kissa; // closures by saturation spread by the root of time
+        const Result strip = run(design);
         QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
         QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3,
                  qPrintable(QString::number(strip.metrics.wicking->height)));
@@ -361,17 +365,30 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("type");
         QTest::addColumn<int>("fidelity");
-        QTest::newRow("pool, draft") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::draft);
-        QTest::newRow("pool, standard") << static_cast<int>(ExperimentType::moisture_management) << static_cast<int>(Fidelity::standard);
-        QTest::newRow("drop, draft") << static_cast<int>(ExperimentType::droplet) << static_cast<int>(Fidelity::draft);
-        QTest::newRow("strip, draft") << static_cast<int>(ExperimentType::vertical_wicking) << static_cast<int>(Fidelity::draft);
+        QTest::addColumn<Closure>("closure");
+        QTest::addColumn<double>("tolerance");
+        for (Closure closure : {Closure::kissa, Closure::pores}) {
+            // With pores it hangs on little whether a segment at the stain's border gets wet or stays dry.
+            const double draft = closure == Closure::pores ? 5e-2 : 1e-2, standard = closure == Closure::pores ? 1e-2 : 1e-3;
+            const auto row = [&](const char* name, ExperimentType type, Fidelity fidelity, double tolerance) {
+                QTest::addRow("%s, %s", name, name_of(closure))
+                    << static_cast<int>(type) << static_cast<int>(fidelity) << closure << tolerance;
+            };
+            row("pool, draft", ExperimentType::moisture_management, Fidelity::draft, draft);
+            row("pool, standard", ExperimentType::moisture_management, Fidelity::standard, standard);
+            row("drop, draft", ExperimentType::droplet, Fidelity::draft, draft);
+            row("strip, draft", ExperimentType::vertical_wicking, Fidelity::draft, draft);
+        }
     }
     void onlyTheClothNearTheWaterIsVisited() // and what comes out is the same
     {
         QFETCH(int, type);
         QFETCH(int, fidelity);
+        QFETCH(Closure, closure);
+        QFETCH(double, tolerance);
         Design design = small(static_cast<ExperimentType>(type));
         Experiment& experiment = design.experiments[0];
+        experiment.closure = closure;
         experiment.sample_mm =
             experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
         experiment.volume_ul = 0.5;
@@ -402,7 +419,6 @@ private Q_SLOTS:
             difference += std::abs(static_cast<double>(whole.liquid[i] - part.liquid[i]));
             warmth = std::max(warmth, static_cast<double>(std::abs(whole.temperature[i] - part.temperature[i])));
         }
-        const double tolerance = fidelity == static_cast<int>(Fidelity::draft) ? 1e-2 : 1e-3;
         QVERIFY2(difference < tolerance * water, qPrintable(QString::number(difference / water)));
         QVERIFY2(warmth < 10 * tolerance, qPrintable(QString::number(warmth)));
         QVERIFY(std::abs(part.ledger.water_evaporated - whole.ledger.water_evaporated) <

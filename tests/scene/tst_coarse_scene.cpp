@@ -26,6 +26,7 @@ Design small(ExperimentType type, double duration)
     design.fabrics[0].picks_per_cm = 0.8 * design.fabrics[0].ends_per_cm;
     Experiment experiment = standard_experiment(type);
     experiment.name = "drop";
+    experiment.closure = Closure::kissa;
     experiment.sample_mm = {9, 7};
     experiment.duration_s = duration;
     design.experiments = {experiment};
