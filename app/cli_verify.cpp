@@ -42,6 +42,7 @@ Json report_json(const VerifyReport& report)
             result["expected"][p.name] = p.expected;
         }
         if (r.rule != Rule::near) result["rule"] = r.rule == Rule::at_most ? "at_most" : "at_least";
+        if (r.blind) result["blind"] = true;
         if (!r.known_miss.empty()) result["known_miss"] = r.known_miss;
         results.push_back(result);
     }
@@ -80,6 +81,7 @@ void print_report(const VerifyReport& report)
         const char* rule = r.rule == Rule::near ? "expected" : r.rule == Rule::at_most ? "at most" : "at least";
         fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
                    r.expected, r.tolerance);
+        if (r.blind) fmt::print("       blind: inputs that differ give the same\n");
         if (!r.known_miss.empty())
             fmt::print("       {}{}\n", r.pass() ? "holds now, but is listed as a miss: " : "known miss: ", r.known_miss);
     }

@@ -45,6 +45,15 @@ inline VerifyResult between(const std::string& name, double computed, double low
 }
 inline VerifyResult at_most(const std::string& name, double computed, double limit) { return {name, computed, limit, 0, Rule::at_most}; }
 inline VerifyResult at_least(const std::string& name, double computed, double limit) { return {name, computed, limit, 0, Rule::at_least}; }
+/// A direction: what one input gives over what another gives, or the reverse, must lie over or under a limit. Blind where both are the same
+/// within a thousandth.
+inline VerifyResult direction(VerifyResult ratio)
+{
+    ratio.blind = std::abs(ratio.computed - 1) <= 1e-3;
+    return ratio;
+}
+inline VerifyResult ratio_at_least(const std::string& name, double ratio, double limit) { return direction(at_least(name, ratio, limit)); }
+inline VerifyResult ratio_at_most(const std::string& name, double ratio, double limit) { return direction(at_most(name, ratio, limit)); }
 inline VerifyResult known_miss(VerifyResult result, const std::string& reason)
 {
     result.known_miss = reason;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Cloths in moisture management and drying tests, compared with published directions. Comparisons, not proofs.
 #include "core/base/units.h"
+#include "core/run/plan_run.h"
 #include "core/verify/fits.h"
 #include "core/verify/set_ups.h"
 
@@ -9,19 +10,23 @@
 namespace hygroloom {
 namespace {
 
-/// A moisture management test of a quarter of the liquid on a quarter of the sample.
+/// A moisture management test of a quarter of the liquid, on a sample whose edge it does not reach.
 struct Management {
-    double ommc = 0, radius = 0; ///< the greater of both faces, m
+    double ommc = 0, radius = 0; ///< of the circle as large as the wet spot, m; a farthest crossing would tell whole pitches only
 };
 Management management_of(const Fabric& fabric, Backend& backend)
 {
     Experiment experiment = standard_experiment(ExperimentType::moisture_management);
-    experiment.sample_mm = {40, 40};
+    experiment.sample_mm = {50, 50};
     experiment.volume_ul = 50;
     const Metrics metrics = run_whole(design_of(fabric, experiment), Fidelity::draft, backend).metrics;
     return {metrics.management ? metrics.management->ommc : 0.0,
-            std::max(metrics.maximum_wetted_radius_top, metrics.maximum_wetted_radius_bottom)};
+            std::sqrt(metrics.wetted_area_ellipse_warp * metrics.wetted_area_ellipse_weft)};
 }
+
+const char* const off_the_scale =
+    "cloths drink a drop of the tester's within its sample of 0.1 s: rates and speeds lie far above what the capability counts, and its "
+    "one-way part is nought where both faces are alike";
 
 /// T3
 std::vector<VerifyResult> plain_and_rib(const VerifyValues&, Backend& backend)
@@ -31,7 +36,8 @@ std::vector<VerifyResult> plain_and_rib(const VerifyValues&, Backend& backend)
     plain.weft_crimp_percent.reset();
     Fabric rib = plain;
     rib.weave = weave_from_pattern("rib 2/2 warp");
-    return {at_least("ommc_plain_over_rib", management_of(plain, backend).ommc / management_of(rib, backend).ommc, 1)};
+    return {known_miss(ratio_at_least("ommc_plain_over_rib", management_of(plain, backend).ommc / management_of(rib, backend).ommc, 1.02),
+                       off_the_scale)};
 }
 
 /// T4
@@ -47,22 +53,42 @@ std::vector<VerifyResult> lighter_weft(const VerifyValues&, Backend& backend)
         *lighter.weft.linear_density_tex *= 0.95;
         lighter.weft.packing_factor = 0.9 * linen.weft.packing_factor.value_or(default_packing_factor);
         const Management before = management_of(linen, backend), after = management_of(lighter, backend);
-        constexpr double resolved = 0.02; // what steps half as long may change: not lower by more
-        const VerifyResult capability{std::string("ommc_ratio_") + word, after.ommc / before.ommc, 1, resolved, Rule::at_least};
-        results.push_back(
-            std::string(word) == "plain"
-                ? capability
-                : known_miss(
-                      capability,
-                      "A pool's absorption rate, a quarter of the capability, ends at 90 % of a content that is nearly level there."));
-        results.push_back({std::string("radius_ratio_") + word, after.radius / before.radius, 1, resolved, Rule::at_least});
+        results.push_back(known_miss(ratio_at_least(std::string("ommc_ratio_") + word, after.ommc / before.ommc, 1.005), off_the_scale));
+        results.push_back(known_miss(
+            ratio_at_least(std::string("radius_ratio_") + word, after.radius / before.radius, 1.005),
+            "a yarn packed more loosely holds more, so that the same water wets less of the cloth; a lighter weft packed as before "
+            "wets 1 % farther"));
     }
     return results;
 }
 
-/// Of a fabric whose pores are seven tenths full.
+/// kg/m2 that yarns and the room between them keep of what fills them, of cloth that hangs 5 cm down into water: the mean over its height.
+double held_after_draining(const Design& design, const Textile& textile)
+{
+    constexpr double height = 0.05;
+    constexpr int places = 50;
+    const Experiment& experiment = design.experiments[0];
+    const ModelPlan plan = plan_run(design, textile, experiment, Fidelity::draft);
+    const Cloth cloth = build_scene(design, textile, experiment, plan, 1).cloth;
+    const auto share = [&](const Retention& pores) {
+        double sum = 0;
+        for (int i = 0; i < places; ++i) sum += held_emptying(pores, 998 * gravity_acceleration * height * (i + 0.5) / places).saturation;
+        return sum / places;
+    };
+    double held = 0; // m3
+    const auto crossings = static_cast<std::size_t>(cloth.crossings());
+    for (std::size_t i = 0; i < 2 * crossings; ++i) {
+        const YarnParameters& yarn = cloth.yarns[i < crossings ? 0 : 1];
+        held += share(yarn.on_face[0].retention) * yarn.pore_area * cloth.length[i];
+    }
+    const BetweenParameters& room = cloth.crossing[0].between;
+    held += share(room.retention) * room.volume * cloth.crossings();
+    return 998 * held / (cloth.cell_area * cloth.crossings());
+}
+
+/// Of a fabric whose yarns are seven tenths full.
 struct Drying {
-    double thickness = 0, held = 0; ///< m; kg/m2, of full pores
+    double thickness = 0, held = 0; ///< m; kg/m2, after draining
     double rate = 0, time_per_water = 0;
 };
 Drying drying_of(const Fabric& fabric, Backend& backend)
@@ -75,18 +101,19 @@ Drying drying_of(const Fabric& fabric, Backend& backend)
     const Textile textile = build_textile(design, fabric, {0, 0, 20, 20});
     Drying drying;
     drying.thickness = textile.thickness;
+    drying.held = held_after_draining(design, textile);
+    double full = 0; // kg/m2
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < 20; ++end)
             for (int pick = 0; pick < 20; ++pick) {
                 const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
-                drying.held += type.area * (1 - type.packing) * textile.segment_length(kind, end, pick) * 998 /
-                               (400 * textile.warp.pitch * textile.weft.pitch);
+                full += type.area * (1 - type.packing) * textile.segment_length(kind, end, pick) * 998 /
+                        (400 * textile.warp.pitch * textile.weft.pitch);
             }
-    design.experiments[0].initial_water_g_m2 = 1e3 * 0.7 * drying.held;
+    design.experiments[0].initial_water_g_m2 = 1e3 * 0.7 * full;
     const Metrics metrics = run_whole(design, Fidelity::draft, backend).metrics;
     if (metrics.drying && metrics.drying->rate) drying.rate = *metrics.drying->rate;
-    drying.time_per_water =
-        metrics.drying && metrics.drying->time_to_dry ? *metrics.drying->time_to_dry / (0.7 * drying.held) : std::nan("");
+    drying.time_per_water = metrics.drying && metrics.drying->time_to_dry ? *metrics.drying->time_to_dry / (0.7 * full) : std::nan("");
     return drying;
 }
 
@@ -101,14 +128,14 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
         rates += cloths.back().rate / static_cast<double>(names.size());
         times += cloths.back().time_per_water / static_cast<double>(names.size());
     }
-    const char* bound = "fibres bind part of the water and give it up more slowly than liquid; with sorption off, rates of 60 g/m2 on four "
-                        "of these cloths agree within 2 %";
+    const char* bound = "fibres bind part of the water and give it up more slowly than liquid; with sorption off all five lie within "
+                        "a tenth of their mean";
     std::vector<VerifyResult> results;
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::string word = names[i];
         std::replace(word.begin(), word.end(), ' ', '_');
+        results.push_back({"rate_to_mean_" + word, cloths[i].rate / rates, 1, 0.1});
         const bool wool = i == 2 || i == 3;
-        results.push_back({"rate_to_mean_" + word, cloths[i].rate / rates, 1, 0.1, Rule::near, i == 1 || i == 4 ? bound : ""});
         results.push_back({"time_per_water_to_mean_" + word, cloths[i].time_per_water / times, 1, 0.15, Rule::near, wool ? "" : bound});
     }
     double pairs = 0, alike = 0;
@@ -119,7 +146,7 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
                 alike += a.held < b.held;
             }
     results.push_back({"order_of_water_by_thickness", alike / pairs, 1, 0, Rule::near,
-                       "the model holds water inside the yarns alone, so their packing counts besides the thickness"});
+                       "of ten pairs one: the serge is thicker than the tropical worsted, but its fibres leave less of it open"});
     return results;
 }
 
@@ -135,7 +162,7 @@ std::vector<VerifyCase> measured_cloth_cases()
          "Riaz et al., Journal of Natural Fibers 2023, doi 10.1080/15440478.2022.2163030",
          ""},
         {"measured_t4",
-         "A weft 5 % lighter and looser: capability and wetted radius do not fall.",
+         "A weft 5 % lighter and looser: capability and wetted radius rise.",
          {},
          lighter_weft,
          "HOGENT, Materials 2024, 17(7), 1650, doi 10.3390/ma17071650: linen warp, flax or hemp weft",

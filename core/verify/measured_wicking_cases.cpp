@@ -33,6 +33,32 @@ Rise rise_of(const Fabric& fabric, double length_mm, double duration, Backend& b
     return rise_of(run_whole(design_of(fabric, hanging_strip(length_mm, duration)), Fidelity::draft, backend).metrics);
 }
 
+/// A strip whose scene a case may change before it runs.
+struct StripRun {
+    RunRecord record;
+    Scene scene;
+
+    StripRun(const Fabric& fabric, const Experiment& strip)
+    {
+        record.design = design_of(fabric, strip);
+        const Experiment& experiment = record.design.experiments[0];
+        record.fabric = fabric.name;
+        record.experiment = experiment.name;
+        record.plan = plan_run(record.design, fabric, experiment, Fidelity::draft);
+        record.textile = build_textile(record.design, fabric, record.plan.region);
+        scene = build_scene(record.design, record.textile, experiment, record.plan, 1);
+    }
+    Rise rise(double duration, Backend& backend)
+    {
+        std::vector<double> times;
+        for (int i = 1; i <= 60; ++i) times.push_back(duration / 60 * i);
+        MetricsCollector collector;
+        collector.start(record);
+        for (const Frame& frame : frames_at(backend, scene, times)) collector.add(frame);
+        return rise_of(collector.metrics());
+    }
+};
+
 /// Lucas and Washburn with gravity through the points at 60 and 600 s; its worst error at 30, 120 and 300 s, as a share.
 double error_of_washburn_with_gravity(const Rise& rise)
 {
@@ -55,28 +81,33 @@ double error_of_washburn_with_gravity(const Rise& rise)
 /// N6: the form of h(t) of finished synthetics.
 std::vector<VerifyResult> rise_in_synthetics(const VerifyValues&, Backend& backend)
 {
-    const char* slow = "the model's liquid runs inside the yarns alone; in a knit the wide pores between yarns may carry it, too";
-    const char* thirsty = "fibres resolved at their skins absorb the rising water early and slow it more than in the measured knit, whose "
-                          "finish is unknown; with even shells, which absorb too late, the exponent is 0.43";
+    const char* fast = "the room between yarns helps water on, by a permeability that is the least certain number of the closure: no "
+                       "measured one of wovens is known; without that room it is 54 here";
+    const char* in_yarns =
+        "the room between yarns fills to 10 cm only; above, water rises inside the yarns alone, which suck by far more than "
+        "the weight of that height";
     std::vector<VerifyResult> results;
     for (const auto& [name, fabric] : {std::pair{"polyester", "Sports micro-twill"}, std::pair{"nylon", "Nylon taslan"}}) {
-        const Rise rise = rise_of(library_fabric(fabric), 200, 600, backend);
+        const Rise rise = rise_of(library_fabric(fabric), 400, 600, backend);
         const std::string word = name;
-        VerifyResult early = between(word + "_exponent_30_60_s", rise.exponent(30, 60), 0.4, 0.52);
-        results.push_back(word == "nylon" ? known_miss(early, thirsty) : early);
-        results.push_back(at_most(word + "_exponent_300_600_s", rise.exponent(300, 600), 0.4));
+        results.push_back(between(word + "_exponent_30_60_s", rise.exponent(30, 60), 0.4, 0.52));
+        const VerifyResult late = at_most(word + "_exponent_300_600_s", rise.exponent(300, 600), 0.4);
+        results.push_back(word == "nylon" ? known_miss(late, in_yarns) : late);
         results.push_back(at_most(word + "_error_of_washburn", error_of_washburn_with_gravity(rise), 0.1));
-        results.push_back(known_miss(between(word + "_w_60_s_mm2_s", 1e6 * rise.at(60) * rise.at(60) / 60, 10, 100), slow));
+        const VerifyResult speed = between(word + "_w_60_s_mm2_s", 1e6 * rise.at(60) * rise.at(60) / 60, 10, 120);
+        results.push_back(word == "polyester" ? known_miss(speed, fast) : speed);
     }
     return results;
 }
 
-/// A spot of water on plain weave, warp of cotton, weft of a fibre that water does not wet; sett of the warp over that at which it touches.
-struct Spot {
-    double weft_saturation = 0; ///< greatest
-    double beyond = 0;          ///< pitches that liquid came over the pool's edge, along the weft
+/// Plain weave, warp of scoured cotton, weft of a fibre that water does not wet, in strips that hang in water; sett of the warp over that
+/// at which it touches.
+struct StripOfBoth {
+    double weft_saturation = 0; ///< greatest out of the bath, of a strip along the warp
+    int along = 0;              ///< pitches that liquid came along the warp out of the bath
+    int across = 0;             ///< pitches that liquid came from warp yarn to warp yarn out of the bath, of a strip along the weft
 };
-Spot spot_on_cotton_and_pvdf(double closeness, Backend& backend)
+StripOfBoth strip_of_cotton_and_pvdf(double closeness, Backend& backend)
 {
     Fabric fabric = library_fabric("Textile F");
     const double diameter = *fabric.warp.diameter_mm;
@@ -84,65 +115,74 @@ Spot spot_on_cotton_and_pvdf(double closeness, Backend& backend)
     fabric.picks_per_cm = 20;
     fabric.thickness_mm.reset();
     fabric.weft.material = {{"PVDF", 1.0}};
-    Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
-    experiment.sample_mm = {12, 24};
-    experiment.volume_ul = 8;
-    experiment.duration_s = 60;
-    Design design = design_of(fabric, experiment);
     Material pvdf = library_material("polyester");
     pvdf.name = "PVDF";
     pvdf.based_on = "polyester";
     pvdf.contact_angle_deg = 100;
-    design.materials.push_back(pvdf);
-    const WholeRun run = run_whole(design, Fidelity::draft, backend);
-    const Textile& textile = run.record.textile;
-    Spot spot;
-    double farthest = 0;
-    for (int end = 0; end < textile.ends(); ++end)
-        for (int pick = 0; pick < textile.picks(); ++pick) {
-            const auto saturation = [&](YarnKind kind) {
-                return static_cast<double>(run.last.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))]);
-            };
-            spot.weft_saturation = std::max(spot.weft_saturation, saturation(YarnKind::weft));
-            if (saturation(YarnKind::warp) >= wet_saturation) farthest = std::max(farthest, std::abs(textile.x_of_end(end)));
-        }
-    const double pool = std::cbrt(1.5 * cubic_metre_from_ul(experiment.volume_ul) / pi);
-    spot.beyond = (farthest - pool) / textile.warp.pitch;
-    return spot;
+    StripOfBoth strip;
+    for (bool along_weft : {false, true}) {
+        Experiment experiment = hanging_strip(40, 60);
+        experiment.along_weft = along_weft;
+        Design design = design_of(fabric, experiment);
+        design.materials.push_back(pvdf);
+        const WholeRun run = run_whole(design, Fidelity::draft, backend);
+        const Textile& textile = run.record.textile;
+        const double pitch = along_weft ? textile.warp.pitch : textile.weft.pitch;
+        const auto deep = static_cast<int>(std::lround(metre_from_mm(experiment.immersion_mm) / pitch)); // in the bath
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                const int beyond = (along_weft ? end : pick) + 1 - deep;
+                if (beyond <= 0) continue;
+                const auto saturation = [&](YarnKind kind) {
+                    return static_cast<double>(run.last.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))]);
+                };
+                if (!along_weft) strip.weft_saturation = std::max(strip.weft_saturation, saturation(YarnKind::weft));
+                int& reached = along_weft ? strip.across : strip.along;
+                if (saturation(YarnKind::warp) >= wet_saturation) reached = std::max(reached, beyond);
+            }
+    }
+    return strip;
 }
 
 /// T1
 std::vector<VerifyResult> hydrophobic_weft(const VerifyValues&, Backend& backend)
 {
-    const char* reason = "parallel yarns that touch exchange nothing in the model; liquid passes at crossings only";
-    const Spot open = spot_on_cotton_and_pvdf(0.5, backend), close = spot_on_cotton_and_pvdf(0.75, backend),
-               touching = spot_on_cotton_and_pvdf(1.0, backend);
+    const StripOfBoth open = strip_of_cotton_and_pvdf(0.5, backend), close = strip_of_cotton_and_pvdf(0.75, backend),
+                      touching = strip_of_cotton_and_pvdf(1.0, backend);
     return {at_most("weft_saturation", std::max({open.weft_saturation, close.weft_saturation, touching.weft_saturation}), 0.05),
-            at_most("pitches_beyond_pool_apart", std::max(open.beyond, close.beyond), 1),
-            known_miss(at_least("pitches_beyond_pool_touching", touching.beyond, 2), reason)};
+            at_least("pitches_along_warp", std::min({open.along, close.along, touching.along}), 2),
+            at_most("pitches_across_apart", std::max(open.across, close.across), 1),
+            known_miss(at_least("pitches_across_touching", touching.across, 2),
+                       "yarns pass liquid where they cross, and by the room beside wet ones; parallel yarns that touch exchange nothing")};
 }
 
-/// T5
+/// T5: of scoured cotton, long enough that water does not reach its upper end.
 std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
 {
-    const WholeRun run = run_whole(design_of(library_fabric("Textile F"), hanging_strip(80, 120)), Fidelity::draft, backend);
+    const WholeRun run = run_whole(design_of(library_fabric("Textile F"), hanging_strip(300, 120)), Fidelity::draft, backend);
     const Rise rise = rise_of(run.metrics);
     std::vector<double> squares;
     for (double h : rise.height) squares.push_back(h * h);
     const Textile& textile = run.record.textile;
-    double steepest = -1, before = 2; // change of the mean saturation from one centimetre to the next upwards
-    const int centimetre = static_cast<int>(0.01 / textile.weft.pitch);
-    for (int low = 0; low + centimetre <= textile.picks(); low += centimetre) {
-        double sum = 0;
+    // Water of each whole centimetre from the bath to the height, in yarns and between them.
+    const int centimetre = static_cast<int>(std::lround(0.01 / textile.weft.pitch));
+    const double bath = metre_from_mm(run.record.design.experiments[0].immersion_mm), pitch = textile.weft.pitch;
+    std::vector<double> water;
+    for (int low = static_cast<int>(bath / pitch) + 1; (low + centimetre) * pitch <= bath + rise.height.back(); low += centimetre) {
+        water.push_back(0);
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = low; pick < low + centimetre; ++pick)
-                sum += static_cast<double>(run.last.saturation[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))]);
-        const double mean = sum / (textile.ends() * centimetre);
-        if (before < 2) steepest = std::max(steepest, mean - before);
-        before = mean;
+                for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                    water.back() += static_cast<double>(run.last.liquid[static_cast<std::size_t>(textile.segment(kind, end, pick))]);
     }
-    return {at_least("straightness_of_h2", fit_line(rise.time, squares).r_squared, 0.97),
-            at_most("rise_of_saturation_per_cm", steepest, 0)};
+    double least_fall = 1;
+    for (std::size_t i = 1; i < water.size(); ++i) least_fall = std::min(least_fall, 1 - water[i] / water[i - 1]);
+    return {
+        at_least("straightness_of_h2", fit_line(rise.time, squares).r_squared, 0.97),
+        known_miss(
+            at_least("least_fall_of_water_per_cm", least_fall, 0.02),
+            "the lower half of the height is full: the room fills wherever the suction is below its entry suction, 14 cm of water; above, "
+            "the water falls by 3 to 28 % in a centimetre, then hardly, where the yarns are full and the room is dry")};
 }
 
 /// T6: the same yarns and sett in three weaves, 120 min of wicking and drying.
@@ -154,7 +194,7 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues&, Backend& backe
         fabric.weave = weave_from_pattern(weave);
         fabric.warp_crimp_percent.reset();
         fabric.weft_crimp_percent.reset();
-        const Metrics metrics = run_whole(design_of(fabric, hanging_strip(150, 7200)), Fidelity::draft, backend).metrics;
+        const Metrics metrics = run_whole(design_of(fabric, hanging_strip(300, 7200)), Fidelity::draft, backend).metrics;
         const Series& s = metrics.series;
         std::vector<double> taken;
         for (std::size_t i = 0; i < s.time.size(); ++i)
@@ -162,28 +202,60 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues&, Backend& backe
         early.push_back(value_at(s.time, taken, 600));
         late.push_back((taken.back() - early.back()) / (s.time.back() - 600));
     }
-    const char* unresolved = "the weaves take up the same within about a per cent, less than a run at draft resolves";
-    return {known_miss(at_least("early_twill_over_plain", early[1] / early[0], 1), unresolved),
-            known_miss(at_least("early_satin_over_twill", early[2] / early[1], 1), unresolved),
+    const char* lighter =
+        "water comes higher with floats (by 1 to 2 %), but they crimp less, so that there is less yarn to fill; the room's "
+        "permeability knows no floats";
+    return {known_miss(ratio_at_least("early_twill_over_plain", early[1] / early[0], 1.03), lighter),
+            known_miss(ratio_at_least("early_satin_over_twill", early[2] / early[1], 1.03), lighter),
             {"late_twill_over_plain", late[1] / late[0], 1, 0.1},
             {"late_satin_over_plain", late[2] / late[0], 1, 0.1}};
 }
 
-/// T7: the order of the fibres could change only the tortuosity of the pores in the model.
+/// Fibres in less order: as wide a spread of pores as the closure knows, of the same fibre surface, and half as many gaps through which a
+/// dry bundle wets.
+WettedPores disordered(const WettedPores& ordered)
+{
+    const Retention& holds = ordered.retention;
+    const double shape = 0.5 * holds.twice_shape, hysteresis = holds.emptying / holds.entry;
+    PoreClosure pores;
+    pores.shape = 3;
+    pores.entry_suction = (1 - 1 / pores.shape) / (1 - 1 / shape) * holds.entry;
+    pores.hysteresis = hysteresis;
+    pores.threshold = holds.threshold;
+    pores.front_suction = pores.entry_suction * std::pow(pores.threshold, -1 / pores.shape);
+    return {retention_of(pores), 0.5 * ordered.gate};
+}
+
+/// T7: h2/t of strips in which water has not reached the upper end; well wetted, as scoured cotton is. The measurement was made on yarns:
+/// once with the room between them shut off, once as cloth.
 std::vector<VerifyResult> order_and_angle(const VerifyValues&, Backend& backend)
 {
     constexpr double duration = 60;
-    const auto coefficient = [&](const Fabric& fabric) {
-        const double height = rise_of(fabric, 80, duration, backend).height.back();
-        return height * height / duration;
-    };
-    Fabric plain = library_fabric("Textile F"), disordered = plain, steeper = plain;
-    plain.contact_angle_deg = disordered.contact_angle_deg = 35;
-    steeper.contact_angle_deg = 45;
-    plain.measured.tortuosity = steeper.measured.tortuosity = 1.2;
-    disordered.measured.tortuosity = 2.4;
-    const double w = coefficient(plain), by_order = coefficient(disordered) / w, by_angle = coefficient(steeper) / w;
-    return {at_most("w_at_double_tortuosity", by_order, 0.95), at_most("angle_over_order", (1 - by_angle) / (1 - by_order), 1)};
+    std::vector<VerifyResult> results;
+    for (const char* of : {"yarns", "cloth"}) {
+        const auto coefficient = [&](double angle, bool in_order) {
+            Fabric fabric = library_fabric("Textile F");
+            fabric.contact_angle_deg = angle;
+            StripRun strip(fabric, hanging_strip(300, duration));
+            Cloth& cloth = strip.scene.cloth;
+            if (!in_order)
+                for (YarnParameters& yarn : cloth.yarns)
+                    for (WettedPores& pores : yarn.on_face) pores = disordered(pores);
+            if (of == std::string("yarns"))
+                for (CrossingParameters& crossing : cloth.crossing) {
+                    BetweenParameters& room = crossing.between;
+                    room.along_warp = room.along_weft = room.to_warp = room.to_weft = 0;
+                }
+            const double height = strip.rise(duration, backend).height.back();
+            return height * height / duration;
+        };
+        const double w = coefficient(35, true), by_order = coefficient(35, false) / w, by_angle = coefficient(45, true) / w;
+        results.push_back(ratio_at_most(std::string("w_in_disorder_") + of, by_order, 1));
+        results.push_back(known_miss(at_most(std::string("angle_over_order_") + of, std::abs(1 - by_angle) / std::abs(1 - by_order), 1),
+                                     "suction goes with the cosine of the angle, which 10 degrees change by 14 %; of disorder the closure "
+                                     "knows the spread of pores and the gate, but no rougher angle and no broken pores"));
+    }
+    return results;
 }
 
 /// T8: a level strip that draws from its wet end, at three closenesses of the same yarns.
@@ -197,29 +269,18 @@ std::vector<VerifyResult> density_and_wicking(const VerifyValues&, Backend& back
         fabric.ends_per_cm = fabric.picks_per_cm = 0.01 * percent * limit;
         fabric.warp_crimp_percent.reset();
         fabric.weft_crimp_percent.reset();
-        const Design design = design_of(fabric, hanging_strip(80, 120));
-        RunRecord run;
-        run.design = design;
-        run.fabric = fabric.name;
-        run.experiment = design.experiments[0].name;
-        run.plan = plan_run(design, fabric, design.experiments[0], Fidelity::draft);
-        run.textile = build_textile(design, fabric, run.plan.region);
-        Scene scene = build_scene(design, run.textile, design.experiments[0], run.plan, 1);
-        scene.cloth.gravity_along_warp = 0; // it lies
-        std::vector<double> times;
-        for (int i = 1; i <= 60; ++i) times.push_back(2.0 * i);
-        MetricsCollector collector;
-        collector.start(run);
-        for (const Frame& frame : frames_at(backend, scene, times)) collector.add(frame);
-        const Rise rise = rise_of(collector.metrics());
+        StripRun strip(fabric, hanging_strip(300, 120));
+        strip.scene.cloth.gravity_along_warp = 0; // it lies
+        const Rise rise = strip.rise(120, backend);
         std::vector<double> roots;
         for (double time : rise.time) roots.push_back(std::sqrt(time));
         const FittedLine line = fit_line(roots, rise.height);
         rates.push_back(line.slope);
         results.push_back(at_least("straightness_at_" + std::to_string(percent) + "_pct", line.r_squared, 0.98));
     }
-    results.push_back(at_most("rate_at_85_over_70_pct", rates[1] / rates[0], 1));
-    results.push_back(at_most("rate_at_100_over_85_pct", rates[2] / rates[1], 1));
+    results.push_back(ratio_at_most("rate_at_85_over_70_pct", rates[1] / rates[0], 1));
+    results.push_back(ratio_at_most("rate_at_100_over_85_pct", rates[2] / rates[1], 1));
+    results.push_back(ratio_at_most("rate_at_100_over_70_pct", rates[2] / rates[0], 0.95));
     return results;
 }
 
@@ -248,7 +309,7 @@ std::vector<VerifyCase> measured_wicking_cases()
          "Stapelbroek et al., Soft Matter 2014, doi 10.1039/C3SM52464G",
          "Measured on solids, in the first millisecond; belongs to the cases of the free liquid, which are still to come."},
         {"measured_t5",
-         "A cotton strip: its height squared is straight over time, and it is the less full the higher.",
+         "A cotton strip: its height squared is straight over time, and it holds the less water the higher.",
          {},
          cotton_strip,
          "Zhu et al., Fibres and Textiles in Eastern Europe 2015(2), p. 137",

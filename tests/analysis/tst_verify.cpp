@@ -2,6 +2,7 @@
 // Every case of verify with its public values and with others, on the CPU and, where there is one, on a GPU.
 #include "core/base/error.h"
 #include "core/design/experiment.h"
+#include "core/verify/fits.h"
 #include "core/verify/verify.h"
 #include "gpu/backends.h"
 
@@ -387,6 +388,10 @@ private Q_SLOTS:
         QVERIFY(!report.pass() && report.as_expected());
         report.results[0].computed = std::nan("");
         QVERIFY(!report.as_expected());
+        VerifyResult ratio{"ratio", 1.0005, 1, 0, Rule::at_least};
+        QVERIFY(ratio.pass() && !direction(ratio).pass() && direction(ratio).blind);
+        ratio.computed = 1.0015;
+        QVERIFY(direction(ratio).pass());
         VerifyResult grades{"grades"};
         grades.parts = {{"top", 3, 3}, {"bottom", 4, 4}};
         QVERIFY(grades.pass());
