@@ -46,11 +46,11 @@ struct Taker {
             return dt * yarn.intake_flux * yarn.face_area * room / capacity();
         }
         const PoresFound pores = found();
-        const double draws = density * dt * conductance(pores) * pores.suction;
+        const double draws = density * dt * conductance(pores, from_drop) * pores.suction;
         return draws > 0 ? draws : 0.0;
     }
     /// m3/(Pa s), from liquid on one of its faces, where liquid flows by suction.
-    HL_FN double conductance() const { return conductance(found()); }
+    HL_FN double conductance() const { return conductance(found(), false); }
 
 private:
     HL_FN PoresFound found() const
@@ -60,7 +60,7 @@ private:
         return find.segment(number, s.yarn_of(number), face());
     }
     HL_FN int face() const { return s.face_of(crossing(), s.is_warp(number)); }
-    HL_FN double conductance(const PoresFound& pores) const
+    HL_FN double conductance(const PoresFound& pores, bool from_drop) const
     {
         if (is_room()) return pores.is_connected() || yarn_is_wet() ? at().between.face : 0.0;
         const YarnParameters& yarn = s.yarn_of(number);
