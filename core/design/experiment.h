@@ -71,7 +71,7 @@ struct Experiment {
     std::vector<Droplet> droplets{Droplet{}};
     double volume_ul = 200;          ///< moisture_management, horizontal_wicking
     double feed_s = 20;              ///< moisture_management: how long the pump runs
-    double drop_ul = 25;             ///< moisture_management: largest volume of a drop that the feed comes in; 0: it flows evenly
+    double drop_ul = 0;              ///< moisture_management: largest volume of a drop that the feed comes in; 0: it flows evenly
     bool along_weft = false;         ///< vertical_wicking: the strip's long side
     double immersion_mm = 10;        ///< vertical_wicking: depth of the strip's end in the liquid
     double initial_water_g_m2 = 100; ///< drying

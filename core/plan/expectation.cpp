@@ -80,12 +80,17 @@ NetworkCount count_network(const ModelPlan& plan)
     return count;
 }
 
-/// How unlike two scenes are: of different types of experiment, then with and without falling drops, then by suction and number of drops.
+/// Whether liquid moves by another law.
+bool moves_otherwise(const ModelPlan& a, const ModelPlan& b) { return a.on("wicking") && a.counts.closure != b.counts.closure; }
+
+/// How unlike two scenes are: of different types of experiment, then with and without falling drops, by another closure, then by suction
+/// and number of drops.
 double distance(const ModelPlan& a, const ModelPlan& b)
 {
     double far = std::abs(a.counts.suction - b.counts.suction);
     if (a.counts.type != b.counts.type) far += 100;
     if (a.on("liquid") != b.on("liquid")) far += 10;
+    if (moves_otherwise(a, b)) far += 2;
     if (a.on("wicking") != b.on("wicking")) far += 1;
     return far + 0.1 * std::abs(std::log(std::max(1.0, a.counts.drops) / std::max(1.0, b.counts.drops)));
 }
@@ -246,13 +251,15 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
-    const bool as_set = set_alike(run.plan, plan) && !cut;
+    const bool otherwise = moves_otherwise(plan, run.plan), as_set = set_alike(run.plan, plan) && !cut && !otherwise;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
                     run.error && as_set ? (*run.error > 0 ? " The error was measured on that run." : "")
                     : as_set            ? " The error was not measured on that run."
+                    : otherwise         ? fmt::format(" It was measured with the closure {}; with {} neither times nor errors are.",
+                                                      run.plan.counts.closure, plan.counts.closure)
                                         : " The error with these knobs and parts was not measured.");
 }
 

@@ -28,6 +28,7 @@ constexpr double change_per_kelvin = 0.02;
 /// What of a scene decides its cost.
 struct SceneCounts {
     std::string type;       ///< of the experiment
+    std::string closure;    ///< by which liquid moves
     double drops = 0;       ///< that fall
     double drop_volume = 0; ///< m3, of each
     double duration = 0;    ///< s

@@ -39,6 +39,7 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 SceneCounts counts_from_json(const Json& json)
 {
     return {.type = json.at("type"),
+            .closure = json.value("closure", "kissa"), // once the only default
             .drops = json.at("drops"),
             .drop_volume = json.at("drop_volume_m3"),
             .duration = json.at("duration_s"),
@@ -118,6 +119,7 @@ Json plan_value(const ModelPlan& plan)
           {"drop_volume_m3", plan.counts.drop_volume},
           {"duration_s", plan.counts.duration},
           {"wet_share", plan.counts.wet_share},
+          {"closure", plan.counts.closure},
           {"suction", plan.counts.suction},
           {"uptake_m3_s", plan.counts.uptake},
           {"pores_m", plan.counts.pores},

@@ -62,6 +62,7 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     const auto [width, height] = sample_extent_mm(experiment);
     SceneCounts counts;
     counts.type = name_of(experiment.type);
+    counts.closure = name_of(experiment.closure);
     counts.drops = static_cast<double>(b.drops);
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
     counts.duration = experiment.duration_s;

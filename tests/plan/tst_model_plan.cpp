@@ -184,6 +184,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
         design.experiments[0].sample_mm = {8, 8};
+        design.experiments[0].drop_ul = 25;
         const ModelPlan drops = plan_of(design);
         QVERIFY(!drops.on("liquid") && drops.on("wicking"));
         QCOMPARE(drops.particles_per_droplet, 0);
@@ -199,6 +200,8 @@ private Q_SLOTS:
     void aFeedIsCutIntoEqualDrops()
     {
         Experiment feed = standard_experiment(ExperimentType::moisture_management);
+        QCOMPARE(drops_of_feed(feed), 0);
+        feed.drop_ul = 25;
         QCOMPARE(drops_of_feed(feed), 8);
         feed.volume_ul = 0.3;
         feed.drop_ul = 0.1; // 0.3 / 0.1 is a little more than 3 in binary

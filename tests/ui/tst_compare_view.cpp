@@ -31,7 +31,7 @@ private Q_SLOTS:
         drop.droplets = {Droplet{0.5, 0, {0, 0}, 0.05, 0}};
         thick_ = ran(design, "thick");
         design.fabrics[0].name = "a thinner fabric, whose name is as long as names of fabrics get to be in a mill";
-        design.fabrics[0].contact_angle_deg = 75;
+        design.fabrics[0].contact_angle_deg = 55;
         thin_ = ran(design, "thin");
         design.experiments[0].climate.temperature_c = 35;
         hot_ = ran(design, "hot");
