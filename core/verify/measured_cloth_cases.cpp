@@ -24,10 +24,6 @@ Management management_of(const Fabric& fabric, Backend& backend)
             std::sqrt(metrics.wetted_area_ellipse_warp * metrics.wetted_area_ellipse_weft)};
 }
 
-const char* const off_the_scale =
-    "cloths drink a drop of the tester's within its sample of 0.1 s: rates and speeds lie far above what the capability counts, and its "
-    "one-way part is nought where both faces are alike";
-
 /// T3
 std::vector<VerifyResult> plain_and_rib(const VerifyValues&, Backend& backend)
 {
@@ -36,8 +32,7 @@ std::vector<VerifyResult> plain_and_rib(const VerifyValues&, Backend& backend)
     plain.weft_crimp_percent.reset();
     Fabric rib = plain;
     rib.weave = weave_from_pattern("rib 2/2 warp");
-    return {known_miss(ratio_at_least("ommc_plain_over_rib", management_of(plain, backend).ommc / management_of(rib, backend).ommc, 1.02),
-                       off_the_scale)};
+    return {ratio_at_least("ommc_plain_over_rib", management_of(plain, backend).ommc / management_of(rib, backend).ommc, 1.02)};
 }
 
 /// T4
@@ -53,11 +48,11 @@ std::vector<VerifyResult> lighter_weft(const VerifyValues&, Backend& backend)
         *lighter.weft.linear_density_tex *= 0.95;
         lighter.weft.packing_factor = 0.9 * linen.weft.packing_factor.value_or(default_packing_factor);
         const Management before = management_of(linen, backend), after = management_of(lighter, backend);
-        results.push_back(known_miss(ratio_at_least(std::string("ommc_ratio_") + word, after.ommc / before.ommc, 1.005), off_the_scale));
-        results.push_back(known_miss(
-            ratio_at_least(std::string("radius_ratio_") + word, after.radius / before.radius, 1.005),
-            "a yarn packed more loosely holds more, so that the same water wets less of the cloth; a lighter weft packed as before "
-            "wets 1 % farther"));
+        const char* holds_more =
+            "a yarn packed more loosely holds more, so that the same water fills it less and wets less of the cloth; a "
+            "lighter weft packed as before wets 1 % farther";
+        results.push_back(known_miss(ratio_at_least(std::string("ommc_ratio_") + word, after.ommc / before.ommc, 1.005), holds_more));
+        results.push_back(known_miss(ratio_at_least(std::string("radius_ratio_") + word, after.radius / before.radius, 1.005), holds_more));
     }
     return results;
 }
