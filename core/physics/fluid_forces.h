@@ -83,7 +83,7 @@ HL_FN Real wall_share(Real cosine)
 constexpr Real wall_recess = Real(0.1);
 
 /// Attraction and share of yarns' beads, which touch otherwise: a calibration on plates without recess and 1 000 to 16 000 particles,
-/// the attraction since scaled with the surface's energy. No case measures angles on yarns.
+/// the attraction since scaled with the surface's energy. `verify drop_on_yarns` measures angles on yarns.
 HL_FN Real bead_attraction(Real cosine)
 {
     constexpr Real at_all = Real(0.0536);

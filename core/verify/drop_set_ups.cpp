@@ -3,7 +3,6 @@
 
 #include "core/base/random.h"
 #include "core/solver/droplet.h"
-#include "core/verify/drop_shapes.h"
 #include "core/verify/set_ups.h"
 
 #include <algorithm>
@@ -93,6 +92,20 @@ double agitation(const Frame& f)
     double sum = 0;
     for (std::size_t i = 0; i < f.velocities.size(); ++i) sum += dot(velocity(f, i) - mean, velocity(f, i) - mean);
     return std::sqrt(sum / static_cast<double>(f.velocities.size()));
+}
+
+DropOnPlate shape_over(double floor, const std::vector<Frame>& frames, double weight)
+{
+    double up = 0, square = 0;
+    for (const Frame& f : frames) {
+        const Vec3d m = middle(f);
+        up += (m.z - floor) / static_cast<double>(frames.size());
+        for (std::size_t i = 0; i < f.positions.size(); ++i) {
+            const Vec3d d = place(f, i) - m;
+            square += (d.x * d.x + d.y * d.y) / static_cast<double>(f.positions.size() * frames.size());
+        }
+    }
+    return up > 0 ? drop_like(up, square, weight) : DropOnPlate{};
 }
 
 std::vector<double> times_between(double first, double last, int count)

@@ -4,6 +4,7 @@
 
 #include "core/scene/frame.h"
 #include "core/scene/scene.h"
+#include "core/verify/drop_shapes.h"
 
 #include <vector>
 
@@ -35,6 +36,10 @@ Vec3d middle(const Frame& frame);
 Vec3d mean_velocity(const Frame& frame);
 /// Root mean square of the velocities over their mean, m/s.
 double agitation(const Frame& frame);
+
+/// The drop on a plate of that height, m, with the same middle over it and the same mean square distance from its axis, in the mean of
+/// frames; nothing where their middle lies under the plate.
+DropOnPlate shape_over(double floor, const std::vector<Frame>& frames, double weight);
 
 /// Evenly from first to last.
 std::vector<double> times_between(double first, double last, int count);

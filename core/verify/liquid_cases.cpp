@@ -136,21 +136,6 @@ std::vector<VerifyResult> laplace_pressure(const VerifyValues& v, Backend& backe
     return results;
 }
 
-/// The drop on a plate with the same middle over it and the same mean square distance from its axis, in the mean of frames.
-DropOnPlate shape_of(const std::vector<Frame>& frames, double weight)
-{
-    double up = 0, square = 0;
-    for (const Frame& f : frames) {
-        const Vec3d m = middle(f);
-        up += (m.z - plate_height) / static_cast<double>(frames.size());
-        for (std::size_t i = 0; i < f.positions.size(); ++i) {
-            const Vec3d d = place(f, i) - m;
-            square += (d.x * d.x + d.y * d.y) / static_cast<double>(f.positions.size() * frames.size());
-        }
-    }
-    return drop_like(up, square, weight);
-}
-
 constexpr double least_settled_angle = 45, most_settled_angle = 155; // degrees
 constexpr const char* leaps = "Flat caps and small bases stick or leap from layer to layer.";
 
@@ -165,7 +150,7 @@ std::vector<VerifyResult> sessile_drop(const VerifyValues& v, Backend& backend)
     const double volume = cubic_metre_from_ul(value(v, "volume_ul"));
     const double capillary = std::sqrt(scene.climate.density * volume / scene.climate.surface_tension);
     const double time = value(v, "time_s") > 0 ? value(v, "time_s") : 12.0 * capillary;
-    const DropOnPlate drop = shape_of(frames_at(backend, scene, times_between(0.8 * time, time, 20)), weight);
+    const DropOnPlate drop = shape_over(plate_height, frames_at(backend, scene, times_between(0.8 * time, time, 20)), weight);
     const DropOnPlate expected = drop_of_volume(volume, angle, weight);
     std::vector<VerifyResult> results{
         {"base_radius_mm", 1e3 * drop.base_radius, 1e3 * expected.base_radius, 0.05 * 1e3 * expected.base_radius},
@@ -183,8 +168,8 @@ std::vector<VerifyResult> liquid_rest(const VerifyValues& v, Backend& backend)
     const std::vector<Frame> frames =
         frames_at(backend, scene, {settled, settled + 0.5 * value(v, "time_s"), settled + value(v, "time_s")});
     const Vec3d first = middle(frames.front()), last = middle(frames.back());
-    const double base = shape_of({frames.front()}, 0).base_radius;
-    const double growth = shape_of({frames.back()}, 0).base_radius - base;
+    const double base = shape_over(plate_height, {frames.front()}, 0).base_radius;
+    const double growth = shape_over(plate_height, {frames.back()}, 0).base_radius - base;
     const VerifyResult drift{"drift_mm", 1e3 * std::hypot(last.x - first.x, last.y - first.y), 0, 1e3 * 0.01 * base};
     VerifyResult base_growth{"base_growth_mm", 1e3 * growth, 0, 1e3 * 0.01 * base};
     if (value(v, "contact_angle_deg") < least_settled_angle) base_growth = known_miss(base_growth, leaps);

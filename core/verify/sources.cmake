@@ -22,4 +22,5 @@ target_sources(hygroloom_core PRIVATE
   verify/verify.cpp
   verify/whole_run_cases.cpp
   verify/wicking_cases.cpp
+  verify/yarn_drop_case.cpp
 )

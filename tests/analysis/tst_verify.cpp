@@ -81,6 +81,8 @@ private Q_SLOTS:
                                       << "contact_angle_deg=75 volume_ul=30 gravity=1 particles=2000";
         QTest::newRow("a drop that hardly wets") << "sessile_drop"
                                                  << "contact_angle_deg=150 particles=2000";
+        QTest::newRow("a drop on yarns of ninety degrees") << "drop_on_yarns"
+                                                           << "contact_angle_deg=90";
         QTest::newRow("a drop at rest that wets") << "liquid_rest"
                                                   << "contact_angle_deg=45";
         QTest::newRow("a drop at rest that hardly wets") << "liquid_rest"
