@@ -251,7 +251,8 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
-    const bool otherwise = moves_otherwise(plan, run.plan), as_set = set_alike(run.plan, plan) && !cut && !otherwise;
+    const bool is_reference = run.error && *run.error <= 0;
+    const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference, as_set = set_alike(run.plan, plan) && !cut && !otherwise;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,

@@ -190,7 +190,7 @@ private Q_SLOTS:
     }
     void planNamesTheKeysThatChangeNothing()
     {
-        const QStringList plan{"plan", example("textile-F.hygro")};
+        const QStringList plan{"plan", example("textile-F.hygro"), "--set", "experiments[0].closure=kissa"};
         const QString text = run_cli(plan).out;
         QVERIFY2(text.contains("only the closure pores reads it: ") && text.contains("yarn.twist_per_m"), qPrintable(text));
         const QJsonArray keys = run_cli(plan + QStringList{"--json"}).json()["idle_keys"].toArray();
@@ -242,7 +242,9 @@ private Q_SLOTS:
     void planLeavesOutWhatIsNotInTheScene()
     {
         const auto plan = [](const char* experiment, const char* fidelity) {
-            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--fidelity", fidelity}).out;
+            return run_cli({"plan", example("laboratory.hygro"), "--experiment", experiment, "--fidelity", fidelity, "--set",
+                            "experiments[0].closure=kissa", "experiments[4].closure=kissa"})
+                .out;
         };
         const QByteArray drying = plan("drying", "draft"), drop = plan("one drop", "draft");
         QVERIFY2(!drying.contains("particles a drop") && drying.contains("no drop falls: particles_per_droplet, "), drying);
