@@ -48,6 +48,9 @@ double ring_mm(M m, FaceIndices ManagementIndices::*face, double radius)
     return 5.0 * std::floor(mm_from_metre(radius) / 5.0 + 1e-9);
 }
 
+/// kg that are rounding beside what was delivered.
+bool negligible(double water, M m) { return water < 1e-9 * m.ledger.water_delivered; }
+
 const MetricGroup& stain()
 {
     using G = ManagementGrades;
@@ -72,7 +75,8 @@ const MetricGroup& stain()
          {{"time_of_arrest_s", "stain at rest from", "", "s", neither},
           [](M m) { return m.time_of_arrest; },
           "the stain grew within the last 10 s, or nothing is wet"},
-         {{"water_between_yarns_g", "water between the yarns", "", "g", neither}, [](M m) -> Value { return 1e3 * m.water_between_yarns; }},
+         {{"water_between_yarns_g", "water between the yarns", "", "g", neither},
+          [](M m) -> Value { return negligible(m.water_between_yarns, m) ? 0.0 : 1e3 * m.water_between_yarns; }},
          {{"water_shed_below_g", "water shed below", "", "g", neither}, [](M m) -> Value { return 1e3 * m.ledger.water_dripped; }}}};
     return group;
 }
