@@ -357,7 +357,7 @@ private Q_SLOTS:
         const QString folder = folder_.filePath("cut-several"), first = folder + "/Hemp-plain.hygrorec";
         QProcess process;
         process.start(HYGROLOOM_CLI, {"simulate", example("three-candidates.hygro"), "--experiment", "one drop", "--fabrics",
-                                      "Hemp plain,Cotton plain", "--fidelity", "draft", "--backend", "cpu", "--quiet", "--set",
+                                      "Hemp plain,Cotton plain", "--fidelity", "standard", "--backend", "cpu", "--quiet", "--set",
                                       "experiments.one drop.duration_s=3600", "-o", folder});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QFile(first).size() > 0, 30000);
