@@ -137,6 +137,7 @@ void MetricsCollector::start(const RunRecord& run)
     pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
     edge_time_.reset();
     was_wet_.clear();
+    last_wetted_ = 0;
     had_free_water_ = false;
     for (const SwitchedPart& part : run.switched_on) add(part);
 }

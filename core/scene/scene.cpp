@@ -341,10 +341,8 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
     }
 }
 
-} // namespace
-
-namespace {
 constexpr double rounding = 1e-9; // of the time from drop to drop
+
 } // namespace
 
 double ScenePool::delivered(double time) const

@@ -141,6 +141,10 @@ private Q_SLOTS:
         QVERIFY(std::abs(collector.metrics().water_between_yarns / (1e-9 * run.textile.segments()) - 1) < 1e-6);
         at(14, 3e-3, 1e-9f);
         QVERIFY(!collector.metrics().time_of_arrest);
+        collector.start(run); // anew
+        at(0, 1e-3, 0);
+        at(10, 1e-3, 0);
+        QCOMPARE(collector.metrics().time_of_arrest.value(), 0.0);
     }
     void waterLeftOverMeansNoAbsorbencyTime()
     {
