@@ -164,7 +164,7 @@ void RecordingWriter::append(const Frame& frame)
         along(file_->warp_pores, file_->weft_pores.size());
         along(file_->weft_pores, file_->warp_pores.size());
         h5::write_floats(g, "liquid_volume_fraction", fraction.data(), n, 1, "1");
-        for (const FrameField& field : frame_fields) h5::write_floats(g, field.name, (frame.*field.values).data(), n, 1, field.unit);
+        for (const FrameField& field : frame_fields) h5::write_floats(g, field.name, field.in(frame).data(), n, 1, field.unit);
         const auto particles = frame.positions.size();
         h5::write_floats(g, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
         h5::write_floats(g, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
@@ -281,8 +281,9 @@ Frame Recording::frame(int index, std::span<const FrameField> fields) const
     const auto n = static_cast<std::size_t>(file_->run.textile.segments());
     for (const FrameField& field : fields) {
         const bool is_older = field.absent && !h5::exists(g, field.name);
-        frame.*field.values = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name);
-        if ((frame.*field.values).size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
+        std::vector<float>& values = field.in(frame);
+        values = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name);
+        if (values.size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
     }
     frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];
     const std::vector<float> x = h5::read_floats(g, "particle_position"), v = h5::read_floats(g, "particle_velocity");

@@ -173,11 +173,16 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();
     frame.shells.resize(shells * segments);
+    const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
+    for (const FrameField& field : frame_fields) {
+        std::vector<float>& to = field.in(frame);
+        const std::vector<float>& from = field.in(cells);
+        blocks.each_part([&](std::size_t i, std::size_t c, double share) {
+            const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
+            add(to[i], field.is_amount ? part : share, from[c]);
+        });
+    }
     blocks.each_part([&](std::size_t i, std::size_t c, double share) {
-        const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
-        const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
-        for (const FrameField& field : frame_fields)
-            add((frame.*field.values)[i], field.is_amount ? part : share, (cells.*field.values)[c]);
         for (std::size_t k = 0; k < shells; ++k) add(frame.shells[i * shells + k], share, cells.shells[c * shells + k]);
     });
     add_up_faces(frame, fine);

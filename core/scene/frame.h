@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hygroloom {
@@ -56,13 +58,14 @@ inline constexpr LedgerColumn ledger_columns[] = {
 struct Frame {
     double time = 0; ///< s
     // One value per segment, in the textile's order.
-    std::vector<float> saturation;  ///< liquid volume / pore volume
-    std::vector<float> liquid;      ///< kg, with half of that between the yarns of its crossing
-    std::vector<float> regain;      ///< bound water / dry fibre
-    std::vector<float> vapour;      ///< kg/m3; where it is not modelled as it began, saturated at most
-    std::vector<float> temperature; ///< K
-    std::vector<float> between;     ///< kg of it between the yarns
-    std::vector<float> shells;      ///< regain of every shell of every segment, from the inside; empty unless the scene asks
+    std::vector<float> saturation;                    ///< liquid volume / pore volume
+    std::vector<float> liquid;                        ///< kg, with half of that between the yarns of its crossing
+    std::vector<float> regain;                        ///< bound water / dry fibre
+    std::vector<float> vapour;                        ///< kg/m3; where it is not modelled as it began, saturated at most
+    std::vector<float> temperature;                   ///< K
+    std::vector<float> between;                       ///< kg of it between the yarns
+    std::map<std::string, std::vector<float>> others; ///< of frame fields without a member here, by their name
+    std::vector<float> shells; ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s
@@ -78,11 +81,14 @@ struct Frame {
 /// A value that frames show of every segment, by the name that recordings have for it.
 struct FrameField {
     const char* name;
-    std::vector<float> Frame::*values;
+    std::vector<float> Frame::*values; ///< none: Frame::others has it
     const char* unit;
     bool is_amount;                ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
     const char* shows = nullptr;   ///< the solver's field of segments that it is a copy of; none: its formula stands in frame_of()
     std::optional<float> absent{}; ///< its value in scenes without that field and in recordings made before it; none: all have it
+
+    std::vector<float>& in(Frame& frame) const { return values ? frame.*values : frame.others[name]; }
+    const std::vector<float>& in(const Frame& frame) const { return values ? frame.*values : frame.others.at(name); }
 };
 inline constexpr FrameField frame_fields[] = {
     {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true},
@@ -92,7 +98,7 @@ inline constexpr FrameField frame_fields[] = {
 
 inline void Frame::resize_fields(std::size_t segments)
 {
-    for (const FrameField& field : frame_fields) (this->*field.values).resize(segments);
+    for (const FrameField& field : frame_fields) field.in(*this).resize(segments);
 }
 
 } // namespace hygroloom

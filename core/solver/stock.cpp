@@ -90,7 +90,7 @@ void copy_shown_fields(const SegmentFields<Shown>& segments, Frame& f)
 {
     for (const FrameField& field : frame_fields) {
         if (field.shows == nullptr) continue;
-        std::vector<float>& to = f.*field.values;
+        std::vector<float>& to = field.in(f);
         SegmentFields<Shown>::each(
             [&](const auto& row, const auto& from) {
                 if (std::string_view(row.name) != field.shows) return;

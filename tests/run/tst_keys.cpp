@@ -280,7 +280,7 @@ double moved(const Run& a, const Run& b)
     for (std::size_t k = 0; k < a.frames.size(); ++k) {
         const Frame &x = a.frames[k], &y = b.frames[k];
         for (const FrameField& field : frame_fields) {
-            const auto &u = x.*field.values, &v = y.*field.values;
+            const auto &u = field.in(x), &v = field.in(y);
             if (u.size() != v.size()) return 1;
             double change = 0, all = 1e-30;
             for (std::size_t i = 0; i < u.size(); ++i) {

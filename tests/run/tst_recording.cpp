@@ -80,6 +80,17 @@ private Q_SLOTS:
         QCOMPARE(frame.saturation, std::vector<float>(std::size_t(recording.run().textile.segments()), 0.25F));
         QCOMPARE(frame.liquid, recording.frame(recording.frames() - 1).liquid);
     }
+    void aFieldWithoutAMemberOfItsOwnStandsAmongTheOthers()
+    {
+        record_run(at("others.hygrorec"), 0.02);
+        const Recording recording(at("others.hygrorec"));
+        const FrameField fields[] = {{"liquid", nullptr, "kg", true, "liquid"}, {"suction", nullptr, "Pa", false, "suction", 0.5F}};
+        const int last = recording.frames() - 1;
+        const Frame frame = recording.frame(last, fields);
+        QVERIFY(frame.liquid.empty());
+        QCOMPARE(frame.others.at("liquid"), recording.frame(last).liquid);
+        QCOMPARE(frame.others.at("suction"), std::vector<float>(std::size_t(recording.run().textile.segments()), 0.5F));
+    }
     void aRecordingThatLacksARequiredFieldIsRefusedByName()
     {
         record_run(at("lacking.hygrorec"), 0.02);
