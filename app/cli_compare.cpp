@@ -55,17 +55,18 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
     }
 }
 
-/// The numbers are written after every run, the maps kept where there is an output folder. Throws what writing threw.
-void run_candidates(const Design& design, const std::vector<std::string>& fabrics, RunOptions how, const CompareOptions& options,
-                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
-                    std::vector<std::optional<CandidateMaps>>& maps)
+/// Each fabric as its RunOptions say. The numbers are written after every run, the maps kept where there is an output folder. Throws what
+/// writing threw.
+void run_candidates(const Design& design, const std::vector<std::string>& fabrics, std::vector<RunOptions> how,
+                    const CompareOptions& options, RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends,
+                    Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps)
 {
     std::mutex one_on_cpu;
-    how.one_on_cpu = &one_on_cpu;
+    for (RunOptions& one : how) one.one_on_cpu = &one_on_cpu;
     RunBar bar(options.quiet, fabrics.size());
     const auto run = [&](std::size_t i, Backend& backend) {
         std::shared_ptr<const Frame> first, last;
-        FinishedRun finished = run_with_bar(design, fabrics[i], comparison.experiment, how, backend, control, bar, i,
+        FinishedRun finished = run_with_bar(design, fabrics[i], comparison.experiment, how[i], backend, control, bar, i,
                                             [&](const std::shared_ptr<const Frame>& frame) {
                                                 if (!first) first = frame;
                                                 last = frame;
@@ -115,7 +116,9 @@ int compare(const CompareOptions& options)
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
-    run_candidates(design, fabrics, how, options, control, backends, comparison, maps);
+    std::vector<RunOptions> each(fabrics.size(), how);
+    for (std::size_t i = 0; i < each.size(); ++i) each[i].textile = std::make_shared<const Textile>(textiles[i]);
+    run_candidates(design, fabrics, each, options, control, backends, comparison, maps);
     const bool some = !comparison.candidates.empty();
     if (options.json)
         fmt::print("{}", comparison_json(comparison));

@@ -115,15 +115,16 @@ Piece dry_piece(const ExportVerbOptions& options)
         repeats = pair_from(options.repeats, 100000,
                             "--repeats: This must be repeats along the weft x along the warp, up to 100000, such as 2x2");
     const Design design = load_project(options);
-    require_valid(design, options);
+    const FittedFabrics fitted = require_valid(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
+    const auto place = static_cast<std::size_t>(&fabric - design.fabrics.data());
     TextileRegion region;
     try {
         region = repeats[0] > 0 ? region_of_repeats(fabric, repeats[0], repeats[1]) : region_of_sample(fabric, size[0], size[1]);
     } catch (const Error& error) {
         throw Stop(exit_usage, std::string("--repeats: ") + error.what());
     }
-    return {fabric, build_textile(design, fabric, region), {}};
+    return {fabric, build_textile(fabric, *fitted[place], region), {}};
 }
 
 /// Warns of too few samples along twisted fibres.

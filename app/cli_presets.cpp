@@ -36,12 +36,14 @@ int list_finishes(const PresetOptions& options)
     return exit_ok;
 }
 
-int list_presets(const PresetOptions& options, const std::vector<Preset>& presets)
+/// Weights: g/m2 of each.
+int list_presets(const PresetOptions& options, const std::vector<Preset>& presets, const std::vector<double>& weights)
 {
     Json json = Json::array();
     std::string group;
-    for (const Preset& preset : presets) {
-        const double weight = derive_quantities(preset.design, preset.fabric()).areal_density_g_m2;
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        const Preset& preset = presets[i];
+        const double weight = weights[i];
         json.push_back({{"name", preset.fabric().name}, {"group", preset.group}, {"note", preset.note}, {"areal_density_g_m2", weight}});
         if (options.json) continue;
         if (preset.group != group) fmt::print("{}\n", group = preset.group);
@@ -65,11 +67,15 @@ int presets(const PresetOptions& options)
             throw Stop(exit_invalid, error.what());
         }
     }
-    for (const Preset& preset : all)
-        for (const Issue& issue : validate(preset.design))
+    std::vector<double> weights;
+    for (const Preset& preset : all) {
+        const Validation found = validate_and_fit(preset.design);
+        for (const Issue& issue : found.issues)
             if (issue.severity == Severity::error)
                 throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text));
-    if (options.names.empty() && options.output.empty()) return list_presets(options, all);
+        weights.push_back(found.fabrics.front()->derived.areal_density_g_m2);
+    }
+    if (options.names.empty() && options.output.empty()) return list_presets(options, all, weights);
     if (options.names.empty() || options.output.empty())
         throw Stop(exit_usage, "Give both fabrics and a project (-o), or neither to list them.");
     if (std::filesystem::path(options.output).extension() != ".hygro")

@@ -147,6 +147,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     how.recording = options.output;
+    how.textile = std::make_shared<const Textile>(textile.front());
 
     const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
@@ -192,6 +193,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
             RunOptions own = how;
             own.fidelity = choices[i].fidelity;
             own.fidelity_reason = choices[i].reason;
+            own.textile = std::make_shared<const Textile>(textiles[i]);
             if (!options.output.empty()) own.recording = (std::filesystem::path(options.output) / (stems[i] + ".hygrorec")).string();
             try {
                 runs[i] = run_with_bar(design, fabrics[i], experiment.name, own, backend, control, bar, i);

@@ -140,9 +140,10 @@ int tradeoff(const TradeoffOptions& options)
     std::atomic<bool> cancel{false};
     const InterruptCancels cancels(cancel);
     TradeoffSweep sweep(result);
-    const Textile textile = textiles_of_runs(scene.design, fitted, {fabric.name}, experiment).front();
+    scene.options.textile = std::make_shared<const Textile>(textiles_of_runs(scene.design, fitted, {fabric.name}, experiment).front());
     for (const TradeoffVariant& variant : variants)
-        sweep.add(variant, plan_run(scene.design, textile, experiment, variant.fidelity, scene.options.forced, variant.settings));
+        sweep.add(variant,
+                  plan_run(scene.design, *scene.options.textile, experiment, variant.fidelity, scene.options.forced, variant.settings));
     bool cancelled = false;
     try {
         sweep.run([&](std::size_t i, int repeat) { return run_shown(scene, result, i, repeat, options.quiet, cancel); },

@@ -223,7 +223,6 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
         for (int number : order.yarns) {
             FittedYarn yarn;
             yarn.fibre = blended_material(design, yarn_in(fabric, warp, number).material);
-            yarn.receding_angle_deg = receding_angle_of(design, yarn_in(fabric, warp, number).material, fabric.contact_angle_deg);
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
                 yarn.fibre.fibre_radius_um = filament_radius_um(yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);
@@ -262,7 +261,18 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
                 const double factor = sum / std::max(rises.warp + rises.weft, 1e-12);
                 if (factor > 1) rises = {rises.warp * factor, rises.weft * factor};
             }
-    return fitted;
+    return with_angle_of(design, fabric, std::move(fitted));
+}
+
+FittedYarns with_angle_of(const Design& design, const Fabric& fabric, FittedYarns yarns)
+{
+    for (bool warp : {true, false}) {
+        const YarnOrder& order = warp ? yarns.warp_order : yarns.weft_order;
+        for (std::size_t type = 0; type < order.yarns.size(); ++type)
+            (warp ? yarns.warp : yarns.weft)[type].receding_angle_deg =
+                receding_angle_of(design, yarn_in(fabric, warp, order.yarns[type]).material, fabric.contact_angle_deg);
+    }
+    return yarns;
 }
 
 } // namespace hygroloom

@@ -96,5 +96,7 @@ struct FittedYarns {
 /// With both crimps set, yarns are flattened until they touch at those rises. Without a thickness or a set crimp, yarns that would jam are
 /// flattened until they do not or touch their neighbours.
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric);
+/// The yarns of a fabric that differs by its contact angle alone, which they fit alike with.
+FittedYarns with_angle_of(const Design& design, const Fabric& fabric, FittedYarns yarns);
 
 } // namespace hygroloom

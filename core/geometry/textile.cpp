@@ -291,20 +291,21 @@ YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, do
     return point;
 }
 
-Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region)
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region,
+                       const FittedFabric* fitted)
 {
-    if (!takes_angle_of_cotton(fabric, experiment)) return build_textile(design, fabric, region);
+    if (!takes_angle_of_cotton(fabric, experiment))
+        return fitted ? build_textile(fabric, *fitted, region) : build_textile(design, fabric, region);
     Fabric alike = fabric;
     alike.contact_angle_deg = find_library_material("cotton")->contact_angle_deg;
-    return build_textile(design, alike, region);
+    if (!fitted) return build_textile(design, alike, region);
+    return build_textile(alike, fit_fabric(design, alike, with_angle_of(design, alike, fitted->yarns)), region);
 }
 
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted)
 {
     const auto [width, height] = sample_extent_mm(experiment);
-    const TextileRegion sample = region_of_sample(fabric, width, height);
-    if (fitted && !takes_angle_of_cotton(fabric, experiment)) return build_textile(fabric, *fitted, sample);
-    return textile_of_run(design, fabric, experiment, sample);
+    return textile_of_run(design, fabric, experiment, region_of_sample(fabric, width, height), fitted);
 }
 
 } // namespace hygroloom

@@ -122,8 +122,10 @@ Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const Te
 
 /// The same as an experiment takes it: with the paper's closure a fabric that gives no contact angle of its own has that of cotton,
 /// whatever its fibres are.
-Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region);
-/// Of the experiment's whole sample; the fabric is fitted unless it already is.
+/// The fabric is fitted unless it already is.
+Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const TextileRegion& region,
+                       const FittedFabric* fitted = nullptr);
+/// Of the experiment's whole sample.
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted = nullptr);
 
 /// A yarn at one place: its centreline and half its section across and along the fabric.

@@ -242,13 +242,15 @@ try : file_(std::make_unique<File>()) {
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    if (!fabric || !experiment || has_error(validate(run.design))) throw FileError("the recording's design is not valid; it is damaged.");
+    const Validation valid = validate_and_fit(run.design);
+    if (!fabric || !experiment || has_error(valid.issues)) throw FileError("the recording's design is not valid; it is damaged.");
     const TextileRegion& region = run.plan.region;
     const std::array<double, 2> sample = sample_extent_mm(*experiment);
     const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
     if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks)
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
-    run.textile = textile_of_run(run.design, *fabric, *experiment, region);
+    const auto place = static_cast<std::size_t>(fabric - run.design.fabrics.data());
+    run.textile = textile_of_run(run.design, *fabric, *experiment, region, valid.fabrics[place].get());
     file_->finished = H5Aexists(file, "wall_s") > 0;
     if (file_->finished) run.wall = h5::read_number(file, "wall_s");
     for (const std::vector<double>& row : h5::read_table(file, "ledger")) {

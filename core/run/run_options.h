@@ -19,10 +19,11 @@ struct RunOptions {
     ForcedParts forced;
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
-    int threads = 0;                  ///< 0: all the machine has
-    bool may_go_on_on_cpu = false;    ///< when the device fails
-    std::mutex* one_on_cpu = nullptr; ///< of runs side by side that go on there: held by the one that does
-    std::filesystem::path recording;  ///< empty: none is written
+    int threads = 0;                        ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;          ///< when the device fails
+    std::mutex* one_on_cpu = nullptr;       ///< of runs side by side that go on there: held by the one that does
+    std::filesystem::path recording;        ///< empty: none is written
+    std::shared_ptr<const Textile> textile; ///< the run's, see textile_of_run(), where it has been built; nullptr: built from the design
 };
 
 /// What a caller may do to a run from another thread.

@@ -178,7 +178,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.design = design;
     run.fabric = fabric_name;
     run.experiment = experiment_name;
-    run.textile = textile_of_run(design, *fabric, *experiment);
+    run.textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
     run.plan = plan_run(design, run.textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
     run.plan.fidelity_reason = options.fidelity_reason;
     run.seed = options.seed;

@@ -360,6 +360,30 @@ private Q_SLOTS:
         QCOMPARE(region.picks, 35);
         QCOMPARE(region_of_sample(design.fabrics[0], 0.01, 0.01).ends, 1);
     }
+    void aFittedFabricGivesARunTheSameTextileAsItsDesign()
+    {
+        Design design = example("textile-F");
+        Fabric& fabric = design.fabrics[0];
+        fabric.contact_angle_deg.reset();
+        fabric.warp.material = {{"polyester", 1.0}};
+        for (Closure closure : {Closure::paper, Closure::pores}) {
+            design.experiments[0].closure = closure;
+            const FittedFabric fitted = fit_fabric(design, fabric);
+            const Textile anew = textile_of_run(design, fabric, design.experiments[0]),
+                          given = textile_of_run(design, fabric, design.experiments[0], &fitted);
+            QCOMPARE(given.warp.types[0].contact_angle == given.weft.types[0].contact_angle, closure == Closure::paper); // cotton's
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+                const YarnType &a = anew.system(kind).types[0], &b = given.system(kind).types[0];
+                QCOMPARE(b.contact_angle, a.contact_angle);
+                QCOMPARE(b.receding_angle, a.receding_angle);
+                QCOMPARE(b.pore_radius, a.pore_radius);
+                QCOMPARE(b.rise, a.rise);
+            }
+            QCOMPARE(given.quantities.warp.receding_angle_deg, anew.quantities.warp.receding_angle_deg);
+            QCOMPARE(given.quantities.weft.contact_angle_deg, anew.quantities.weft.contact_angle_deg);
+            QCOMPARE(given.thickness, anew.thickness);
+        }
+    }
     void aSampleOfNoSizeOrAnImpossibleOneStillHasCountableThreads()
     {
         const Fabric fabric = example("textile-F").fabrics[0];

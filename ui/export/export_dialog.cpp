@@ -169,6 +169,7 @@ ExportSource ExportDialog::source() const
     ExportSource source;
     source.design = document_.design();
     source.fabric = document_.fabricIndex();
+    source.fitted = document_.fitted();
     if (const Experiment* experiment = document_.experiment()) {
         source.sample_mm[0] = experiment->sample_mm[0];
         source.sample_mm[1] = experiment->sample_mm[1];

@@ -27,7 +27,7 @@ MeshExport dryPiece(const ExportSource& source, const ExportChoice& choice)
     const double* size = choice.piece == ExportPiece::sample ? source.sample_mm : choice.size_mm;
     const TextileRegion region = choice.piece == ExportPiece::repeats ? region_of_repeats(fabric, choice.repeats[0], choice.repeats[1])
                                                                       : region_of_sample(fabric, size[0], size[1]);
-    return {fabric, build_textile(*source.design, fabric, region), {}, 0};
+    return {fabric, build_textile(fabric, *source.fitted, region), {}, 0};
 }
 
 } // namespace

@@ -36,8 +36,9 @@ void saveExportChoice(QSettings& settings, const ExportChoice& choice);
 struct ExportSource {
     std::shared_ptr<const Design> design;
     int fabric = 0;
-    double sample_mm[2] = {0, 0};         ///< of the experiment
-    std::shared_ptr<const RunRecord> run; ///< with the frame, of a simulated piece
+    std::shared_ptr<const FittedFabric> fitted; ///< the fabric's
+    double sample_mm[2] = {0, 0};               ///< of the experiment
+    std::shared_ptr<const RunRecord> run;       ///< with the frame, of a simulated piece
     std::shared_ptr<const Frame> frame;
 };
 

@@ -84,6 +84,8 @@ void SimulateWorkspace::startRun()
     RunOptions options;
     options.fidelity = simulation_->fidelity();
     options.may_go_on_on_cpu = true;
+    options.textile = std::make_shared<const Textile>(
+        textile_of_run(*document_.design(), *document_.fabric(), *document_.experiment(), document_.fitted().get()));
     run_elapsed_ = 0;
     run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
     options.recording = run_path_.toStdString();
