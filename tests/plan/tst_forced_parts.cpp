@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Every decision of a plan forced both ways and compared: what it models matters more than the share that may be left out, what it leaves
 // out matters less, and forcing what it decided itself changes no byte.
-#include "core/run/runner.h"
-#include "core/solver/backend.h"
+#include "tests/support/run.h"
 #include "tests/support/spot_design.h"
 
 #include <QTest>
@@ -23,26 +22,7 @@ Design sample(ExperimentType type, double duration)
     return design;
 }
 
-struct Run {
-    RunRecord record;
-    Frame end;
-};
-
-Run run(Design design, const ForcedParts& forced, const KnobSettings& knobs)
-{
-    design.experiments[0].name = "test";
-    RunOptions options;
-    options.fidelity = Fidelity::draft;
-    options.forced = forced;
-    options.knobs = knobs;
-    RunControl control;
-    Run run;
-    RunCallbacks callbacks;
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) { run.end = *frame; };
-    const auto backend = make_cpu_backend();
-    run.record = run_experiment(design, "cloth", "test", options, *backend, control, callbacks);
-    return run;
-}
+Run run(const Design& design, const ForcedParts& forced, const KnobSettings& knobs) { return run(design, draft(forced, knobs)); }
 
 /// kg of liquid and bound water in a segment.
 double water_in(const Run& run, YarnKind kind, int end, int pick)
@@ -51,14 +31,14 @@ double water_in(const Run& run, YarnKind kind, int end, int pick)
     const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
     const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
     const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
-    return static_cast<double>(run.end.liquid[i]) + static_cast<double>(run.end.regain[i]) * fibres;
+    return static_cast<double>(run.end().liquid[i]) + static_cast<double>(run.end().regain[i]) * fibres;
 }
 
 /// How much two runs differ, in the plan's terms: the water that is elsewhere or in another state at the end, over the water at stake, or
 /// 2 % for every kelvin.
 double difference(const Run& a, const Run& b)
 {
-    const Ledger &x = a.end.ledger, &y = b.end.ledger;
+    const Ledger &x = a.end().ledger, &y = b.end().ledger;
     double water = 0, warmth = 0;
     for (int end = 0; end < a.record.textile.ends(); ++end)
         for (int pick = 0; pick < a.record.textile.picks(); ++pick)
@@ -67,8 +47,8 @@ double difference(const Run& a, const Run& b)
     for (double change : {x.water_delivered - y.water_delivered, x.water_free - y.water_free, x.water_liquid - y.water_liquid,
                           x.water_bound - y.water_bound, x.water_evaporated - y.water_evaporated})
         water = std::max(water, std::abs(change));
-    for (std::size_t i = 0; i < a.end.temperature.size(); ++i)
-        warmth = std::max(warmth, static_cast<double>(std::abs(a.end.temperature[i] - b.end.temperature[i])));
+    for (std::size_t i = 0; i < a.end().temperature.size(); ++i)
+        warmth = std::max(warmth, static_cast<double>(std::abs(a.end().temperature[i] - b.end().temperature[i])));
     return std::max(water / a.record.plan.water_at_stake, 0.02 * warmth);
 }
 
@@ -118,10 +98,10 @@ private Q_SLOTS:
         QCOMPARE(left.record.plan.on(part.toStdString()), on);
         QCOMPARE(other.record.plan.on(part.toStdString()), !on);
         QVERIFY(left.record.switched_on.empty());
-        QCOMPARE(left.end.saturation, same.end.saturation);
-        QCOMPARE(left.end.regain, same.end.regain);
-        QCOMPARE(left.end.temperature, same.end.temperature);
-        QVERIFY(left.end.positions == same.end.positions);
+        QCOMPARE(left.end().saturation, same.end().saturation);
+        QCOMPARE(left.end().regain, same.end().regain);
+        QCOMPARE(left.end().temperature, same.end().temperature);
+        QVERIFY(left.end().positions == same.end().positions);
         const double matters = difference(left, other);
         qInfo("matters by %.3g %%", 100 * matters);
         const bool saves_only = part == "growth"; // never changes what comes out
@@ -131,15 +111,15 @@ private Q_SLOTS:
     {
         const Design design = spot_design("cotton", 0.65, 10);
         const Run dry = run(drop_design(35, 0.1), {{"liquid", false}}, {}), still = run(design, {{"wicking", false}}, {});
-        QCOMPARE(dry.end.ledger.water_delivered, 0.0);
+        QCOMPARE(dry.end().ledger.water_delivered, 0.0);
         const auto wet = [](const Run& run) {
-            return std::count_if(run.end.saturation.begin(), run.end.saturation.end(), [](float s) { return s > 0; });
+            return std::count_if(run.end().saturation.begin(), run.end().saturation.end(), [](float s) { return s > 0; });
         };
         QVERIFY(wet(still) > 0 && wet(still) < wet(run(design, {}, {})) / 2); // under the pool only
         const Run full = run(design, {{"sorption", false}, {"heat", false}, {"vapour", false}}, {});
-        QCOMPARE(full.end.ledger.water_bound + full.end.ledger.water_vapour, full.end.ledger.water_initial);
-        QCOMPARE(full.end.ledger.water_evaporated, 0.0);
-        for (float t : full.end.temperature) QCOMPARE(t, static_cast<float>(kelvin_from_celsius(21)));
+        QCOMPARE(full.end().ledger.water_bound + full.end().ledger.water_vapour, full.end().ledger.water_initial);
+        QCOMPARE(full.end().ledger.water_evaporated, 0.0);
+        for (float t : full.end().temperature) QCOMPARE(t, static_cast<float>(kelvin_from_celsius(21)));
     }
 };
 

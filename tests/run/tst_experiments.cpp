@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Every type of experiment on a small sample: balanced after every step, within its bounds, and in the direction it must go.
-#include "core/analysis/metrics.h"
 #include "core/base/units.h"
 #include "core/physics/air.h"
 #include "core/run/plan_run.h"
-#include "core/run/runner.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 #include "core/solver/cpu_executor.h"
 #include "core/solver/solver.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/run.h"
 
 #include <QTest>
 
@@ -34,30 +33,11 @@ Design small(ExperimentType type, double contact_angle = 35)
     return design;
 }
 
-struct Result {
-    Metrics metrics;
-    std::vector<Frame> frames;
-};
-
-Result run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {}, const KnobSettings& knobs = {})
+Run run(const Design& design, Fidelity fidelity = Fidelity::draft, const ForcedParts& forced = {}, const KnobSettings& knobs = {})
 {
-    const auto backend = make_cpu_backend();
-    RunOptions options;
+    RunOptions options = draft(forced, knobs);
     options.fidelity = fidelity;
-    options.forced = forced;
-    options.knobs = knobs;
-    RunControl control;
-    Result result;
-    MetricsCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
-        collector.add(*frame);
-        result.frames.push_back(*frame);
-    };
-    run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks);
-    result.metrics = collector.metrics();
-    return result;
+    return run(design, options);
 }
 
 /// Of a design's scene at draft; the plan's decisions as they come.
@@ -146,7 +126,7 @@ private Q_SLOTS:
     {
         Design design = small(ExperimentType::vertical_wicking);
         design.experiments[0].closure = Closure::kissa; // closures by saturation spread by the root of time
-        const Result strip = run(design);
+        const Run strip = run(design);
         QVERIFY(strip.metrics.wicking && strip.metrics.wicking->rate);
         QVERIFY2(strip.metrics.wicking->height > 5e-3 && strip.metrics.wicking->height < 20e-3,
                  qPrintable(QString::number(strip.metrics.wicking->height)));
@@ -157,7 +137,7 @@ private Q_SLOTS:
         Design weft = design;
         weft.experiments[0].along_weft = true; // a balanced cloth
         QVERIFY(std::abs(run(weft).metrics.wicking->height / strip.metrics.wicking->height - 1) < 0.05);
-        const Result repellent = run(small(ExperimentType::vertical_wicking, 95));
+        const Run repellent = run(small(ExperimentType::vertical_wicking, 95));
         QCOMPARE(repellent.metrics.wicking->height, 0.0);
         QVERIFY(!repellent.metrics.wicking->rate);
     }
@@ -180,7 +160,7 @@ private Q_SLOTS:
         // 3 ul on 6 x 5 mm: rings at 0 and none beyond the sample, whose mean content both faces show at the end.
         Design design = small(ExperimentType::moisture_management);
         design.experiments[0].drop_ul = 0;
-        const Result result = run(design);
+        const Run result = run(design);
         const Metrics& m = result.metrics;
         QVERIFY(m.management->top.wetting_time && *m.management->top.wetting_time < 0.2); // a pool wets at once
         double dry = 0;
@@ -209,7 +189,7 @@ private Q_SLOTS:
         const double density = scene_of(design).climate.density;
         for (Closure closure : {Closure::kissa, Closure::pores}) {
             experiment.closure = closure;
-            const Result drops = run(design);
+            const Run drops = run(design);
             for (const Frame& frame : drops.frames) {
                 const double fallen = std::clamp(std::ceil(frame.time / 2 - 1e-9) - 1, 0.0, 3.0); // the last when the pump stops
                 QVERIFY2(std::abs(frame.ledger.water_delivered - fallen * 1e-9 * density) < 1e-15,
@@ -249,7 +229,7 @@ private Q_SLOTS:
         experiment.volume_ul = experiment.drop_ul = 60;
         experiment.feed_s = 0.5;
         experiment.duration_s = 0.7;
-        const Result drop = run(design);
+        const Run drop = run(design);
         QVERIFY(drop.metrics.ledger.water_liquid > 0.1 * drop.metrics.ledger.water_delivered && drop.metrics.ledger.water_delivered > 5e-5);
         QVERIFY(std::abs(drop.metrics.ledger.water_imbalance()) < 1e-12 * drop.metrics.ledger.water_delivered);
     }
@@ -293,7 +273,7 @@ private Q_SLOTS:
             drop.at_mm = at;
             experiment.droplets.push_back(drop);
         }
-        const Result result = run(design, Fidelity::draft, {{"vapour", true}}, {{"particles_per_droplet", 100}});
+        const Run result = run(design, Fidelity::draft, {{"vapour", true}}, {{"particles_per_droplet", 100}});
         for (const Frame& frame : result.frames) {
             const Ledger& l = frame.ledger;
             QVERIFY2(std::abs(l.water_imbalance()) <= 1e-9 * moved_water(l), qPrintable(QString::number(l.water_imbalance())));
@@ -345,14 +325,14 @@ private Q_SLOTS:
     }
     void aDrySampleTakesUpItsRegainAndWarms()
     {
-        const Result damp = run(small(ExperimentType::conditioning));
+        const Run damp = run(small(ExperimentType::conditioning));
         QVERIFY(damp.metrics.conditioning);
         QCOMPARE(damp.metrics.conditioning->regain_start, 0.0);
         QVERIFY(std::abs(damp.metrics.conditioning->regain_end - 0.0706) < 0.002);
         QVERIFY(damp.metrics.conditioning->peak_rise > 2 && damp.metrics.conditioning->peak_rise < 25);
         QVERIFY(damp.metrics.conditioning->half_time && *damp.metrics.conditioning->half_time > 10);
         // The step's length follows its error: a tighter one changes the answer little.
-        const Result fine = run(small(ExperimentType::conditioning), Fidelity::standard);
+        const Run fine = run(small(ExperimentType::conditioning), Fidelity::standard);
         QVERIFY(std::abs(*fine.metrics.conditioning->half_time / *damp.metrics.conditioning->half_time - 1) < 0.15);
     }
     void moreThanSaturatedAirCondensesAndWarmsTheCloth_data()
@@ -367,7 +347,7 @@ private Q_SLOTS:
         design.experiments[0].initial = {20, 1, 0.1};
         design.experiments[0].climate.relative_humidity = humidity;
         design.experiments[0].duration_s = 300;
-        const Result result = run(design);
+        const Run result = run(design);
         const auto warmest = [](const Frame& f) { return double(*std::max_element(f.temperature.begin(), f.temperature.end())); };
         for (std::size_t k = 1; k < result.frames.size(); ++k) {
             const Frame &before = result.frames[k - 1], &now = result.frames[k];
@@ -449,7 +429,7 @@ private Q_SLOTS:
         Design design = small(ExperimentType::conditioning);
         design.experiments[0].initial = design.experiments[0].climate;
         design.experiments[0].climates = {{600, {35, 0.3, 1}}};
-        const Result result = run(design);
+        const Run result = run(design);
         QVERIFY(std::abs(result.frames.back().temperature[0] - kelvin_from_celsius(35)) < 0.2);
         QVERIFY(result.metrics.conditioning->regain_end < result.metrics.conditioning->regain_start - 0.02);
     }

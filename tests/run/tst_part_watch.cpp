@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Parts that a plan left out come on while running when the cloth gets wetter than the plan's estimate took for granted, and only then.
-#include "core/analysis/metrics.h"
 #include "core/analysis/metrics_json.h"
 #include "core/base/error.h"
 #include "core/physics/heat_moisture.h"
@@ -9,9 +8,8 @@
 #include "core/run/part_watch.h"
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
-#include "core/run/runner.h"
 #include "core/scene/scene.h"
-#include "core/solver/backend.h"
+#include "tests/support/run.h"
 #include "tests/support/spot_design.h"
 
 #include <QTemporaryDir>
@@ -63,46 +61,6 @@ private:
     double reached_ = 0;
     std::unique_ptr<Backend> cpu_ = make_cpu_backend();
 };
-
-struct Run {
-    RunRecord record;
-    std::vector<Frame> frames;
-    Metrics metrics;
-
-    const Ledger& end() const { return frames.back().ledger; }
-};
-
-RunOptions draft(const ForcedParts& forced = {}, const KnobSettings& knobs = {})
-{
-    RunOptions options;
-    options.fidelity = Fidelity::draft;
-    options.forced = forced;
-    options.knobs = knobs;
-    return options;
-}
-
-Run run(const Design& design, const RunOptions& options, Backend& backend)
-{
-    Run run;
-    RunControl control;
-    MetricsCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
-        collector.add(*frame);
-        run.frames.push_back(*frame);
-    };
-    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
-    run.record = run_experiment(design, "cloth", "drop", options, backend, control, callbacks);
-    run.metrics = collector.metrics();
-    return run;
-}
-
-Run run(const Design& design, const RunOptions& options)
-{
-    const auto backend = make_cpu_backend();
-    return run(design, options, *backend);
-}
 
 const PlannedPart& part_of(const ModelPlan& plan, const std::string& name)
 {
@@ -184,11 +142,12 @@ private Q_SLOTS:
         }
         verify_balance(left);
 
-        const double water = on.end().water_delivered, wanted = on.end().water_evaporated;
+        const double water = on.end().ledger.water_delivered, wanted = on.end().ledger.water_evaporated;
         QVERIFY(wanted > 0.01 * water); // the estimate was wrong
-        QVERIFY(std::abs(left.end().water_evaporated - wanted) < 0.01 * water);
-        QVERIFY(std::abs(left.end().water_evaporated - wanted) < 0.2 * std::abs(off.end().water_evaporated - wanted));
-        QVERIFY(std::abs(left.end().water_liquid - on.end().water_liquid) < 0.2 * std::abs(off.end().water_liquid - on.end().water_liquid));
+        QVERIFY(std::abs(left.end().ledger.water_evaporated - wanted) < 0.01 * water);
+        QVERIFY(std::abs(left.end().ledger.water_evaporated - wanted) < 0.2 * std::abs(off.end().ledger.water_evaporated - wanted));
+        QVERIFY(std::abs(left.end().ledger.water_liquid - on.end().ledger.water_liquid) <
+                0.2 * std::abs(off.end().ledger.water_liquid - on.end().ledger.water_liquid));
     }
     void fibresThatComeOnBeginWithTheRegainTheyHad()
     {
@@ -208,9 +167,9 @@ private Q_SLOTS:
             QCOMPARE(same(left.frames[k], off.frames[k]), left.frames[k].time <= part.time);
         verify_balance(left);
         const double start = left.frames.front().ledger.water_bound;
-        QVERIFY(left.end().water_bound > start);
-        const double missed = std::abs(left.end().water_bound - on.end().water_bound);
-        QVERIFY2(missed < 0.2 * std::abs(off.end().water_bound - on.end().water_bound), qPrintable(QString::number(missed)));
+        QVERIFY(left.end().ledger.water_bound > start);
+        const double missed = std::abs(left.end().ledger.water_bound - on.end().ledger.water_bound);
+        QVERIFY2(missed < 0.2 * std::abs(off.end().ledger.water_bound - on.end().ledger.water_bound), qPrintable(QString::number(missed)));
     }
     void heatComesOnWithTheFibresThatWarm() // not when most of the heat has been set free
     {
@@ -302,9 +261,9 @@ private Q_SLOTS:
         QCOMPARE(left.record.switched_on[0].kept_off, std::string("the memory did not suffice"));
         QCOMPARE(left.metrics.notes, std::vector<std::string>{in_words(left.record.switched_on[0])});
         QCOMPARE(left.frames.size(), off.frames.size());
-        QCOMPARE(left.end().water_evaporated, 0.0);
-        const double moved = std::abs(left.end().water_liquid - off.end().water_liquid);
-        QVERIFY2(moved < 1e-3 * off.end().water_delivered, qPrintable(QString::number(moved)));
+        QCOMPARE(left.end().ledger.water_evaporated, 0.0);
+        const double moved = std::abs(left.end().ledger.water_liquid - off.end().ledger.water_liquid);
+        QVERIFY2(moved < 1e-3 * off.end().ledger.water_delivered, qPrintable(QString::number(moved)));
     }
     void heatFollowsTheVapourThatComesOn()
     {
@@ -322,7 +281,7 @@ private Q_SLOTS:
             const float coldest = *std::min_element(frame.temperature.begin(), frame.temperature.end());
             QCOMPARE(coldest<294.15f - 0.05f, frame.time> parts[1].time);
         }
-        QVERIFY(left.end().water_evaporated < without.end().water_evaporated); // cooler, it dries slower
+        QVERIFY(left.end().ledger.water_evaporated < without.end().ledger.water_evaporated); // cooler, it dries slower
     }
     void aDropThatLiesOnTheClothGoesOn()
     {

@@ -9,6 +9,7 @@
 #include "core/solver/backend.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/run.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -23,17 +24,9 @@ namespace {
 
 std::vector<Frame> run(const Design& design, int threads, const ForcedParts& forced = {})
 {
-    std::vector<Frame> frames;
-    RunOptions options;
-    options.fidelity = Fidelity::draft;
+    RunOptions options = draft(forced);
     options.threads = threads;
-    options.forced = forced;
-    RunControl control;
-    RunCallbacks callbacks;
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) { frames.push_back(*frame); };
-    const auto backend = make_cpu_backend();
-    run_experiment(design, "cloth", "drop", options, *backend, control, callbacks);
-    return frames;
+    return run(design, options).frames;
 }
 
 /// A device that fails: when it is to load, or at the given call of advance().

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Cloth simulated in bundles of yarns: it holds as much, answers as the single yarns do, and is shown yarn by yarn.
-#include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/plan/bundles.h"
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
-#include "core/run/runner.h"
 #include "core/scene/coarse_scene.h"
-#include "core/solver/backend.h"
+#include "tests/support/run.h"
 #include "tests/support/spot_design.h"
 
 #include <QTemporaryDir>
@@ -46,36 +44,7 @@ ModelPlan plan_in_bundles(const Design& design, double of)
                     {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
 }
 
-RunOptions in_bundles(double of)
-{
-    RunOptions options;
-    options.fidelity = Fidelity::draft;
-    options.knobs = {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}};
-    return options;
-}
-
-struct Run {
-    RunRecord record;
-    std::vector<Frame> frames;
-    Metrics metrics;
-};
-
-Run run(const Design& design, const RunOptions& options, Backend& backend)
-{
-    Run run;
-    RunControl control;
-    MetricsCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
-        collector.add(*frame);
-        run.frames.push_back(*frame);
-    };
-    run.record = run_experiment(design, "cloth", "drop", options, backend, control, callbacks);
-    run.metrics = collector.metrics();
-    return run;
-}
-Run run(const Design& design, const RunOptions& options) { return run(design, options, *make_cpu_backend()); }
+RunOptions in_bundles(double of) { return draft({}, {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}}); }
 
 /// visit(segment, its yarn, the yarn it crosses)
 template <typename Visit> void each_segment(const Scene& scene, const Visit& visit)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs on cloths whose ends or picks are of different yarns: each yarn answers for itself, and no water is lost between them.
 #include "core/run/plan_run.h"
-#include "core/run/runner.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/run.h"
 
 #include <QTest>
 
@@ -52,17 +52,9 @@ Design cotton_and_polyester_checks(double duration)
 
 std::vector<Frame> run(const Design& design, int threads = 0, const ForcedParts& forced = {})
 {
-    std::vector<Frame> frames;
-    RunOptions options;
-    options.fidelity = Fidelity::draft;
+    RunOptions options = draft(forced);
     options.threads = threads;
-    options.forced = forced;
-    RunControl control;
-    RunCallbacks callbacks;
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) { frames.push_back(*frame); };
-    const auto backend = make_cpu_backend();
-    run_experiment(design, "cloth", "drop", options, *backend, control, callbacks);
-    return frames;
+    return run(design, options).frames;
 }
 
 Textile textile_of(const Design& design)
