@@ -35,7 +35,7 @@ std::string drops_in_words(const Experiment&, std::size_t drops, double delivere
 }
 std::string pool_in_words(const Experiment&, std::size_t, double delivered)
 {
-    return fmt::format("{:.4g} mg are fed straight into the yarns under a pool; no drop falls.", 1e6 * delivered);
+    return fmt::format("{:.4g} mg are fed as a pool that the cloth absorbs; no drop falls.", 1e6 * delivered);
 }
 std::string pump_in_words(const Experiment& experiment, std::size_t, double delivered)
 {

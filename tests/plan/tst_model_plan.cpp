@@ -275,6 +275,24 @@ private Q_SLOTS:
         QVERIFY2(reported[0].starts_with("Yarns side by side went in bundles: "), reported[0].c_str());
         QCOMPARE(reported[1], std::string("settle_share was set and had no effect: no drop falls."));
     }
+    /// With the closure of pores the rooms between yarns have their part of it, too.
+    void aFeedIsSaidToBeAbsorbedByTheClothNotByItsYarns()
+    {
+        Design design = drop_design();
+        design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        design.experiments[0].volume_ul = 50;
+        for (Closure closure : {Closure::pores, Closure::kissa}) {
+            design.experiments[0].closure = closure;
+            for (double drop : {0.0, 10.0}) {
+                design.experiments[0].drop_ul = drop;
+                const ModelPlan plan = plan_of(design);
+                const auto liquid =
+                    std::find_if(plan.parts.begin(), plan.parts.end(), [](const auto& part) { return part.name == "liquid"; });
+                QVERIFY2(QString::fromStdString(liquid->reason).contains("pool that the cloth absorbs"), liquid->reason.c_str());
+                QVERIFY2(number_after(" " + liquid->reason, drop > 0 ? "ul," : "") > 49, liquid->reason.c_str());
+            }
+        }
+    }
     void planSurvivesJson()
     {
         const ModelPlan plan = plan_of(drop_design());
