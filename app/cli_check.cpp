@@ -216,10 +216,13 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
     print_stripes(stripes);
-    fmt::print("  Angle over a crossing (braiding angle): between the two stretches of a yarn that meet over a crossed yarn; 180 deg is "
-               "straight.\n"
-               "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
-               "the faces.\n");
+    fmt::print(
+        "  Angle over a crossing (braiding angle): between the two stretches of a yarn that meet over a crossed yarn; 180 deg is "
+        "straight.\n"
+        "  Cover: a yarn's width over the distance from yarn to yarn. Cover factor: the share of the area that yarns hide, seen from "
+        "above.\n"
+        "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
+        "the faces. Smoothness: 1 less the flyaways' share of the fabric's volume.\n");
     if (fabric.measured != Measured{})
         fmt::print("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
     fmt::print("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);

@@ -169,10 +169,12 @@ int tradeoff(const TradeoffOptions& options)
 std::string measured_help()
 {
     std::string text =
-        "Measured on the shipped scenes (error against the reference: the largest of all metrics, water contents and 1 - overlap):\n";
+        "Measured on the shipped scenes: wall time, memory, numerical error (against the reference: the largest of all metrics, water "
+        "contents and 1 - overlap):\n";
     for (const char* backend : {"cpu", "cuda"})
         for (const MeasuredScene& scene : shipped_measurements(backend)) {
-            text += fmt::format("  {} on {} ({}, {})\n", scene.experiment, scene.fabric, scene.device, scene.date);
+            text += fmt::format("  {} on {} (closure {}; {}, {})\n", scene.experiment, scene.fabric, scene.runs.front().plan.counts.closure,
+                                scene.device, scene.date);
             for (const MeasuredRun& run : scene.runs)
                 if (run.settings.empty())
                     text += fmt::format("    {:<10} {:>8} s {:>8} {:>8}\n", name_of(run.plan.fidelity), rounded_text(run.seconds, 3),

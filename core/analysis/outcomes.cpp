@@ -74,7 +74,7 @@ const MetricGroup& stain()
           [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }},
          {{"time_of_arrest_s", "stain at rest from", "", "s", neither},
           [](M m) { return m.time_of_arrest; },
-          "the stain grew within the last 10 s, or nothing is wet"},
+          "no 10 s without growth before the end"},
          {{"water_between_yarns_g", "water between the yarns", "", "g", neither},
           [](M m) -> Value { return negligible(m.water_between_yarns, m) ? 0.0 : 1e3 * m.water_between_yarns; }},
          {{"water_shed_below_g", "water shed below", "", "g", neither}, [](M m) -> Value { return 1e3 * m.ledger.water_dripped; }}}};

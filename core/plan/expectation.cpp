@@ -257,11 +257,11 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
-                    run.error && as_set ? (*run.error > 0 ? " The error was measured on that run." : "")
-                    : as_set            ? " The error was not measured on that run."
+                    run.error && as_set ? (*run.error > 0 ? " The numerical error was measured on that run." : "")
+                    : as_set            ? " Its numerical error was not measured."
                     : otherwise         ? fmt::format(" It was measured with the closure {}; with {} neither times nor errors are.",
                                                       run.plan.counts.closure, plan.counts.closure)
-                                        : " The error with these knobs and parts was not measured.");
+                                        : " The numerical error with these knobs and parts was not measured.");
 }
 
 std::string error_text(const ModelPlan& plan)
@@ -283,7 +283,8 @@ ModelPlan expected_of_all(const std::vector<ModelPlan>& plans)
         else
             all.expected_error = std::max(*all.expected_error, *plans[i].expected_error);
     }
-    all.expectation_source = fmt::format("That is the largest error of {} runs, and the time of all, one after the other.", plans.size());
+    all.expectation_source =
+        fmt::format("That is the largest numerical error of {} runs, and the time of all, one after the other.", plans.size());
     return all;
 }
 
@@ -309,10 +310,10 @@ FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const Fideli
         const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
         const auto found = std::find_if(plans.begin(), plans.end(), keeps);
         if (found != plans.end())
-            return {found->fidelity, fmt::format("The cheapest that is expected to keep the error below {:g} %: {:.2g} %. {}",
+            return {found->fidelity, fmt::format("The cheapest that is expected to keep the numerical error below {:g} %: {:.2g} %. {}",
                                                  100 * *target.error, 100 * *found->expected_error, found->expectation_source)};
         return {plans.back().fidelity,
-                fmt::format("No fidelity is known from measurements to keep the error below {:g} % in a scene of this "
+                fmt::format("No fidelity is known from measurements to keep the numerical error below {:g} % in a scene of this "
                             "kind, so the finest is taken.",
                             100 * *target.error)};
     }

@@ -231,8 +231,7 @@ void FabricPanel::addDerived()
     form_->addSection(tr("Calculated"));
     QLabel* weight = form_->addDerived(tr("Weight"), tr("Dry mass per area."));
     QLabel* cover = form_->addDerived(
-        tr("Cover factor"),
-        tr("Share of the area that yarns cover, seen from above: the covers of warp and weft less their product. 1 leaves no hole."));
+        tr("Cover factor"), tr("Share of the area that yarns hide, seen from above; the rest are holes between them. 1: no hole."));
     QLabel* bending = form_->addDerived(
         tr("Yarn path"), tr("Round: yarns cross in circular arcs (Peirce). Flattened: the sett is too dense for full arcs, so yarns are "
                             "flattened where they cross."));
@@ -261,13 +260,16 @@ void FabricPanel::addFlyaway()
                                          [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }, help));
     };
     add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000),
-        tr("Fibres that leave the yarn and come back to it, per mm of yarn. They add thickness and weaken smoothness."));
+        tr("Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry "
+           "yarns."));
     add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000),
-        tr("Fibre ends that stand out of the yarn, per mm of yarn. They add thickness and weaken smoothness."));
+        tr("Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops "
+           "off dry yarns."));
     add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20),
-        tr("Of the highest loop over the yarn's surface; the lowest is half as high."));
+        tr("Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among "
+           "them slows drying."));
     add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50),
-        tr("Mean length of the free ends; they are 0.5 to 1.5 times as long."));
+        tr("Mean length of the fibre ends; the shortest have half of it, the longest one and a half times."));
 }
 
 void FabricPanel::addMeasured()
