@@ -17,6 +17,7 @@ inline Scene drop_scene(int particles, double height_mm)
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
     design.fabrics[0].contact_angle_deg = 120; // nothing is absorbed: the number of particles stays
     Experiment experiment = standard_experiment(ExperimentType::droplet);
+    experiment.closure = Closure::kissa; // that of the figures in README.md
     experiment.sample_mm = {20, 20};
     experiment.droplets[0].volume_ul = drop_volume_ul;
     experiment.droplets[0].height_mm = height_mm;
@@ -34,6 +35,7 @@ inline Design pool_on_textile_f(double sample_mm, double volume_ul)
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
     Experiment experiment = standard_experiment(ExperimentType::moisture_management);
     experiment.name = "pool";
+    experiment.closure = Closure::kissa; // that of the figures in README.md
     experiment.sample_mm = {sample_mm, sample_mm};
     experiment.volume_ul = volume_ul;
     experiment.feed_s = 1;
