@@ -24,6 +24,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTextBrowser>
 
 using namespace hygroloom;
@@ -143,6 +144,17 @@ private Q_SLOTS:
         QVERIFY(chart().points() > 1);
         QCOMPARE(chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
         QVERIFY(!window_->simulate().resultsAreStale());
+    }
+
+    void resultsFitASmallScreenSideways()
+    {
+        const QSize before = window_->size();
+        window_->resize(1280, 800);
+        QTRY_COMPARE(window_->width(), 1280);
+        window_->resetLayout();
+        QTRY_VERIFY(results().viewport()->width() > 350);
+        QTRY_COMPARE(results().horizontalScrollBar()->maximum(), 0);
+        window_->resize(before);
     }
 
     void resultsSayHowTheyWereComputed()

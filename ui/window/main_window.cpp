@@ -143,7 +143,7 @@ void MainWindow::arrange(Workspace workspace)
     } else if (simulate) {
         resizeDocks({s.experiment, s.simulation}, {480, 240}, Qt::Vertical);
         resizeDocks({s.experiment}, {310}, Qt::Horizontal);
-        resizeDocks({s.timeline, s.results}, {600, 350}, Qt::Horizontal);
+        resizeDocks({s.timeline, s.results}, {550, 400}, Qt::Horizontal); // so that results fit without scrolling sideways
         resizeDocks({s.timeline}, {200}, Qt::Vertical);
     }
 }
