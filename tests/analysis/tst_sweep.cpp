@@ -43,6 +43,14 @@ Candidate candidate_with(const std::string& fabric, const std::string& key, doub
     return candidate;
 }
 
+Comparison of_drops()
+{
+    Comparison comparison;
+    comparison.criteria = compared_by(ExperimentType::droplet);
+    comparison.ranked_by = comparison.criteria[0];
+    return comparison;
+}
+
 } // namespace
 
 class TestSweep : public QObject {
@@ -90,9 +98,7 @@ private Q_SLOTS:
     }
     void aFailedCandidateIsRankedLast()
     {
-        Comparison comparison;
-        comparison.criteria = compared_by(ExperimentType::droplet);
-        comparison.ranked_by = comparison.criteria[0];
+        Comparison comparison = of_drops();
         std::vector<std::unique_ptr<Backend>> backends;
         backends.push_back(make_cpu_backend());
         RunControl control;
@@ -113,9 +119,7 @@ private Q_SLOTS:
     }
     void whatCannotBeWrittenEndsTheComparison()
     {
-        Comparison comparison;
-        comparison.criteria = compared_by(ExperimentType::droplet);
-        comparison.ranked_by = comparison.criteria[0];
+        Comparison comparison = of_drops();
         std::vector<std::unique_ptr<Backend>> backends;
         backends.push_back(make_cpu_backend());
         RunControl control;

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/error.h"
 #include "core/design/weave_analysis.h"
+#include "tests/support/drawn.h"
 
 #include <QTest>
 
 using namespace hygroloom;
 
 namespace {
-
-/// Rows as on point paper, last pick first.
-std::string drawn(const Weave& weave)
-{
-    std::string text;
-    for (int pick = weave.picks() - 1; pick >= 0; --pick) {
-        for (int end = 0; end < weave.ends(); ++end) text += weave.warp_up(end, pick) ? '1' : '0';
-        if (pick > 0) text += ' ';
-    }
-    return text;
-}
 
 bool refused(const std::string& pattern, const std::string& word)
 {

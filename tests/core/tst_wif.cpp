@@ -5,6 +5,7 @@
 #include "core/design/drawdown.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
+#include "tests/support/drawn.h"
 
 #include <QTest>
 
@@ -15,17 +16,6 @@
 using namespace hygroloom;
 
 namespace {
-
-/// Rows as on point paper, last pick first.
-std::string drawn(const Weave& weave)
-{
-    std::string text;
-    for (int pick = weave.picks() - 1; pick >= 0; --pick) {
-        for (int end = 0; end < weave.ends(); ++end) text += weave.warp_up(end, pick) ? '1' : '0';
-        if (pick > 0) text += ' ';
-    }
-    return text;
-}
 
 std::string path_of(const char* file) { return std::string(HYGROLOOM_SOURCE_DIR "/tests/data/wif/") + file; }
 
