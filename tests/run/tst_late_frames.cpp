@@ -4,6 +4,7 @@
 #include "core/run/recording.h"
 #include "core/run/runner.h"
 #include "core/solver/backend.h"
+#include "tests/support/device.h"
 #include "tests/support/spot_design.h"
 
 #include <QTemporaryDir>
@@ -17,11 +18,8 @@ using namespace hygroloom;
 namespace {
 
 /// Gives frames as a GPU does: some time after they were taken, to whoever asks.
-class LateBackend : public Backend {
+class LateBackend : public Device {
 public:
-    std::string name() const override { return "cuda"; }
-    std::string device() const override { return "a device"; }
-    void set_threads(int threads) override { cpu_->set_threads(threads); }
     void load(const Scene& scene) override
     {
         note_disorder();
@@ -35,7 +33,6 @@ public:
         std::this_thread::sleep_for(step);
         return cpu_->advance(until);
     }
-    Frame frame() override { return cpu_->frame(); }
     std::future<Frame> take_frame() override
     {
         note_disorder();
@@ -56,9 +53,6 @@ public:
         ++states;
         return cpu_->state();
     }
-    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
-    long liquid_steps() const override { return cpu_->liquid_steps(); }
-    int particles() const override { return cpu_->particles(); }
 
     std::launch way = std::launch::deferred;
     std::chrono::milliseconds delay{5}, step{0};
@@ -74,7 +68,6 @@ private:
         if (on_their_way_ > 0) ++disorder;
     }
     std::atomic<int> on_their_way_{0};
-    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
 };
 
 /// 101 frames.

@@ -9,6 +9,7 @@
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
 #include "core/scene/scene.h"
+#include "tests/support/device.h"
 #include "tests/support/run.h"
 #include "tests/support/spot_design.h"
 
@@ -24,11 +25,8 @@ namespace {
 Design spot(double humidity, double duration = 200) { return spot_design("polyester", humidity, duration); }
 
 /// Counts what a run asks of it, and fails or shows wet cloth when asked to.
-class WatchedBackend : public Backend {
+class WatchedBackend : public Device {
 public:
-    std::string name() const override { return "cuda"; }
-    std::string device() const override { return "a device"; }
-    void set_threads(int threads) override { cpu_->set_threads(threads); }
     void load(const Scene& scene) override
     {
         if (++loads == fails_at_load) throw DeviceError("The device failed.");
@@ -48,9 +46,6 @@ public:
         if (states == full_at_state) throw std::bad_alloc();
         return cpu_->state();
     }
-    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
-    long liquid_steps() const override { return cpu_->liquid_steps(); }
-    int particles() const override { return cpu_->particles(); }
 
     int loads = 0, states = 0;
     int fails_at_load = 0, fails_at_state = 0;
@@ -59,7 +54,6 @@ public:
 
 private:
     double reached_ = 0;
-    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
 };
 
 const PlannedPart& part_of(const ModelPlan& plan, const std::string& name)

@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 #include "core/verify/set_ups.h"
+#include "tests/support/device.h"
 #include "tests/support/drop_design.h"
 #include "tests/support/run.h"
 
@@ -30,12 +31,9 @@ std::vector<Frame> run(const Design& design, int threads, const ForcedParts& for
 }
 
 /// A device that fails: when it is to load, or at the given call of advance().
-class FailingBackend : public Backend {
+class FailingBackend : public Device {
 public:
     explicit FailingBackend(int fails_at) : left_(fails_at) {}
-    std::string name() const override { return "cuda"; }
-    std::string device() const override { return "a device"; }
-    void set_threads(int threads) override { cpu_->set_threads(threads); }
     void load(const Scene& scene) override
     {
         if (left_ == 0) fail();
@@ -47,22 +45,17 @@ public:
         std::this_thread::sleep_for(pause);
         return cpu_->advance(until);
     }
-    Frame frame() override { return cpu_->frame(); }
     std::vector<std::byte> state() override
     {
         ++states;
         return cpu_->state();
     }
-    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
-    long liquid_steps() const override { return cpu_->liquid_steps(); }
-    int particles() const override { return cpu_->particles(); }
 
     int states = 0; ///< asked for
     std::chrono::milliseconds pause{0};
 
 private:
     [[noreturn]] static void fail() { throw DeviceError("The device failed."); }
-    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
     int left_;
 };
 

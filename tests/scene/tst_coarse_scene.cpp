@@ -5,6 +5,7 @@
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
 #include "core/scene/coarse_scene.h"
+#include "tests/support/device.h"
 #include "tests/support/run.h"
 #include "tests/support/spot_design.h"
 
@@ -123,26 +124,16 @@ std::vector<Frame> frames_in_bundles(const Scene& fine, int of, const std::vecto
 }
 
 /// A device that fails when it is asked for its frame for so many times.
-class FailingBackend : public Backend {
+class FailingBackend : public Device {
 public:
     explicit FailingBackend(int fails_at) : left_(fails_at) {}
-    std::string name() const override { return "cuda"; }
-    std::string device() const override { return "a device"; }
-    void set_threads(int threads) override { cpu_->set_threads(threads); }
-    void load(const Scene& scene) override { cpu_->load(scene); }
-    double advance(double until) override { return cpu_->advance(until); }
     Frame frame() override
     {
         if (--left_ == 0) throw DeviceError("The device failed.");
         return cpu_->frame();
     }
-    std::vector<std::byte> state() override { return cpu_->state(); }
-    void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
-    long liquid_steps() const override { return cpu_->liquid_steps(); }
-    int particles() const override { return cpu_->particles(); }
 
 private:
-    std::unique_ptr<Backend> cpu_ = make_cpu_backend();
     int left_;
 };
 
