@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   verify/cloth_cases.cpp
   verify/convergence_cases.cpp
+  verify/drawn_pores.cpp
   verify/drop_set_ups.cpp
   verify/drop_shapes.cpp
   verify/heat_cases.cpp
@@ -11,6 +12,7 @@ target_sources(hygroloom_core PRIVATE
   verify/measured_fibre_cases.cpp
   verify/measured_wicking_cases.cpp
   verify/moisture_cases.cpp
+  verify/morphology.cpp
   verify/pore_cases.cpp
   verify/pore_fabric_cases.cpp
   verify/pore_flow_cases.cpp

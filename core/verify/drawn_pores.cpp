@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/verify/drawn_pores.h"
+
+#include "core/base/units.h"
+#include "core/geometry/fibres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hygroloom {
+namespace {
+
+constexpr double margin_of_section = 4; // fibre radii of air about a section
+constexpr double margin_of_room = 2;    // of the layer's thickness, above and below
+
+/// Distance of a place from a racetrack's skin, more than 0 outside; of the round one of its height along its flat.
+double outside_racetrack(double x, double y, double half_width, double half_height)
+{
+    return std::hypot(std::max(0.0, std::abs(x) - (half_width - half_height)), y) - half_height;
+}
+
+FibreCut cut_of(const std::vector<float>& line, std::size_t ring, const YarnPoint& at, double radius)
+{
+    const auto point = [&](std::size_t i) {
+        return Vec3d{static_cast<double>(line[3 * i]), static_cast<double>(line[3 * i + 1]), static_cast<double>(line[3 * i + 2])};
+    };
+    const double flat = 1.0 / std::hypot(at.tangent.x, at.tangent.y);
+    const Vec3d across{at.tangent.y * flat, -at.tangent.x * flat, 0}, up = cross(across, at.tangent);
+    const Vec3d from_middle = point(ring) - at.centre, along = point(ring + 1) - point(ring - 1);
+    const double obliqueness = length(along) / std::abs(dot(along, at.tangent));
+    return {dot(from_middle, across), dot(from_middle, up), radius * std::sqrt(obliqueness)};
+}
+
+} // namespace
+
+std::vector<DrawnSection> drawn_sections(Textile textile, YarnKind kind, int yarn, int sections)
+{
+    YarnSystem& system = kind == YarnKind::warp ? textile.warp : textile.weft;
+    YarnType& type = system.types[static_cast<std::size_t>(textile.type_of(kind, yarn))];
+    for (int round = 0; round < 3; ++round) // thinner fibres reach further out and are longer
+        type.fibres = std::max(1, static_cast<int>(std::lround(
+                                      type.fibres * std::pow(drawn_fibre_radius(type) / metre_from_um(type.fibre.fibre_radius_um), 2))));
+    FibreOptions options;
+    options.samples_per_crossing = 16;
+    options.flyaways = false;
+    const YarnFibres fibres(textile, options, kind, yarn, 0, sections);
+    std::vector<DrawnSection> drawn(static_cast<std::size_t>(sections));
+    std::vector<YarnPoint> at;
+    for (int k = 0; k < sections; ++k) {
+        at.push_back(yarn_point(textile, kind, yarn, k, 0));
+        drawn[static_cast<std::size_t>(k)].half_width = at.back().half_width;
+        drawn[static_cast<std::size_t>(k)].half_height = at.back().half_height;
+    }
+    std::vector<float> line;
+    for (int strand = 0; strand < fibres.regular(); ++strand) {
+        line.resize(3 * fibres.points(strand));
+        fibres.curve(strand, line.data());
+        for (std::size_t k = 0; k < drawn.size(); ++k)
+            drawn[k].fibres.push_back(
+                cut_of(line, k * static_cast<std::size_t>(options.samples_per_crossing) + 8, at[k], fibres.radius(strand)));
+    }
+    return drawn;
+}
+
+VoxelGrid grid_of_sections(const std::vector<DrawnSection>& sections, double voxel)
+{
+    double half_width = 0, half_height = 0;
+    for (const DrawnSection& s : sections) {
+        half_width = std::max(half_width, s.half_width);
+        half_height = std::max(half_height, s.half_height);
+    }
+    const double margin = margin_of_section * sections[0].fibres[0].radius;
+    VoxelGrid g;
+    g.nx = static_cast<int>(std::ceil(2 * (half_width + margin) / voxel));
+    g.ny = static_cast<int>(std::ceil(2 * (half_height + margin) / voxel));
+    g.nz = static_cast<int>(sections.size());
+    g.sections = true;
+    return g;
+}
+
+PoreImage image_of_sections(const std::vector<DrawnSection>& sections, double voxel, double skin)
+{
+    PoreImage image{grid_of_sections(sections, voxel), {}};
+    const VoxelGrid& g = image.grid;
+    image.voxels.assign(g.size(), Voxel::outside);
+    const auto place = [&](int i, int n) { return (i + 0.5 - 0.5 * n) * voxel; };
+    const auto first = [&](double p, int n) { return std::clamp(static_cast<int>(std::floor(p / voxel + 0.5 * n)), 0, n - 1); };
+    for (int z = 0; z < g.nz; ++z) {
+        const DrawnSection& s = sections[static_cast<std::size_t>(z)];
+        for (int y = 0; y < g.ny; ++y)
+            for (int x = 0; x < g.nx; ++x)
+                if (outside_racetrack(place(x, g.nx), place(y, g.ny), s.half_width, s.half_height) < -skin)
+                    image.voxels[g.at(x, y, z)] = Voxel::pore;
+        for (const FibreCut& f : s.fibres)
+            for (int y = first(f.y - f.radius, g.ny); y <= first(f.y + f.radius, g.ny); ++y)
+                for (int x = first(f.x - f.radius, g.nx); x <= first(f.x + f.radius, g.nx); ++x)
+                    if (std::hypot(place(x, g.nx) - f.x, place(y, g.ny) - f.y) < f.radius) image.voxels[g.at(x, y, z)] = Voxel::solid;
+    }
+    return image;
+}
+
+namespace {
+
+/// A place of a yarn's centreline, along the fabric, across the yarn and up, and its section.
+struct Station {
+    double along, across, up, half_height, flat; ///< m
+};
+
+std::vector<Station> stations_of(const Textile& textile, YarnKind kind, int yarn, double spacing)
+{
+    const bool is_warp = kind == YarnKind::warp;
+    const int crossings = is_warp ? textile.picks() : textile.ends(), beyond = 2; // crossings on both sides
+    const int each = std::max(8, static_cast<int>(std::ceil(textile.system(other_kind(kind)).pitch / spacing)));
+    std::vector<Station> stations;
+    for (int at = -beyond; at < crossings + beyond; ++at)
+        for (int i = 0; i < each; ++i) {
+            const YarnPoint p = yarn_point(textile, kind, yarn, at, (i + 0.5) / each - 0.5);
+            stations.push_back({is_warp ? p.centre.y : p.centre.x, is_warp ? p.centre.x : p.centre.y, p.centre.z, p.half_height,
+                                p.half_width - p.half_height});
+        }
+    return stations;
+}
+
+/// The station nearest to a place of the plane along the yarn and up, and its squared distance.
+std::pair<const Station*, double> nearest_station(const std::vector<Station>& stations, double along, double up, double reach)
+{
+    std::pair<const Station*, double> best{nullptr, reach * reach};
+    auto s = std::lower_bound(stations.begin(), stations.end(), along - reach, [](const Station& a, double b) { return a.along < b; });
+    for (; s != stations.end() && s->along < along + reach; ++s) {
+        const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
+        if (off < best.second) best = {&*s, off};
+    }
+    return best;
+}
+
+/// Fills one yarn; what leaves the repeat comes in on the other side.
+void fill_yarn(const Textile& textile, YarnKind kind, int yarn, PoreImage& image, const Vec3d& voxel)
+{
+    const VoxelGrid& g = image.grid;
+    const bool is_warp = kind == YarnKind::warp;
+    const double along_voxel = is_warp ? voxel.y : voxel.x, across_voxel = is_warp ? voxel.x : voxel.y;
+    const int n_along = is_warp ? g.ny : g.nx, n_across = is_warp ? g.nx : g.ny;
+    const std::vector<Station> stations = stations_of(textile, kind, yarn, 0.5 * along_voxel);
+    const double reach = 0.5 * textile.type(kind, yarn).section.height + along_voxel;
+    for (int a = 0; a < n_along; ++a)
+        for (int z = 0; z < g.nz; ++z) {
+            const auto [station, squared] =
+                nearest_station(stations, (a + 0.5 - 0.5 * n_along) * along_voxel, (z + 0.5 - 0.5 * g.nz) * voxel.z, reach);
+            if (!station || squared >= station->half_height * station->half_height) continue;
+            const double half = station->flat + std::sqrt(station->half_height * station->half_height - squared);
+            const double middle = station->across / across_voxel + 0.5 * n_across - 0.5, wide = half / across_voxel;
+            for (int c = static_cast<int>(std::ceil(middle - wide)); c <= static_cast<int>(std::floor(middle + wide)); ++c) {
+                const int inside = ((c % n_across) + n_across) % n_across;
+                image.voxels[is_warp ? g.at(inside, a, z) : g.at(a, inside, z)] = Voxel::solid;
+            }
+        }
+}
+
+} // namespace
+
+VoxelGrid grid_of_room(const Textile& textile, double voxel)
+{
+    const auto whole = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / voxel))); };
+    VoxelGrid g;
+    g.nx = whole(textile.ends() * textile.warp.pitch);
+    g.ny = whole(textile.picks() * textile.weft.pitch);
+    g.nz = static_cast<int>(std::ceil((1 + 2 * margin_of_room) * textile.thickness / voxel));
+    g.repeats = true;
+    return g;
+}
+
+PoreImage image_of_room(const Textile& textile, double voxel)
+{
+    PoreImage image{grid_of_room(textile, voxel), {}};
+    const VoxelGrid& g = image.grid;
+    image.voxels.assign(g.size(), Voxel::outside);
+    for (int z = 0; z < g.nz; ++z)
+        if (std::abs((z + 0.5 - 0.5 * g.nz) * voxel) < 0.5 * textile.thickness)
+            std::fill_n(image.voxels.begin() + static_cast<std::ptrdiff_t>(g.at(0, 0, z)), g.nx * g.ny, Voxel::pore);
+    const Vec3d fitted{textile.ends() * textile.warp.pitch / g.nx, textile.picks() * textile.weft.pitch / g.ny, voxel}; // a whole repeat
+    for (int end = 0; end < textile.ends(); ++end) fill_yarn(textile, YarnKind::warp, end, image, fitted);
+    for (int pick = 0; pick < textile.picks(); ++pick) fill_yarn(textile, YarnKind::weft, pick, image, fitted);
+    return image;
+}
+
+} // namespace hygroloom
