@@ -13,6 +13,7 @@ target_sources(hygroloom_core PRIVATE
   verify/measured_wicking_cases.cpp
   verify/moisture_cases.cpp
   verify/morphology.cpp
+  verify/morphology_cases.cpp
   verify/pore_cases.cpp
   verify/pore_fabric_cases.cpp
   verify/pore_flow_cases.cpp

@@ -94,6 +94,7 @@ std::vector<VerifyCase> pore_cases();
 std::vector<VerifyCase> pore_flow_cases();
 std::vector<VerifyCase> retention_column_cases();
 std::vector<VerifyCase> pore_fabric_cases();
+std::vector<VerifyCase> morphology_cases();
 std::vector<VerifyCase> moisture_cases();
 std::vector<VerifyCase> heat_cases();
 std::vector<VerifyCase> laboratory_cases();
