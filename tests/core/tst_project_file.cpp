@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/base/error.h"
+// The project file in words: every key there and back, wrong text with its place, migrations, one value by its path.
 #include "core/design/validate.h"
-#include "core/project/atomic_file.h"
-#include "core/project/project_file.h"
 #include "core/project/project_json.h"
+#include "tests/core/rich_project.h"
 
 #include <QRegularExpression>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <clocale>
-#include <csignal>
-#include <fstream>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace hygroloom;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string examples = std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/";
-
-std::string bytes_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to)
 {
@@ -36,83 +21,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-template <typename Act> std::string message_of(Act act)
-{
-    try {
-        act();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return {};
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-int files_in(const fs::path& folder) { return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())); }
-
-/// Every optional thing in use.
-Design rich()
-{
-    Design design = read_project(examples + "one-drop-on-cotton.hygro");
-    Material own = *find_library_material("cotton");
-    own.name = "my cotton \"β\"";
-    own.based_on = "cotton";
-    own.contact_angle_deg = 31.25;
-    own.receding_angle_deg = 12.5;
-    own.cross_section = cross_sections().at(2);
-    own.diffusion.two_stage = true;
-    Material free = *find_library_material("polyester");
-    free.name = "free";
-    free.density_kg_m3 = 1401.0 / 3.0;
-    free.heat_of_wetting_j_g = 12.5;
-    free.cross_section = {1.375, {}};
-    design.materials = {own, free};
-    Fabric fabric = design.fabrics[0];
-    fabric.name = "satin";
-    fabric.warp.material = {{own.name, 0.1 + 0.2}, {"free", 0.7}};
-    fabric.warp.linear_density_tex = 24.3;
-    fabric.warp.packing_factor = 0.1 + 0.7;
-    fabric.weft.twist_direction = TwistDirection::s;
-    fabric.weave = weave_from_pattern("satin 5/2").toggled(1, 0);
-    fabric.contact_angle_deg = 1e-7;
-    fabric.finish_face = 110.5;
-    fabric.finish_back = 0;
-    fabric.weft.irregularity_cv = 0.125;
-    fabric.weft.filament_count = 96;
-    fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
-    fabric.thickness_mm.reset();
-    design.fabrics.push_back(fabric);
-    design.experiments[0].droplets.resize(3);
-    design.liquids.push_back({"dye bath", 45.5, 1.2, 1010});
-    for (int type = 1; type < experiment_types; ++type) {
-        Experiment experiment = standard_experiment(static_cast<ExperimentType>(type));
-        experiment.name = name_of(experiment.type);
-        experiment.liquid = "dye bath";
-        experiment.closure = static_cast<Closure>(type % closures);
-        experiment.swelling = type % 2 == 0;
-        if (type % 2) experiment.climates = {{60, {30, 0.8, 0.5}}, {90.5, {30, 0.4, 0.5}}};
-        design.experiments.push_back(experiment);
-    }
-    design.experiments[1].volume_ul = 150.5;
-    design.experiments[1].feed_s = 10;
-    design.experiments[1].drop_ul = 7.5;
-    design.experiments[2].along_weft = true;
-    design.experiments[2].immersion_mm = 3;
-    design.experiments[3].volume_ul = 1234;
-    design.experiments[4].initial_water_g_m2 = 55;
-    design.experiments[5].initial = {35, 0.2, 0};
-    design.experiments[6].rate_g_m2_h = 650;
-    design.experiments[6].from_top = true;
-    return design;
-}
-
 } // namespace
 
 class TestProjectFile : public QObject {
     Q_OBJECT
-    QTemporaryDir folder_;
-    fs::path path(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
-
 private Q_SLOTS:
     void examplesAreWrittenBackByteForByte()
     {
@@ -302,7 +214,6 @@ private Q_SLOTS:
         QVERIFY(same);
         QVERIFY(has(text, "0.635"));
     }
-
     void badTextIsRefusedWithItsPlace_data()
     {
         QTest::addColumn<QByteArray>("text");
@@ -385,111 +296,6 @@ private Q_SLOTS:
         QVERIFY2(QString::fromStdString(message).toUtf8() == QByteArray::fromStdString(message), "the message is not UTF-8");
         QVERIFY(message.size() < 1000);
     }
-    void filesThatCannotBeReadAreRefused()
-    {
-        QVERIFY(has(message_of([&] { read_project(path("none.hygro")); }), "cannot be opened"));
-        QVERIFY(has(message_of([&] { read_project(path(".")); }), "folder"));
-        QVERIFY(has(message_of([&] { read_project("/dev/null"); }), "not a regular file"));
-        std::ofstream(path("empty.hygro")).close();
-        QVERIFY(has(message_of([&] { read_project(path("empty.hygro")); }), "empty"));
-        std::ofstream(path("large.hygro")).close();
-        fs::resize_file(path("large.hygro"), largest_project_bytes + 1); // sparse: refused before it is read
-        QVERIFY(has(message_of([&] { read_project(path("large.hygro")); }), "at most 64 MiB"));
-        fs::remove(path("large.hygro"));
-        if (geteuid() == 0) return; // root may read everything
-        write_project(rich(), path("secret.hygro"));
-        fs::permissions(path("secret.hygro"), fs::perms::none);
-        QVERIFY(has(message_of([&] { read_project(path("secret.hygro")); }), "Permission denied"));
-    }
-
-    void savingKeepsThePreviousVersion()
-    {
-        const fs::path file = path("save.hygro");
-        Design design = rich();
-        write_project(design, file);
-        QVERIFY(!fs::exists(file.string() + "~"));
-        const std::string first = bytes_of(file);
-        design.fabrics[0].ends_per_cm = 12.5;
-        write_project(design, file);
-        QVERIFY(read_project(file) == design);
-        QCOMPARE(bytes_of(file.string() + "~"), first);
-        write_project(design, file);
-        QCOMPARE(bytes_of(file.string() + "~"), bytes_of(file));
-    }
-    void savingKeepsPermissionsAndLinks()
-    {
-        fs::create_directory(path("links"));
-        const fs::path file = path("links/real.hygro"), link = path("links/link.hygro");
-        write_project(rich(), file);
-        fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-        fs::create_symlink("real.hygro", link);
-        write_project(rich(), link);
-        QVERIFY(fs::is_symlink(link));
-        QCOMPARE(int(fs::status(file).permissions()), 0600);
-        const fs::path dangling = path("links/dangling.hygro"), later = path("links/later.hygro");
-        fs::create_symlink("later.hygro", dangling);
-        write_project(rich(), dangling);
-        QVERIFY(fs::is_symlink(dangling) && fs::is_regular_file(later));
-        QVERIFY(read_project(file) == rich());
-    }
-    void aLoopOfLinksIsRefused()
-    {
-        fs::create_directory(path("loop"));
-        fs::create_symlink("b.hygro", path("loop/a.hygro"));
-        fs::create_symlink("a.hygro", path("loop/b.hygro"));
-        QVERIFY(has(message_of([&] { write_project(rich(), path("loop/a.hygro")); }), "The link cannot be followed"));
-        QVERIFY(fs::is_symlink(path("loop/a.hygro")) && fs::is_symlink(path("loop/b.hygro")));
-        QCOMPARE(files_in(path("loop")), 2);
-    }
-    void aNameThatIsTooLongIsRefusedBeforeAnythingIsWritten()
-    {
-        bool began = false;
-        const auto write = [&](const fs::path&) { began = true; };
-        QVERIFY(has(message_of([&] { write_file_with(path(std::string(300, 'n').c_str()), write); }), "The file cannot be written"));
-        QVERIFY(!began);
-    }
-    void failedSaveLeavesEverythingAsItWas()
-    {
-        fs::create_directory(path("full"));
-        const fs::path file = path("full/cloth.hygro");
-        write_project(rich(), file);
-        const std::string before = bytes_of(file);
-        Design larger = rich();
-        larger.fabrics.resize(20, larger.fabrics[0]);
-
-        // A disk that is full after 1 kB.
-        rlimit old{};
-        getrlimit(RLIMIT_FSIZE, &old);
-        const rlimit tight{1024, old.rlim_max};
-        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-        setrlimit(RLIMIT_FSIZE, &tight);
-        const std::string message = message_of([&] { write_project(larger, file); });
-        setrlimit(RLIMIT_FSIZE, &old);
-        std::signal(SIGXFSZ, handler);
-
-        QVERIFY2(has(message, "cannot be written"), message.c_str());
-        QCOMPARE(bytes_of(file), before);
-        QCOMPARE(files_in(path("full")), 1); // no temporary file, no backup
-    }
-    void designsNoFileCanHoldAreNotWritten()
-    {
-        fs::create_directory(path("nan"));
-        const fs::path file = path("nan/cloth.hygro");
-        Design design = rich();
-        design.fabrics[1].warp.twist_per_m = std::nan("");
-        QVERIFY(has(message_of([&] { write_project(design, file); }), "fabrics[1].warp.twist_per_m"));
-        design = rich();
-        design.fabrics[1].name = "\xff";
-        QVERIFY(has(message_of([&] { write_project(design, file); }), "UTF-8"));
-        QCOMPARE(files_in(path("nan")), 0);
-    }
-    void savingIntoNowhereSaysSo()
-    {
-        QVERIFY(has(message_of([&] { write_project(rich(), path("nowhere/cloth.hygro")); }), "cannot be written"));
-        QVERIFY(has(message_of([&] { write_project(rich(), path(".")); }), "folder"));
-        QVERIFY(has(message_of([&] { write_project(rich(), "/dev/full"); }), "not a regular file"));
-    }
-
     void olderVersionsMigrateStepByStep()
     {
         // As if version 2 had renamed a key and version 3 changed a unit.
@@ -512,7 +318,6 @@ private Q_SLOTS:
         QVERIFY(has(message_of([&] { design_from_json(newer, "newest", steps); }), "newer Hygroloom"));
     }
     void everyVersionHasItsMigration() { QCOMPARE(int(project_migrations().size()), project_version - 1); }
-
     void oneValueIsSetByItsPath()
     {
         const Design design = rich();

@@ -8,6 +8,7 @@
 #include "core/solver/steps/segment_sums.h"
 #include "core/solver/steps/supply.h"
 
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -93,5 +94,15 @@ inline ClimateParameters room()
     c.density = 997;
     return c;
 }
+
+/// The stage on the first line, by one thread.
+template <typename Stage> void along(const Stage& stage)
+{
+    const YarnLine line = stage.s.visited_line(0);
+    std::vector<double> room(static_cast<std::size_t>(Alone::per_place<void> * (line.last - line.first)));
+    stage(Alone(room.data(), line.last - line.first), 0);
+}
+
+inline double total(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 } // namespace hygroloom
