@@ -165,10 +165,13 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
         fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed is first "
                     "reached.",
                     100 * share_of_largest),
-        drop_ul > 0 ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "
-                                  "that the cloth absorbs; how they fall and strike is left out.",
-                                  drop_ul)
-                    : std::string("The solution flows evenly into a pool that the cloth absorbs.")};
+        drop_ul > 0
+            ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "
+                          "that the cloth absorbs; how they fall and strike is left out.",
+                          drop_ul)
+            : fmt::format("The solution flows evenly into a pool that the cloth absorbs; it covers at least the base of a half ball of "
+                          "{:g} ul, a hanging drop.",
+                          hanging_drop_ul)};
 }
 
 } // namespace hygroloom

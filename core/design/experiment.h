@@ -156,6 +156,8 @@ constexpr double fastest_droplet_m_s = 10; ///< raindrops reach 9
 std::vector<Droplet> falling_drops(const Experiment& experiment);
 /// The equal drops that a feed comes in, each when the pump has delivered it, the last when it stops. 0: it flows evenly.
 int drops_of_feed(const Experiment& experiment);
+/// What hangs from a tube before it falls, by its weight and the liquid's surface (Tate 1864): 15 to 50 ul from tubes of 1 to 3 mm.
+constexpr double hanging_drop_ul = 25;
 
 Climate climate_at(const Experiment& experiment, double time_s);
 

@@ -319,6 +319,14 @@ void start_in(Scene& scene, const Climate& initial)
         yarn.initial_regain = equilibrium_regain(yarn.isotherm, initial.relative_humidity, temperature);
 }
 
+/// On the top face. drops: 0 for an even feed.
+ScenePool pool_of(double volume, double feed, int drops)
+{
+    const double drop = drops > 0 ? volume / drops : 0.0;
+    const double hangs = cubic_metre_from_ul(hanging_drop_ul);
+    return {0, feed, volume / feed, true, drop, std::min(volume, drops > 0 ? drop : hangs)};
+}
+
 void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, const ModelPlan& plan)
 {
     const double volume = cubic_metre_from_ul(experiment.volume_ul);
@@ -327,10 +335,9 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
     switch (experiment.type) {
     case ExperimentType::droplet: break;
     case ExperimentType::moisture_management:
-        scene.supply.pools.push_back({0, experiment.feed_s, volume / experiment.feed_s, true});
-        if (const int drops = drops_of_feed(experiment); drops > 0) scene.supply.pools[0].drop = volume / drops;
+        scene.supply.pools.push_back(pool_of(volume, experiment.feed_s, drops_of_feed(experiment)));
         break;
-    case ExperimentType::horizontal_wicking: scene.supply.pools.push_back({0, pouring, volume / pouring, true}); break;
+    case ExperimentType::horizontal_wicking: scene.supply.pools.push_back(pool_of(volume, pouring, 0)); break;
     case ExperimentType::vertical_wicking: hang_in_liquid(scene, textile, experiment); break;
     case ExperimentType::drying: wet_evenly(scene, 1e-3 * experiment.initial_water_g_m2); break;
     case ExperimentType::conditioning: start_in(scene, experiment.initial); break;

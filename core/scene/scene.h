@@ -144,7 +144,8 @@ struct ScenePool {
     double start = 0, end = 0; ///< s
     double rate = 0;           ///< m3/s
     bool top = true;
-    double drop = 0; ///< m3, in which it comes, each when the rate has delivered it; 0: evenly
+    double drop = 0;  ///< m3, in which it comes, each when the rate has delivered it; 0: evenly
+    double least = 0; ///< m3: it covers at least the base of a half ball of so much, however little stands
 
     /// m3 that came until a time, s; a drop just after its own, at which a step ends.
     double delivered(double time) const;

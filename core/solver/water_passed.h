@@ -21,7 +21,7 @@ struct WaterGivenBack {
     std::vector<int> segments;
 };
 
-/// Liquid that comes without drops, in quanta. A pool lies within the circle of a half ball of its volume.
+/// Liquid that comes without drops, in quanta. A pool is a cap on the base of a half ball of its volume, but never of less than a drop's.
 struct Pools {
     std::vector<std::int64_t> standing; ///< in each pool
     ManyQuanta pumped;                  ///< into pools and as sweat
@@ -51,8 +51,8 @@ struct Pools {
     {
         const int threads = scene.cloth.threads_per_cell;
         const double cell = std::max(scene.cloth.warp_pitch, scene.cloth.weft_pitch);
-        return {scene.supply.pools[k].top, std::max(half_ball(k, density), cell / threads), scene.cloth.warp_pitch, scene.cloth.weft_pitch,
-                threads};
+        return {scene.supply.pools[k].top, std::max(base(scene, k, density), cell / threads), scene.cloth.warp_pitch,
+                scene.cloth.weft_pitch, threads};
     }
     /// m from the middle: a cell may be covered in part.
     static double reach(const Scene& scene, const FedFace& face)
@@ -72,16 +72,26 @@ struct Pools {
     StandingPool standing_pool(const Scene& scene, const ClimateParameters& climate) const
     {
         if (!feeds()) return {};
-        const double radius = half_ball(0, climate.density);
-        return {true,
-                2.0 * climate.surface_tension / std::max(radius, scene.cloth.warp_pitch) + climate.density * gravity_acceleration * radius};
+        const double radius = std::max(base(scene, 0, climate.density), scene.cloth.warp_pitch);
+        const double height = cap_height(standing_volume(0, climate.density), radius);
+        const double curvature = 2.0 * height / (radius * radius + height * height); // 1/m
+        return {true, 2.0 * climate.surface_tension * curvature + climate.density * gravity_acceleration * height};
     }
 
 private:
-    double half_ball(std::size_t k, double density) const // m, its radius
+    double standing_volume(std::size_t k, double density) const // m3
     {
-        const double volume = static_cast<double>(standing[k]) * water_quantum / density;
-        return std::cbrt(1.5 * volume / pi);
+        return static_cast<double>(standing[k]) * water_quantum / density;
+    }
+    static double half_ball(double volume) { return std::cbrt(1.5 * volume / pi); } // m, its radius
+    double base(const Scene& scene, std::size_t k, double density) const            // m, its radius
+    {
+        return half_ball(std::max(standing_volume(k, density), scene.supply.pools[k].least));
+    }
+    /// m, of a ball's cap on a circle: volume = pi height (3 radius^2 + height^2) / 6.
+    static double cap_height(double volume, double radius)
+    {
+        return 2.0 * radius * std::sinh(std::asinh(3.0 * volume / (pi * radius * radius * radius)) / 3.0);
     }
 };
 
