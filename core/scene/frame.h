@@ -59,7 +59,7 @@ struct Frame {
     double time = 0; ///< s
     // One value per segment, in the textile's order.
     std::vector<float> saturation;                    ///< liquid volume / pore volume
-    std::vector<float> liquid;                        ///< kg, with half of that between the yarns of its crossing
+    std::vector<float> liquid;                        ///< kg, with its share of that between the yarns
     std::vector<float> regain;                        ///< bound water / dry fibre
     std::vector<float> vapour;                        ///< kg/m3; where it is not modelled as it began, saturated at most
     std::vector<float> temperature;                   ///< K

@@ -56,6 +56,12 @@ CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double 
             0.5 * (back.receding + face.receding)};
 }
 
+/// How much of the room's liquid a yarn on a face attracts, beside others: its skin times the work by which that wets. Derived here.
+double attraction(const YarnType& type, const CrossingYarn& yarn, const std::optional<double>& finish, double overlap)
+{
+    return std::max(0.0, std::cos(angles_on(type, finish).advancing)) * std::max(0.0, yarn.outline() * yarn.length - overlap);
+}
+
 } // namespace
 
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid)
@@ -91,6 +97,12 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     const double open = std::max(0.0, weft.pitch - warp.width) * std::max(0.0, warp.pitch - weft.width);
     const double seen = open + 0.1 * warp.pitch * weft.pitch; // of the room from a face; the tenth is an assumption
     between.face = seen * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+    for (bool warp_up : {false, true}) {
+        const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
+              &of_weft = warp_up ? textile.back_angle : textile.face_angle;
+        const double by_warp = attraction(warp_type, warp, of_warp, overlap), by_weft = attraction(weft_type, weft, of_weft, overlap);
+        if (by_warp + by_weft > 0) between.on_warp[warp_up] = by_warp / (by_warp + by_weft);
+    }
     return between;
 }
 

@@ -22,6 +22,7 @@ struct BetweenParameters {
     double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
     double yarns = 0;                      ///< from the one into the other, where they touch
     double face = 0;                       ///< from liquid on one face
+    double on_warp[2] = {0.5, 0.5};        ///< share of its liquid that clings to the warp yarn: where that lies below, on top
 };
 
 /// A yarn's pores and what flows in them.

@@ -44,7 +44,7 @@ struct SegmentNow {
     const Scene& scene;
     double fibres; ///< kg, dry
     double liquid, bound, pores, vapour, temperature;
-    double between; ///< kg, half of the liquid between the yarns of its crossing
+    double between; ///< kg of the liquid between the yarns of its crossing that clings to this one
 };
 
 double saturation(const SegmentNow& s) { return s.liquid / (s.scene.climate.density * s.pores); }
@@ -101,10 +101,20 @@ void copy_shown_fields(const SegmentFields<Shown>& segments, Frame& f)
     }
 }
 
+/// Share of the liquid between a crossing's yarns that clings to one of them.
+double clings(const Yarns& yarns, bool to_warp, std::size_t crossing, bool warp_up)
+{
+    const int at = static_cast<int>(crossing);
+    const double on_warp = yarns.crossing_at(at / yarns.picks, at % yarns.picks).between.on_warp[warp_up];
+    return to_warp ? on_warp : 1.0 - on_warp;
+}
+
 /// Segment i on a line: its formulas, and what it adds to its face.
-void show_segment(const Stock& stock, const Scene& scene, const YarnLine& line, std::size_t i, std::size_t crossing, Frame& f)
+void show_segment(const Stock& stock, const Scene& scene, const Yarns& yarns, const YarnLine& line, std::size_t i, std::size_t crossing,
+                  Frame& f)
 {
     const SegmentFields<Shown>& s = stock.segments;
+    const bool warp_up = scene.cloth.warp_up[crossing] != 0, on_top = warp_up == line.is_warp;
     const double fibre_mass = line.yarn.fibre_area * line.yarn.fibre_density;
     const SegmentNow now{scene,
                          scene.cloth.length[i] * fibre_mass,
@@ -113,9 +123,8 @@ void show_segment(const Stock& stock, const Scene& scene, const YarnLine& line, 
                          s.pores[i],
                          s.vapour[i],
                          scene.climate.temperature + s.warmth[i],
-                         s.between.empty() ? 0.0 : 0.5 * s.between[crossing]};
+                         s.between.empty() ? 0.0 : clings(yarns, line.is_warp, crossing, warp_up) * s.between[crossing]};
     for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
-    const bool on_top = (scene.cloth.warp_up[crossing] != 0) == line.is_warp;
     (on_top ? f.water_top : f.water_bottom) += now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
 }
 
@@ -162,7 +171,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
         const YarnLine l = s.visited_line(line);
         auto crossing = static_cast<std::size_t>(s.crossing_of(l.first));
         for (auto i = static_cast<std::size_t>(l.first); i < static_cast<std::size_t>(l.last); ++i) {
-            show_segment(stock, scene, l, i, crossing, f);
+            show_segment(stock, scene, s, l, i, crossing, f);
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene.cloth.picks);
         }
     }
