@@ -7,6 +7,7 @@
 #include "core/solver/backend.h"
 #include "core/solver/cpu_executor.h"
 #include "core/solver/solver.h"
+#include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
 #include "tests/support/run.h"
 
@@ -219,6 +220,45 @@ private Q_SLOTS:
             qInfo("%d frames: %.3g %% in the pores, %.3g %% free", frames, 100 * in_pores.back(), 100 * l.water_free / l.water_delivered);
         }
         for (double share : in_pores) QVERIFY2(std::abs(share / in_pores.back() - 1) < 0.02, qPrintable(QString::number(share)));
+    }
+    void aStainIsTheSameInShorterSteps() // textile C feeds unlike warp and weft: long steps must not starve either
+    {
+        Design design = small(ExperimentType::moisture_management);
+        design.fabrics = {library_fabric("Textile C")};
+        Experiment& experiment = design.experiments[0];
+        experiment.sample_mm = {36, 24};
+        experiment.volume_ul = 20;
+        experiment.feed_s = 4;
+        experiment.duration_s = 5;
+        const ForcedParts liquid_only{{"sorption", false}, {"vapour", false}, {"heat", false}};
+        const auto radius = [&](double saturation_change) {
+            const Metrics m = run(design, Fidelity::standard, liquid_only, {{"saturation_change", saturation_change}}).metrics;
+            return std::sqrt(m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft);
+        };
+        const double ratio = radius(0.1) / radius(0.05);
+        QVERIFY2(std::abs(ratio - 1) < 0.03, qPrintable(QString::number(ratio)));
+    }
+    void aSatinOfRepellentWarpPassesWaterToItsBack()
+    {
+        Design design = small(ExperimentType::moisture_management);
+        design.materials.push_back(*find_library_material("cotton"));
+        design.materials.back().name = "repellent cotton";
+        design.materials.back().contact_angle_deg = 115;
+        Fabric satin = library_fabric("Cotton sateen");
+        satin.warp.material = {{"repellent cotton", 1.0}};
+        design.experiments[0].sample_mm = {16, 8};
+        const auto share_of_back = [&](const std::vector<std::uint8_t>& up) {
+            satin.weave = Weave(5, 5, up);
+            design.fabrics = {satin};
+            const Frame last = run(design).frames.back();
+            return last.water_bottom / (last.water_top + last.water_bottom);
+        };
+        std::vector<std::uint8_t> up = weave_from_pattern("satin 5/2").crossings();
+        const double of_warp_face = share_of_back(up);
+        for (std::uint8_t& crossing : up) crossing = 1 - crossing;
+        const double turned = share_of_back(up);
+        QVERIFY2(of_warp_face > 0.75, qPrintable(QString::number(of_warp_face)));
+        QVERIFY2(std::abs(of_warp_face + turned - 1) < 0.01, qPrintable(QString::number(turned)));
     }
     void aPoolMayCoverMoreThanWasVisited()
     {
