@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace hygroloom {
@@ -139,6 +140,7 @@ void MetricsCollector::start(const RunRecord& run)
     was_wet_.clear();
     last_wetted_ = 0;
     had_free_water_ = false;
+    free_water_ends_ = std::numeric_limits<double>::infinity();
     for (const SwitchedPart& part : run.switched_on) add(part);
 }
 
@@ -188,14 +190,26 @@ void MetricsCollector::add(const Frame& frame)
         metrics_.time_of_arrest = last_wetted_;
     if (!edge_time_ && wet_at_the_end(textile_, frame, experiment_)) edge_time_ = frame.time;
 
-    // Absorbency: the first time with no free liquid; a later drop starts it anew.
+    watch_free_water(frame);
+}
+
+/// Absorbency: the first time with no free liquid, which lies where it would have ended at the rate of the last two frames that show some;
+/// at the latest in the first that shows none. A later drop starts it anew.
+void MetricsCollector::watch_free_water(const Frame& frame)
+{
     constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
     const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered;
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     if (free_water)
         metrics_.absorbency_time.reset();
     else if (had_free_water_ && !metrics_.absorbency_time)
-        metrics_.absorbency_time = frame.time;
+        metrics_.absorbency_time = std::min(frame.time, free_water_ends_);
+    const std::vector<double>& times = metrics_.series.time;
+    const std::vector<double>& free = metrics_.series.free_water;
+    free_water_ends_ = std::numeric_limits<double>::infinity();
+    const std::size_t n = times.size();
+    if (n > 1 && free[n - 1] < free[n - 2])
+        free_water_ends_ = times[n - 1] + free[n - 1] * (times[n - 1] - times[n - 2]) / (free[n - 2] - free[n - 1]);
 }
 
 void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(in_words(part)); }

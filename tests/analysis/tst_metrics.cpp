@@ -146,6 +146,29 @@ private Q_SLOTS:
         at(10, 1e-3, 0);
         QCOMPARE(collector.metrics().time_of_arrest.value(), 0.0);
     }
+    void absorbencyEndsBetweenFramesAtTheLastRate()
+    {
+        RunRecord run;
+        run.textile = cloth(10, 10);
+        MetricsCollector collector;
+        collector.start(run);
+        const auto at = [&](double time, double delivered, double free) {
+            Frame f = dry_frame(run.textile);
+            f.time = time;
+            f.ledger.water_delivered = delivered;
+            f.ledger.water_free = free;
+            collector.add(f);
+        };
+        at(0, 1e-6, 1e-6);
+        at(1, 1e-6, 4e-7);
+        at(2, 1e-6, 1e-7);
+        at(3, 1e-6, 0); // 3e-7 a second: a third of a second later
+        QVERIFY(std::abs(collector.metrics().absorbency_time.value() - (2 + 1.0 / 3)) < 1e-12);
+        at(4, 2e-6, 1e-6); // a later drop, of which only one frame shows anything
+        QVERIFY(!collector.metrics().absorbency_time);
+        at(5, 2e-6, 0);
+        QCOMPARE(collector.metrics().absorbency_time.value(), 5.0);
+    }
     void waterLeftOverMeansNoAbsorbencyTime()
     {
         RunRecord run;
