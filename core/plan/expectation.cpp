@@ -45,7 +45,7 @@ MeasuredScene scene_from(const Json& json)
         if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
             throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
         if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
-        if (run.error == 0.0 && run.plan.fidelity != name_of(Fidelity::reference)) run.error.reset(); // where nothing happens nothing is off
+        if (run.error == 0.0 && run.plan.fidelity != Fidelity::reference) run.error.reset(); // nothing happens that could be off
         scene.runs.push_back(std::move(run));
     }
     return scene;
