@@ -140,6 +140,7 @@ void MetricsCollector::start(const RunRecord& run)
     was_wet_.clear();
     last_wetted_ = 0;
     had_free_water_ = false;
+    delivered_ = 0;
     free_water_ends_ = std::numeric_limits<double>::infinity();
     for (const SwitchedPart& part : run.switched_on) add(part);
 }
@@ -194,16 +195,17 @@ void MetricsCollector::add(const Frame& frame)
 }
 
 /// Absorbency: the first time with no free liquid, which lies where it would have ended at the rate of the last two frames that show some;
-/// at the latest in the first that shows none. A later drop starts it anew.
+/// at the latest in the first that shows none. Liquid that comes later starts it anew.
 void MetricsCollector::watch_free_water(const Frame& frame)
 {
     constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
     const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered;
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
-    if (free_water)
-        metrics_.absorbency_time.reset();
-    else if (had_free_water_ && !metrics_.absorbency_time)
-        metrics_.absorbency_time = std::min(frame.time, free_water_ends_);
+    const bool comes = frame.ledger.water_delivered > delivered_;
+    delivered_ = frame.ledger.water_delivered;
+    if (free_water || comes) metrics_.absorbency_time.reset();
+    if (!free_water && had_free_water_ && !metrics_.absorbency_time)
+        metrics_.absorbency_time = comes ? frame.time : std::min(frame.time, free_water_ends_);
     const std::vector<double>& times = metrics_.series.time;
     const std::vector<double>& free = metrics_.series.free_water;
     free_water_ends_ = std::numeric_limits<double>::infinity();

@@ -36,8 +36,9 @@ int wanted_in_bundle(const Knobs& knobs, const Textile& textile, ExperimentType 
 }
 
 /// Why each yarn is simulated alone whatever the fidelity asks for; nullptr: it need not be.
-const char* why_single(const ModelPlan& plan, ExperimentType type)
+const char* why_single(const ModelPlan& plan, const Textile& textile, ExperimentType type)
 {
+    if (plan.on("wicking") && (textile.face_angle || textile.back_angle)) return "a finish lies on one face";
     if (plan.on("liquid")) return "free liquid meets single yarns";
     return info_of(type).source == WaterSource::face ? "sweat wets yarns where they lie on one face" : nullptr;
 }
@@ -55,7 +56,7 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
     };
     int most = wanted;
     while (most > 1 && !alike(most)) --most;
-    const char* why_not = why_single(plan, type);
+    const char* why_not = why_single(plan, textile, type);
     if (!why_not && most == 1) why_not = mixing;
     if (why_not)
         return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
@@ -70,7 +71,7 @@ void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentT
 {
     auto &at_fronts = plan.idle_knobs["crossings_per_cell"], &where_even = plan.idle_knobs["crossings_per_even_cell"];
     const double fronts = plan.knobs.crossings_per_cell, even = wanted_where_even(plan.knobs, textile);
-    if (const char* why = why_single(plan, type))
+    if (const char* why = why_single(plan, textile, type))
         at_fronts = where_even = why;
     else if (!stays_uniform(type))
         where_even = "only in drying and conditioning is all of the cloth alike";

@@ -45,7 +45,6 @@ MeasuredScene scene_from(const Json& json)
         if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
             throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
         if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
-        if (run.error == 0.0 && run.plan.fidelity != Fidelity::reference) run.error.reset(); // nothing happens that could be off
         scene.runs.push_back(std::move(run));
     }
     return scene;
@@ -252,13 +251,15 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     plan.expected_seconds = run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
-    const bool is_reference = run.error && *run.error <= 0;
+    const bool is_reference = run.plan.fidelity == Fidelity::reference;
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference, as_set = set_alike(run.plan, plan) && !cut && !otherwise;
     if (as_set) plan.expected_error = run.error;
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
-                    run.error && as_set ? (*run.error > 0 ? " The numerical error was measured on that run." : "")
+                    run.error && as_set ? (*run.error > 0 ? " The numerical error was measured on that run."
+                                           : is_reference ? ""
+                                                          : " On that run no result differed from the reference's.")
                     : as_set            ? " Its numerical error was not measured."
                     : otherwise         ? fmt::format(" It was measured with the closure {}; with {} neither times nor errors are.",
                                                       run.plan.counts.closure, plan.counts.closure)

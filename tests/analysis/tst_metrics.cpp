@@ -168,6 +168,8 @@ private Q_SLOTS:
         QVERIFY(!collector.metrics().absorbency_time);
         at(5, 2e-6, 0);
         QCOMPARE(collector.metrics().absorbency_time.value(), 5.0);
+        at(6, 3e-6, 0); // one that came and was absorbed between two frames
+        QCOMPARE(collector.metrics().absorbency_time.value(), 6.0);
     }
     void waterLeftOverMeansNoAbsorbencyTime()
     {

@@ -231,14 +231,16 @@ private Q_SLOTS:
         experiment.feed_s = 4;
         experiment.duration_s = 5;
         const ForcedParts liquid_only{{"sorption", false}, {"vapour", false}, {"heat", false}};
-        const auto radius = [&](double saturation_change) {
+        const auto axes = [&](double saturation_change) {
             const Metrics m = run(design, Fidelity::standard, liquid_only, {{"saturation_change", saturation_change}}).metrics;
-            return std::sqrt(m.wetted_area_ellipse_warp * m.wetted_area_ellipse_weft);
+            return std::array{m.wetted_area_ellipse_warp, m.wetted_area_ellipse_weft};
         };
-        const double ratio = radius(0.1) / radius(0.05);
-        QVERIFY2(std::abs(ratio - 1) < 0.03, qPrintable(QString::number(ratio)));
+        const auto usual = axes(0.1), finer = axes(0.05);
+        const double warp = usual[0] / finer[0], weft = usual[1] / finer[1];
+        QVERIFY2(std::abs(std::sqrt(warp * weft) - 1) < 0.03, qPrintable(QString::number(warp * weft)));
+        QVERIFY2(std::abs(warp - 1) < 0.08 && std::abs(weft - 1) < 0.08, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
     }
-    void aSatinOfRepellentWarpPassesWaterToItsBack()
+    void aSatinOfRepellentWarpShowsItsWaterOnItsBack()
     {
         Design design = small(ExperimentType::moisture_management);
         design.materials.push_back(*find_library_material("cotton"));
