@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace hygroloom {
@@ -141,7 +140,6 @@ void MetricsCollector::start(const RunRecord& run)
     last_wetted_ = 0;
     had_free_water_ = false;
     delivered_ = 0;
-    free_water_ends_ = std::numeric_limits<double>::infinity();
     for (const SwitchedPart& part : run.switched_on) add(part);
 }
 
@@ -194,8 +192,8 @@ void MetricsCollector::add(const Frame& frame)
     watch_free_water(frame);
 }
 
-/// Absorbency: the first time with no free liquid, which lies where it would have ended at the rate of the last two frames that show some;
-/// at the latest in the first that shows none. Liquid that comes later starts it anew.
+/// Absorbency: when the free liquid came to an end, which the ledger knows; of older recordings the first frame without any. Liquid that
+/// comes later starts it anew.
 void MetricsCollector::watch_free_water(const Frame& frame)
 {
     constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
@@ -205,13 +203,7 @@ void MetricsCollector::watch_free_water(const Frame& frame)
     delivered_ = frame.ledger.water_delivered;
     if (free_water || comes) metrics_.absorbency_time.reset();
     if (!free_water && had_free_water_ && !metrics_.absorbency_time)
-        metrics_.absorbency_time = comes ? frame.time : std::min(frame.time, free_water_ends_);
-    const std::vector<double>& times = metrics_.series.time;
-    const std::vector<double>& free = metrics_.series.free_water;
-    free_water_ends_ = std::numeric_limits<double>::infinity();
-    const std::size_t n = times.size();
-    if (n > 1 && free[n - 1] < free[n - 2])
-        free_water_ends_ = times[n - 1] + free[n - 1] * (times[n - 1] - times[n - 2]) / (free[n - 2] - free[n - 1]);
+        metrics_.absorbency_time = std::isfinite(frame.ledger.free_until) ? frame.ledger.free_until : frame.time;
 }
 
 void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(in_words(part)); }

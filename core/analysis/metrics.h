@@ -45,8 +45,7 @@ private:
     std::vector<bool> was_wet_;       ///< each segment, in any frame so far
     double last_wetted_ = 0;          ///< s, when the last of them got wet
     bool had_free_water_ = false;
-    double delivered_ = 0;       ///< kg, by the last frame
-    double free_water_ends_ = 0; ///< s, at the rate of the last two frames
+    double delivered_ = 0; ///< kg, by the last frame
 };
 
 } // namespace hygroloom

@@ -36,7 +36,9 @@ std::vector<double> row_of(const Ledger& ledger)
 
 Ledger ledger_of(const std::vector<double>& row)
 {
-    if (row.size() != std::size(ledger_columns)) throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
+    constexpr std::size_t first_columns = 13; // that all recordings have
+    if (row.size() < first_columns || row.size() > std::size(ledger_columns))
+        throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
     Ledger ledger;
     for (std::size_t k = 0; k < row.size(); ++k) ledger.*ledger_columns[k].value = row[k];
     return ledger;

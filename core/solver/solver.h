@@ -35,7 +35,7 @@ public:
     {
         check(scene);
         scene_ = scene;
-        time_ = network_time_ = 0;
+        time_ = network_time_ = free_until_ = 0;
         sync_time_ = -1;
         delivered_ = 0;
         yarns_.load(scene_);
@@ -55,6 +55,7 @@ public:
         const auto start = std::chrono::steady_clock::now();
         while (time_ < until) {
             if (sync_time_ < 0) plan_step(until);
+            const bool was_free = is_free_liquid_about();
             if (liquid_.count() > 0) yarns_.expect_liquid();
             while (!liquid_.flow(time_, sync_time_, wall_seconds, yarns_.absorbed()))
                 if (elapsed(start) > wall_seconds) return time_;
@@ -62,6 +63,7 @@ public:
             sync_time_ = -1;
             step_yarns(time_ - network_time_, time_ >= until);
             network_time_ = time_;
+            if (was_free || is_free_liquid_about()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
         }
         return time_;
@@ -76,6 +78,7 @@ public:
         stock.initial = initial_;
         stock.initial_energy = initial_energy_;
         stock.delivered = delivered_;
+        stock.free_until = free_until_;
         liquid_.take_stock(stock);
         yarns_.take_stock(stock);
         snapshot_.take([&](const auto& look_at) {
@@ -115,6 +118,7 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+    bool is_free_liquid_about() const { return liquid_.count() > 0 || yarns_.pool_feeds(); }
     /// Releases the drops that are due and chooses when liquid and yarns meet next.
     void plan_step(double until)
     {
@@ -142,7 +146,7 @@ private:
     template <typename Archive> void pass_state(Archive& archive)
     {
         const auto numbers = [&](auto&... each) { (archive.value(each), ...); };
-        numbers(time_, sync_time_, network_time_, delivered_, initial_, initial_energy_);
+        numbers(time_, sync_time_, network_time_, delivered_, initial_, initial_energy_, free_until_);
         yarns_.pass_state(archive);
         liquid_.pass_state(archive);
         const std::array<bool, 4> own{scene_.rules.wicking, scene_.rules.sorption, scene_.rules.vapour, scene_.rules.heat};
@@ -158,6 +162,7 @@ private:
     typename Executor::Snapshot snapshot_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0;     ///< s
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0; ///< kg, kg, J
+    double free_until_ = 0;                                   ///< s, when drops or pools were last about
 };
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -150,6 +150,7 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     l.water_vapour = sum_of_all(s.vapour);
     l.water_evaporated = sum_visited(s.evaporated);
     l.water_dripped = stock.dripped;
+    l.free_until = stock.free_until;
     l.energy_stored = sum_visited(s.stored);
     l.energy_delivered = stock.initial_energy;
     l.energy_released = sum_visited(s.released);

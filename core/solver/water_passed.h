@@ -31,11 +31,12 @@ struct Pools {
     {
         return std::any_of(standing.begin(), standing.end(), [](std::int64_t quanta) { return quanta > 0; });
     }
-    /// Whether there is more of the first than clings to the cloth: a ten billionth of all that came.
+    /// Whether there is more of any than clings to the cloth: a ten billionth of all that came.
     bool feeds() const
     {
-        constexpr double clings = 1e-10;
-        return !standing.empty() && static_cast<double>(standing[0]) * water_quantum > clings * pumped.mass();
+        const double clings = 1e-10 * pumped.mass();
+        return std::any_of(standing.begin(), standing.end(),
+                           [clings](std::int64_t quanta) { return static_cast<double>(quanta) * water_quantum > clings; });
     }
     /// What is pumped until a time, in the dt before it, s. Density in kg/m3.
     void fill(const Scene& scene, double time, double dt, double density)

@@ -27,6 +27,7 @@ public:
     void load(const Scene& scene);
     Segments segments();
     int visited_segments() { return yarns().visited_segments(); }
+    bool pool_feeds() const { return pools_.feeds(); }
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
     double next_event(double time) const;

@@ -21,7 +21,6 @@ Candidate full_candidate(ExperimentType type)
     RunRecord& run = *record;
     run.design = drop_design();
     run.design.experiments[0] = standard_experiment(type);
-    run.design.experiments[0].closure = Closure::kissa; // whose errors are measured
     run.fabric = run.design.fabrics[0].name;
     run.experiment = run.design.experiments[0].name;
     run.plan = plan_run(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);

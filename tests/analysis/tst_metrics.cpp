@@ -146,29 +146,31 @@ private Q_SLOTS:
         at(10, 1e-3, 0);
         QCOMPARE(collector.metrics().time_of_arrest.value(), 0.0);
     }
-    void absorbencyEndsBetweenFramesAtTheLastRate()
+    void absorbencyEndsBetweenFramesAsTheLedgerSays()
     {
         RunRecord run;
         run.textile = cloth(10, 10);
         MetricsCollector collector;
         collector.start(run);
-        const auto at = [&](double time, double delivered, double free) {
+        const auto at = [&](double time, double delivered, double free, double free_until) {
             Frame f = dry_frame(run.textile);
             f.time = time;
             f.ledger.water_delivered = delivered;
             f.ledger.water_free = free;
+            f.ledger.free_until = free_until;
             collector.add(f);
         };
-        at(0, 1e-6, 1e-6);
-        at(1, 1e-6, 4e-7);
-        at(2, 1e-6, 1e-7);
-        at(3, 1e-6, 0); // 3e-7 a second: a third of a second later
-        QVERIFY(std::abs(collector.metrics().absorbency_time.value() - (2 + 1.0 / 3)) < 1e-12);
-        at(4, 2e-6, 1e-6); // a later drop, of which only one frame shows anything
+        at(0, 1e-6, 1e-6, 0);
+        at(1, 1e-6, 4e-7, 1);
+        at(2, 1e-6, 0, 1.25);
+        QCOMPARE(collector.metrics().absorbency_time.value(), 1.25);
+        at(3, 2e-6, 1e-6, 3); // a later drop
         QVERIFY(!collector.metrics().absorbency_time);
-        at(5, 2e-6, 0);
-        QCOMPARE(collector.metrics().absorbency_time.value(), 5.0);
-        at(6, 3e-6, 0); // one that came and was absorbed between two frames
+        at(4, 2e-6, 0, 3.5);
+        QCOMPARE(collector.metrics().absorbency_time.value(), 3.5);
+        at(5, 3e-6, 0, 4.75); // one that came and was absorbed between two frames
+        QCOMPARE(collector.metrics().absorbency_time.value(), 4.75);
+        at(6, 4e-6, 0, std::numeric_limits<double>::quiet_NaN()); // as older recordings
         QCOMPARE(collector.metrics().absorbency_time.value(), 6.0);
     }
     void waterLeftOverMeansNoAbsorbencyTime()

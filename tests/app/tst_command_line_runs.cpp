@@ -406,6 +406,20 @@ private Q_SLOTS:
         const QByteArray err = process.readAllStandardError();
         QVERIFY2(err.contains("Cancelled after 0 of 3 fabrics.") && !err.contains("are in "), err);
     }
+    void interruptedExportLeavesNoFile()
+    {
+        QTemporaryDir folder;
+        QProcess process;
+        process.start(HYGROLOOM_CLI,
+                      {"export", example("textile-F.hygro"), "--detail", "fibre", "--size-mm", "40x40", "-o", folder.filePath("f.obj")});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden), 20000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(20000));
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(process.readAllStandardError().contains("Cancelled"));
+        QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+    }
     void aMissingGpuIsFour()
     {
         const QByteArray devices = run_cli({"devices", "--json"}).out;

@@ -82,7 +82,6 @@ private Q_SLOTS:
     {
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
-        design.experiments[0].closure = Closure::kissa; // as the scenes were measured
         const auto plan = [&](const KnobSettings& settings) {
             ModelPlan made = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, settings);
             expect(made, shipped_measurements("cpu"));
@@ -113,7 +112,6 @@ private Q_SLOTS:
     {
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
-        design.experiments[0].closure = Closure::kissa; // as the scenes were measured
         for (const auto& [on, known] : {std::pair(true, true), std::pair(false, false)}) {
             ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"heat", on}});
             expect(plan, shipped_measurements("cpu"));
@@ -133,7 +131,6 @@ private Q_SLOTS:
     {
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
-        design.experiments[0].closure = Closure::kissa; // as the scenes were measured
         design.experiments[0].sample_mm = {80, 80};     // 280 x 280
         const auto plan = [&](double of) {
             return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},

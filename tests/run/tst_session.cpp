@@ -62,6 +62,27 @@ class TestSession : public QObject {
     }
 
 private Q_SLOTS:
+    void anAbsorbedDropLeavesNoParticleAndTheLedgerSaysWhen()
+    {
+        Design design = drop_design(35, 1);
+        design.experiments[0].closure = Closure::pores;
+        const Scene scene = scene_of(design, {});
+        const auto backend = make_cpu_backend();
+        Session session(*backend, scene, 1);
+        session.load();
+        advance(session, 1);
+        QCOMPARE(backend->particles(), 0); // though what was left slept
+        const double until = frame(session).ledger.free_until;
+        QVERIFY2(until > 0.02 && until < 0.9, qPrintable(QString::number(until)));
+        const std::vector<std::byte> state = session.state();
+        session.load();
+        advance(session, until - 3 * scene.rules.network_step);
+        QVERIFY(frame(session).ledger.water_free > 0);
+        advance(session, until);
+        QCOMPARE(frame(session).ledger.water_free, 0.0);
+        session.go_on_from(state);
+        QCOMPARE(frame(session).ledger.free_until, until);
+    }
     void aPokedDropIsDeliveredAndBalances()
     {
         const Scene scene = one_drop();

@@ -100,7 +100,6 @@ protected:
     {
         window_->document().edit("a short experiment", {}, [=](Design& d) {
             Experiment& e = d.experiments[0];
-            e.closure = Closure::kissa; // whose errors are measured
             e.duration_s = duration_s;
             e.sample_mm = {sample_mm, sample_mm};
             e.droplets = {Droplet{volume_ul, 0, {0, 0}, 0.05, 0}};

@@ -141,8 +141,10 @@ struct ForgetContact {
     Particles p;
     TextileShape textile;
     int* contact;
+    int* left; ///< becomes 1 if any particle still holds liquid
     HL_FN void operator()(int i) const
     {
+        if (p.alive[i]) atomic_max(left, 1);
         if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
                 if (notes(contact[segment], i)) contact[segment] = no_particle;

@@ -96,6 +96,7 @@ struct LiquidControl {
     // Many elements add to these.
     int moved[6] = {};                             ///< see BeginStep
     int box[6] = {};                               ///< see FindBox
+    int left = 0;                                  ///< whether any particle held liquid after yarns last absorbed
     int farthest = 0;                              ///< see FindFarthestMoved
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
@@ -162,6 +163,7 @@ HL_FN bool absorb_after(LiquidControl& c, double dt, bool now, int steps_between
     if (!now && ++c.steps_since_absorbed < steps_between) return false;
     c.absorb_dt = c.since_absorbed;
     c.since_absorbed = 0;
+    c.left = 0;
     c.steps_since_absorbed = 0;
     return true;
 }
@@ -265,6 +267,15 @@ struct EndRound {
         const bool enough = static_cast<double>(c.error) * 1e-6 < density_tolerance * c.count || c.count == 0;
         c.error = 0;
         c.presses.on = c.round < most_pressure_rounds && !enough;
+    }
+};
+
+/// After yarns have absorbed from liquid that sleeps: no particle counts any more where all of it is gone.
+struct EndDraining {
+    LiquidControl* control;
+    HL_FN void operator()(int) const
+    {
+        if (control->left == 0) control->count = 0;
     }
 };
 

@@ -37,7 +37,7 @@ struct LiquidFlow {
         int side = 0;
         executor.for_each("begin flow", 1, BeginFlow{control, rules});
         executor.loop(&control->goes, [&] { step(executor, side); });
-        if (absorbs) executor.when(&control->drains, [&] { give_to_segments(executor, on(side), Nothing{}); });
+        if (absorbs) executor.when(&control->drains, [&] { give_to_segments(executor, on(side), EndDraining{control}); });
     }
 
 private:
@@ -106,7 +106,7 @@ private:
         executor.for_each("touch", all_particles(), TouchSegments{p, textile, segments.contact});
         executor.for_each("give", all_particles(),
                           GiveToSegments{p, textile, segments, rules.density, &control->absorb_dt, {reach}, &control->absorbed});
-        executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact}, next);
+        executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact, &control->left}, next);
     }
 };
 
