@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/bounds.h"
 
+#include "core/physics/between_yarns.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
 #include "core/physics/wicking.h"
@@ -74,6 +75,7 @@ public:
             }
             if (std::isfinite(least)) b_.capacity += least;
         }
+        if (experiment_.closure == Closure::pores && b_.uptake > 0) look_between(textile); // dry yarns that take in nothing close it, too
     }
 
     double sorbable = 0;   ///< kg/m2 of fabric that fibres take
@@ -118,9 +120,35 @@ private:
         b_.wicks = b_.wicks || wicks;
         if (wicks) b_.suction = std::max(b_.suction, std::cos(contact_angle));
         if (wicks) b_.pores += along * pores / density;
-        b_.uptake += along * pores / density / type.tortuosity *
-                     saturated_liquid_diffusivity(b_.liquid.surface_tension, contact_angle, type.pore_radius, b_.liquid.viscosity);
+        b_.uptake +=
+            along * (experiment_.closure == Closure::pores ? drawn_by_suction(type, contact_angle)
+                                                           : pores / density / type.tortuosity *
+                                                                 saturated_liquid_diffusivity(b_.liquid.surface_tension, contact_angle,
+                                                                                              type.pore_radius, b_.liquid.viscosity));
         return wicks ? along * pores : 0.0;
+    }
+    /// m4/s: what a yarn conducts, times the suction of its pores.
+    double drawn_by_suction(const YarnType& type, double contact_angle) const
+    {
+        const double radius = metre_from_um(type.fibre.fibre_radius_um) / type.perimeter_factor;
+        const PoreClosure pores =
+            pores_of_bundle(type.packing, radius, b_.liquid.surface_tension, contact_angle, std::min(type.receding_angle, contact_angle));
+        return gate_of_dry_fibres(type.packing, contact_angle) * permeability_along(radius, type.packing) * type.area *
+               pores.entry_suction / (b_.liquid.viscosity * type.helix_tortuosity);
+    }
+    /// The room between the yarns, of the first of either system.
+    void look_between(const Textile& textile)
+    {
+        const auto yarn = [&](const YarnSystem& system, const YarnSystem& crossed) {
+            const YarnType& type = system.types.front();
+            const double angle = angle_on(textile, type);
+            return CrossingYarn{type.section.width, type.section.height, type.area, crossed.pitch * type.length_per_pitch.front(),
+                                crossed.pitch,      type.packing,        angle,     std::min(type.receding_angle, angle)};
+        };
+        const RoomBetweenYarns room =
+            room_between(yarn(textile.warp, textile.weft), yarn(textile.weft, textile.warp), textile.thickness, b_.liquid.surface_tension);
+        b_.pores += room.volume / (textile.warp.pitch * textile.weft.pitch);
+        b_.uptake += (room.along_warp + room.along_weft) * textile.thickness * room.closure.entry_suction / b_.liquid.viscosity;
     }
 
     Bounds& b_;

@@ -131,7 +131,7 @@ private Q_SLOTS:
     {
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::drying);
-        design.experiments[0].sample_mm = {80, 80};     // 280 x 280
+        design.experiments[0].sample_mm = {80, 80}; // 280 x 280
         const auto plan = [&](double of) {
             return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {},
                             {{"crossings_per_cell", of}, {"crossings_per_even_cell", 1}});
@@ -277,12 +277,27 @@ private Q_SLOTS:
         plan.particles_per_droplet /= 8;
         QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
     }
-    // On these, counted with 1c1e975, it is calibrated. Ratios to the drop of 15 ul on textile F, from whose run others are estimated.
+    // On these it is calibrated: counted with 1c1e975 and, by suction, with the program that absorbs drops as this one does. Ratios to the
+    // drop of 15 ul on textile F, from whose run others are estimated.
+    void countedDropsComeOutWithinHalf_data()
+    {
+        QTest::addColumn<QString>("counts");
+        QTest::addColumn<int>("closure");
+        QTest::addColumn<int>("all");
+        QTest::addColumn<int>("most_outside");
+        QTest::newRow("kissa") << "drops.csv" << static_cast<int>(Closure::kissa) << 86 << 3;
+        QTest::newRow("pores") << "drops-pores.csv" << static_cast<int>(Closure::pores) << 59 << 5;
+    }
     void countedDropsComeOutWithinHalf()
     {
+        QFETCH(QString, counts);
+        QFETCH(int, closure);
+        QFETCH(int, all);
+        QFETCH(int, most_outside);
         const QString folder = HYGROLOOM_SOURCE_DIR "/tests/data/liquid_counts/";
-        const Design design = read_project((folder + "drops.hygro").toStdString());
-        QFile table(folder + "drops.csv");
+        Design design = read_project((folder + "drops.hygro").toStdString());
+        for (Experiment& experiment : design.experiments) experiment.closure = static_cast<Closure>(closure);
+        QFile table(folder + counts);
         QVERIFY(table.open(QIODevice::ReadOnly));
         table.readLine(); // titles
         int rows = 0, within = 0;
@@ -303,8 +318,8 @@ private Q_SLOTS:
             ++rows;
             if (estimated >= 1.5 || estimated <= 1 / 1.5) qInfo("%s: %.2f", qPrintable(row.join(' ')), estimated);
         }
-        QCOMPARE(rows, 86);
-        QVERIFY2(within >= 83, qPrintable(QString::number(within)));
+        QCOMPARE(rows, all);
+        QVERIFY2(rows - within <= most_outside, qPrintable(QString::number(rows - within)));
     }
     // Nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees. Steep viscose was seen to be off at draft, because
     // what was left of the drop did not come to rest: the liquid was mended, not the count. Of the other drops, steps and particles (no
