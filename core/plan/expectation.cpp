@@ -65,7 +65,7 @@ bool flows_by_suction(const ModelPlan& plan) { return plan.counts.closure == nam
 double swing_of(const SceneCounts& scene, double volume) { return capillary_time(volume, 1.0, scene.capillarity); } // tension over density
 
 /// Until cloth with the closure pores has absorbed a drop, s: some swings, and longer where the cloth under it must hand liquid on that it
-/// cannot hold. Set on tests/data/liquid_counts/drops-pores.csv, of which half come out within a factor of 1.4.
+/// cannot hold. Set on tests/data/liquid_counts/drops-pores.csv, of which half come out within a factor of 1.5.
 double absorbed_by_suction_in(const SceneCounts& scene)
 {
     constexpr double swings = 9.8, uptakes = 0.155, power = 1.5;
