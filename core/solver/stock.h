@@ -34,6 +34,7 @@ struct Stock {
     std::int64_t standing = 0; ///< quanta, in pools
     double dripped = 0;        ///< kg, fallen or run off
     double free_until = 0;     ///< s, when free liquid was last about
+    double unsolved_lines = 0; ///< see Frame
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
     SegmentFields<Shown> segments;
