@@ -142,6 +142,7 @@ void MetricsCollector::start(const RunRecord& run)
     had_free_water_ = false;
     delivered_ = 0;
     free_water_ends_ = std::numeric_limits<double>::infinity();
+    unsolved_lines_ = run.unsolved_lines;
     for (const SwitchedPart& part : run.switched_on) add(part);
 }
 
@@ -184,6 +185,7 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
     metrics_.ledger = frame.ledger;
+    unsolved_lines_ = std::max(unsolved_lines_, frame.unsolved_lines);
     metrics_.water_between_yarns = std::accumulate(frame.between.begin(), frame.between.end(), 0.0);
     if (spreads(was_wet_, frame)) last_wetted_ = frame.time;
     metrics_.time_of_arrest.reset();
@@ -228,6 +230,11 @@ Metrics MetricsCollector::metrics() const
                 : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
                               "sample's size.",
                               *edge_time_));
+    if (unsolved_lines_ > 0)
+        m.notes.push_back(
+            fmt::format("Numerical: {:.0f} {} the suctions along a yarn were not found; its liquid stayed where it was for that "
+                        "step.",
+                        unsolved_lines_, unsolved_lines_ > 1 ? "times" : "time"));
     compute_results(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
     return m;
 }

@@ -42,6 +42,7 @@ private:
     std::vector<float> regain_at_start_;
     TesterPins pins_;                 ///< of moisture_management only
     std::optional<double> edge_time_; ///< s, when water was first seen where the sample ends
+    double unsolved_lines_ = 0;       ///< see Frame
     std::vector<bool> was_wet_;       ///< each segment, in any frame so far
     double last_wetted_ = 0;          ///< s, when the last of them got wet
     bool had_free_water_ = false;

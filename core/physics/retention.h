@@ -163,11 +163,11 @@ HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
     constexpr double never = 1e300;
     PoreCourse course{pores, before.saturation, line_begins_at(pores, before), never, 0};
     double at = course.zero > pores.emptying ? course.zero : pores.emptying;
-    for (int round = 0; round < 12; ++round) { // the curve is convex: from the left
+    for (int round = 0; round < 12; ++round) { // the curve is convex: from the left, or from a little beyond it to the left of it
         const Held held = held_emptying(pores, at);
         if (!(held.fall > course.slope())) return course; // the line ends before it meets the curve
         const double step = (held.saturation - course.on_line(at)) / (held.fall - course.slope());
-        if (!(step > 1e-12 * at)) {
+        if (!(std::abs(step) > 1e-12 * at)) {
             course.empties = at;
             course.bend = held.fall - course.slope();
             return course;

@@ -169,6 +169,8 @@ void RecordingWriter::append(const Frame& frame)
         h5::write_floats(g, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
         h5::write_floats(g, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
     }
+    if (frame.unsolved_lines > 0)
+        h5::write_number(h5::open_group(file_->file.get(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);
     h5::append_row(file_->ledger.get(), row_of(frame.ledger));
     if (H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL) < 0) throw FileError("The recording cannot be written; the disk may be full.");
     ++file_->frames;
@@ -237,6 +239,7 @@ try : file_(std::make_unique<File>()) {
     run.device = h5::read_text(provenance.get(), h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
     run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
     run.switched_on = read_switched_on(provenance.get());
+    if (h5::has_number(provenance.get(), "unsolved_lines")) run.unsolved_lines = h5::read_number(provenance.get(), "unsolved_lines");
     if (h5::exists(provenance.get(), "date")) run.date = h5::read_text(provenance.get(), "date");
     run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
     run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));

@@ -19,6 +19,7 @@ struct RunRecord {
     std::string backend;                   ///< "cpu", "cuda"
     std::string device;                    ///< in words, and where it went on when that failed
     std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time; also those kept off
+    double unsolved_lines = 0;             ///< see Frame; of recordings, at the last frame
     std::string date;                      ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
     double wall = 0;                       ///< s, of the run; 0 while it runs
 };

@@ -169,6 +169,7 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     const Frame cells = std::exchange(frame, {});
     frame.time = cells.time;
     frame.ledger = cells.ledger;
+    frame.unsolved_lines = cells.unsolved_lines;
     const auto segments = static_cast<std::size_t>(fine.cloth.segments());
     frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();

@@ -56,7 +56,8 @@ inline constexpr LedgerColumn ledger_columns[] = {
 };
 
 struct Frame {
-    double time = 0; ///< s
+    double time = 0;           ///< s
+    double unsolved_lines = 0; ///< how often the suctions along a yarn were not found, since the start: see PoreRounds
     // One value per segment, in the textile's order.
     std::vector<float> saturation;                    ///< liquid volume / pore volume
     std::vector<float> liquid;                        ///< kg, with its share of that between the yarns

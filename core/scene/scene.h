@@ -188,6 +188,7 @@ struct StepRules {
                                    ///< the visited region grows where there is more. 0: all of the sample is visited
     double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0;  ///< largest a step aims at, for the step's length
+    int suction_rounds = 220;      ///< at most, for the suctions along a line where liquid flows by them
     double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
     int steps_between_absorption = 1; ///< of the free liquid, between times at which yarns absorb from it
     double density_tolerance = 0.01;

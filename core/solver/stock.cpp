@@ -161,6 +161,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
 {
     Frame f;
     f.time = stock.time;
+    f.unsolved_lines = stock.unsolved_lines;
     f.ledger = ledger_of(stock, scene);
     f.shells.assign(stock.segments.regain.begin(), stock.segments.regain.end());
     f.resize_fields(stock.segments.liquid.size());

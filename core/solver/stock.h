@@ -33,6 +33,7 @@ struct Stock {
     double delivered = 0;      ///< kg, but for what is supplied
     std::int64_t standing = 0; ///< quanta, in pools
     double dripped = 0;        ///< kg, fallen or run off
+    double unsolved_lines = 0; ///< see Frame
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
     SegmentFields<Shown> segments;

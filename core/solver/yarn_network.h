@@ -104,6 +104,7 @@ private:
     Pools pools_;
     double exchange_time_ = 0;       ///< s, of the last one
     bool warp_first_ = true;         ///< in the next step by suction
+    double unsolved_lines_ = 0;      ///< since the start
     bool may_have_absorbed_ = false; ///< some segment, from particles or a pool, since the last step
 
     SegmentFields<Buffer> fields_;
@@ -131,6 +132,7 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     exchange_time_ = 0;
     may_have_absorbed_ = false;
     warp_first_ = true;
+    unsolved_lines_ = 0;
     pools_ = {std::vector<std::int64_t>(scene.supply.pools.size(), 0), {}, {}};
     region_.load(scene);
     Segments::each(
@@ -246,7 +248,8 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     const int first = of_warp ? 0 : all.visited_ends(), lines = of_warp ? all.visited_ends() : all.visited_picks();
     const int longest = of_warp ? all.visited_picks() : all.visited_ends();
     exec_.for_each_line("flow", lines, longest,
-                        FlowAlongLines{s, climate_, dt, of_warp, lift, pool, &totals_.data()->given, &totals_.data()->unsolved});
+                        FlowAlongLines{s, climate_, dt, of_warp, lift, pool, &totals_.data()->given, scene_->rules.suction_rounds,
+                                       &totals_.data()->unsolved});
     if (scene_->rules.heat)
         exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
 }
@@ -380,6 +383,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
         each_segment("find reach",
                      FindReach{segments(), climate_, scene_->rules.rest_tolerance, region_.threads_at_border(), {totals_.data()->reach}});
     const YarnTotals found = totals_.read(0);
+    unsolved_lines_ += static_cast<double>(found.unsolved);
     steps_.choose_network_step(step.dt, step.signs, found, drops_about, delivered);
     if (wakes) steps_.begin_anew(drops_about);
     if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
@@ -396,6 +400,7 @@ template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock
     stock.delivered += pools_.pumped.mass();
     stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), std::int64_t(0));
     stock.dripped += pools_.ran_off.mass();
+    stock.unsolved_lines = unsolved_lines_;
     stock.unvisited = region_.unvisited();
 }
 
@@ -414,6 +419,7 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     steps_.pass_state(archive);
     archive.value(exchange_time_);
     archive.value(warp_first_);
+    archive.value(unsolved_lines_);
     archive.value(pools_.pumped);
     archive.value(pools_.ran_off);
     archive.values(pools_.standing, "standing in pools");

@@ -264,13 +264,18 @@ private Q_SLOTS:
     void anyDesignStaysBalancedAndBounded_data()
     {
         QTest::addColumn<int>("first");
-        for (int first = 0; first < designs(); first += chunk_size) QTest::addRow("from %d", first) << first;
+        QTest::addColumn<int>("end");
+        for (int first = 0; first < designs(); first += chunk_size)
+            QTest::addRow("from %d", first) << first << std::min(first + chunk_size, designs());
+        // A line of pores pressed by a pool; one by its emptying curve; fibres of 1 nm that take liquid without vapour.
+        for (int once_broken : {1076, 2852, 2942}) QTest::addRow("%d", once_broken) << once_broken << once_broken + 1;
     }
     void anyDesignStaysBalancedAndBounded()
     {
         QFETCH(int, first);
+        QFETCH(int, end);
         int wrong = 0;
-        for (int index = first; index < std::min(first + chunk_size, designs()); ++index) {
+        for (int index = first; index < end; ++index) {
             const std::string what = run(index);
             if (!what.empty()) qWarning("%s", what.c_str());
             wrong += !what.empty();
@@ -280,7 +285,7 @@ private Q_SLOTS:
     void cleanupTestCase()
     {
         for (const auto& [what, count] : covered_) qInfo("%4d %s", count, what.c_str());
-        if (covered_["run"] + covered_["refused"] == designs()) QVERIFY2(covered_["run"] >= 5 * designs() / 7, "too few designs are valid");
+        if (covered_["run"] + covered_["refused"] >= designs()) QVERIFY2(covered_["run"] >= 5 * designs() / 7, "too few designs are valid");
     }
 
 private:

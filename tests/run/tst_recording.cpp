@@ -70,6 +70,21 @@ private Q_SLOTS:
             QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
         }
     }
+    void linesWhoseSuctionsWereNotFoundAreNotedWhereThereAreAny()
+    {
+        std::vector<Frame> frames;
+        const RunRecord run = record_run(at("unsolved.hygrorec"), 0.02, &frames);
+        QCOMPARE(Recording(at("unsolved.hygrorec")).run().unsolved_lines, 0.0);
+        for (double unsolved : {0.0, 3.0}) {
+            RecordingWriter writer(at("noted.hygrorec"), run);
+            frames[0].unsolved_lines = unsolved;
+            writer.append(frames[0]);
+            writer.finish(0);
+            const hdf5::Handle file(H5Fopen(at("noted.hygrorec").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "no file");
+            QCOMPARE(hdf5::has_number(hdf5::open_group(file.get(), "provenance").get(), "unsolved_lines"), unsolved > 0);
+            QCOMPARE(Recording(at("noted.hygrorec")).run().unsolved_lines, unsolved);
+        }
+    }
     void aRecordingMadeBeforeAFieldOfItsFramesStillOpens()
     {
         record_run(at("older.hygrorec"), 0.02);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Liquid that flows by suctions, in yarns and between them: what it holds at a suction, and that steps keep all of it within its bounds.
+#include "core/analysis/metrics.h"
 #include "core/physics/between_yarns.h"
 #include "core/physics/retention.h"
 #include "core/plan/planning.h"
 #include "core/verify/set_ups.h"
 
 #include <QTest>
+
+#include <fmt/format.h>
 
 #include <functional>
 #include <random>
@@ -132,6 +135,21 @@ private Q_SLOTS:
                 }
             }
     }
+    void whatIsHeldDoesNotLeapWhereRoundingLeftPoresOverTheirCurve()
+    {
+        for (const Retention& pores : some_pores())
+            for (double over : {1e-12, 3e-10, 9e-10}) { // suction_after() leaves less than 1e-9
+                const double saturation = 0.6, curve = suction_emptying(pores, saturation);
+                const HeldBefore before{saturation + over, curve};
+                const PoreCourse course = course_from(pores, before);
+                double last = course.at(curve * (1 - 3e-9)).saturation;
+                for (int k = -2999; k <= 3000; ++k) {
+                    const double held = course.at(curve * (1 + 1e-12 * k)).saturation;
+                    QVERIFY2(last - held < 1e-11 && held <= last + 1e-15, qPrintable(QString::number(last - held)));
+                    last = held;
+                }
+            }
+    }
     void withItsBendsStraightenedWhatIsHeldIsConvex() // which is why nested rounds close in
     {
         std::mt19937 random(4);
@@ -215,6 +233,33 @@ private Q_SLOTS:
                     QVERIFY(frame.between[i] >= 0 && frame.liquid[i] >= frame.between[i]);
                 }
             }
+        }
+    }
+    void aLineWhoseRoundsDoNotCloseInStaysAsItWasAndIsNoted()
+    {
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        const Design design = fed_design();
+        RunRecord run;
+        run.design = design;
+        run.experiment = design.experiments[0].name;
+        run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        Scene scene = build_scene(design, run.textile, design.experiments[0],
+                                  plan_model(design, run.textile, design.experiments[0], Fidelity::draft), 1);
+        for (int rounds : {1, scene.rules.suction_rounds}) {
+            scene.rules.suction_rounds = rounds;
+            const Frame frame = frames_at(*backend, scene, {0.5}).front();
+            QCOMPARE(frame.unsolved_lines > 0, rounds == 1);
+            QVERIFY(std::abs(frame.ledger.water_imbalance()) < 1e-12 * frame.ledger.water_delivered);
+            MetricsCollector collector;
+            collector.start(run);
+            collector.add(frame);
+            const std::vector<std::string> notes = collector.metrics().notes;
+            const bool noted = std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+                return note.find(fmt::format("{:.0f} time", frame.unsolved_lines)) != std::string::npos;
+            });
+            QCOMPARE(noted, rounds == 1);
+            collector.start(run); // as of a recording
+            QVERIFY(collector.metrics().notes.empty());
         }
     }
     void eachKeyOfTheClosureChangesTheWater_data()

@@ -33,6 +33,28 @@ private Q_SLOTS:
         }
         QVERIFY2(most <= 4 * 63, qPrintable(QString::number(most))); // 250 halved to 1e-14 of the root
     }
+    void withoutVapourFibresTakeWhatLiquidThereIsAndGiveNoneBack() // and are as warm as what they took has made them
+    {
+        ClimateParameters climate = room();
+        climate.vapour = climate.humidity = 0;
+        for (double radius : {8e-6, 1e-9})
+            for (double full : {1e-6, 0.01, 0.5}) {
+                Network n(1, 1, cotton(), cotton());
+                n.yarns[0].fibre_radius = radius;
+                const double liquid = full * climate.density * n.pores[0];
+                n.liquid[0] = liquid;
+                Segments s = n.views();
+                for (int step = 0; step < 20; ++step) {
+                    const double bound = s.bound[0], before = s.warmth[0], lost = s.lost[0];
+                    ExchangeInSegment{s, climate, 9e-8, 0.05, true, false, true}(0);
+                    QVERIFY(s.bound[0] >= bound * (1 - 1e-12) && s.liquid[0] >= 0);
+                    QVERIFY(std::abs(s.bound[0] + s.liquid[0] - liquid) <= 1e-14 * liquid);
+                    const double warmest = std::max(before, s.warmth[0]) - climate.air_warmth;
+                    QVERIFY2(s.lost[0] - lost <= 1.01 * 0.05 * climate.heat_transfer * 9e-8 * std::max(0.0, warmest) + 1e-15,
+                             qPrintable(QString("%1 %2: %3").arg(radius).arg(full).arg(warmest)));
+                }
+            }
+    }
     void supersaturatedPoresCondenseAndWarm() // no more and no less than their heat of condensation says, and not to and fro
     {
         const ClimateParameters climate = room();

@@ -19,13 +19,12 @@ struct FlowAlongLines : PoreRounds {
         bool flows = team.any_of(a, b, [&](int i) { return is_wet(line, i); });
         if (flows) {
             team.each(a, b, [&](int i) { look_at(line, i); });
-            flows = team.each_saying(a, b, [&](int i) { return couple(line, i); });
+            flows = team.each_saying(a, b, [&](int i) { return couple(line, i); }) && solve(line);
         }
         if (!flows) {
             team.each(a, b, [&](int i) { s.flux[i] = 0; });
             return;
         }
-        solve(line);
         accept(line, at);
     }
 

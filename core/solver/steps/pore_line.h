@@ -45,7 +45,8 @@ struct PoreLines {
     double lift;  ///< Pa, by which suction rises from a place to the next in liquid at rest
     StandingPool pool;
     std::int64_t* drawn;    ///< sums up quanta that came from the pool
-    std::int64_t* unsolved; ///< counts lines whose rounds did not close in
+    int most_rounds;        ///< for the suctions along a line
+    std::int64_t* unsolved; ///< counts lines whose rounds did not close in; they stay as they were
 
     template <typename Team> struct Line {
         const Team& team;

@@ -80,7 +80,8 @@ struct PoreRounds : PoreLines {
             line(left + which, i) = over;
             line(falls + which, i) = cap * h.fall > least ? cap * h.fall : least;
             if (pool.stands && fed < line(most_fed + which, i)) line(falls + which, i) += line(feed + which, i);
-            const double noise = enough * cap + rounding * coupled[which] * std::abs(line(suction + which, i));
+            const double flows = coupled[which] + (pool.stands ? line(feed + which, i) : 0.0);
+            const double noise = enough * cap + rounding * flows * std::abs(line(suction + which, i));
             open = open || !(over <= noise && over >= -noise);
         }
         return open;
@@ -147,23 +148,25 @@ struct PoreRounds : PoreLines {
         return more;
     }
     /// Newton's rounds as they come, which mostly close in after a few; then nested ones (Casulli and Zanolli 2010), which do not depend on
-    /// where they begin.
-    template <typename Team> HL_FN void solve(const Line<Team>& line) const
+    /// where they begin. Returns whether they close in.
+    template <typename Team> HL_FN bool solve(const Line<Team>& line) const
     {
-        constexpr int most_plain = 20, most_nested = 200;
+        constexpr int most_plain = 20;
         const int a = line.first, b = line.last;
-        for (int round = 0; round < most_plain; ++round) {
-            if (!line.team.each_saying(a, b, [&](int i) { return balance(line, i, false); })) return;
+        int round = 0;
+        for (; round < most_plain && round < most_rounds; ++round) {
+            if (!line.team.each_saying(a, b, [&](int i) { return balance(line, i, false); })) return true;
             newton_round(line, false);
         }
         line.team.each(a, b, [&](int i) { begin_anew(line, i); });
-        for (int round = 0; round < most_nested; ++round) {
+        for (; round < most_rounds; ++round) {
             if (line.team.each_saying(a, b, [&](int i) { return balance(line, i, true); }))
                 newton_round(line, true);
             else if (!line.team.each_saying(a, b, [&](int i) { return take_bends(line, i); }))
-                return;
+                return true;
         }
         line.team.each(a, a + 1, [&](int) { atomic_add(unsolved, std::int64_t(1)); });
+        return false;
     }
 };
 

@@ -86,6 +86,15 @@ struct SegmentBalance {
     HL_FN static double fmin_(double a, double b) { return a < b ? a : b; }
     HL_FN static double fmax_(double a, double b) { return a > b ? a : b; }
 
+    /// Without vapour fibres take what liquid there is, and give none back; kg/kg.
+    HL_FN double skin_on_liquid(const Start& start, double skin) const
+    {
+        const Fibre& fibre = start.fibre;
+        if (!(fibre.slope > 0)) return skin;
+        const double least = (fibre.bound - fibre.base) / fibre.slope;
+        return fmax_(least, fmin_(skin, least + start.liquid / fibre.slope));
+    }
+
     /// Everything that follows from a trial pore vapour (kg/m3) at a temperature; near: the rise of the reference humidity of a trial like
     /// it, or 0.
     HL_FN Outcome try_vapour(const Start& start, const Warm& now, double pore_vapour, double near) const
@@ -99,7 +108,7 @@ struct SegmentBalance {
             o.reference.humidity = skin_humidity(start, now, pore_vapour);
             if (isotherm.shifts) o.reference = reference_humidity(o.reference.humidity, now.shift, near);
             const WithSlope skin = regain_at_reference(fibre.law, isotherm.saturation_regain, o.reference.humidity);
-            o.skin = skin.value;
+            o.skin = vapour ? skin.value : skin_on_liquid(start, skin.value);
             o.skin_slope = skin.slope;
             o.bound = fibre.base + fibre.slope * o.skin;
         }
