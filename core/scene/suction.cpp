@@ -74,6 +74,26 @@ YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, doub
             type.section.width * pitch * across / (0.25 * type.section.height)};
 }
 
+std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid)
+{
+    std::vector<double> contacts(static_cast<std::size_t>(textile.segments()));
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                if (!textile.touches_next(kind, end, pick)) continue;
+                const int yarn = kind == YarnKind::warp ? end : pick;
+                const YarnType &a = textile.type(kind, yarn), &b = textile.type(kind, yarn + 1);
+                const double across_a = across_per_viscosity(a, liquid), across_b = across_per_viscosity(b, liquid);
+                if (!(across_a > 0 && across_b > 0)) continue;
+                // From axis to axis, over half of the lower one's height.
+                const double per_length = 0.5 * std::min(a.section.height, b.section.height) /
+                                          (0.5 * a.section.width / across_a + 0.5 * b.section.width / across_b);
+                contacts[static_cast<std::size_t>(textile.segment(kind, end, pick))] = per_length * textile.segment_length(kind, end, pick);
+            }
+    const bool any = std::any_of(contacts.begin(), contacts.end(), [](double contact) { return contact > 0; });
+    return any ? contacts : std::vector<double>();
+}
+
 BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_number, std::size_t weft_number, const LiquidInPores& liquid)
 {
     const YarnType &warp_type = textile.warp.types[warp_number], &weft_type = textile.weft.types[weft_number];

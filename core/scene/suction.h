@@ -40,6 +40,9 @@ struct LiquidInPores {
 /// One type of a textile's yarns; pitch in m from one crossing to the next.
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid);
 
+/// Between neighbours that touch, m3/(Pa s): see Cloth::touching.
+std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid);
+
 /// Where two types of its yarns cross, by their numbers.
 BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp, std::size_t weft, const LiquidInPores& liquid);
 
