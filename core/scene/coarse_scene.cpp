@@ -123,7 +123,8 @@ void bundle(YarnParameters& yarn, double yarns, double crossed)
 
 void bundle(BetweenParameters& between, double ends, double picks)
 {
-    for (double* of_all : {&between.volume, &between.to_warp, &between.to_weft, &between.yarns, &between.face}) *of_all *= ends * picks;
+    for (double* of_all : {&between.volume, &between.to_warp, &between.to_weft, &between.yarns, &between.face, &between.through})
+        *of_all *= ends * picks;
     between.along_warp *= ends / picks;
     between.along_weft *= picks / ends;
 }

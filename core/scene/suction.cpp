@@ -117,6 +117,12 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     const double open = std::max(0.0, weft.pitch - warp.width) * std::max(0.0, warp.pitch - weft.width);
     const double seen = open + 0.1 * warp.pitch * weft.pitch; // of the room from a face; the tenth is an assumption
     between.face = seen * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+    if (open > 0) {
+        const auto angle = [&](const YarnType& type) { return angles_on(type, textile.back_angle).advancing; };
+        between.through = open * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+        between.holds_back = breakthrough_pressure(liquid.surface_tension, 0.5 * (angle(warp_type) + angle(weft_type)), 0.5 * warp.height,
+                                                   0.5 * (weft.pitch - warp.width), 0.5 * weft.height, 0.5 * (warp.pitch - weft.width));
+    }
     for (bool warp_up : {false, true}) {
         const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
               &of_weft = warp_up ? textile.back_angle : textile.face_angle;

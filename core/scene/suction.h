@@ -22,6 +22,8 @@ struct BetweenParameters {
     double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
     double yarns = 0;                      ///< from the one into the other, where they touch
     double face = 0;                       ///< from liquid on one face
+    double through = 0;                    ///< out of the hole on the other face; 0: there is none
+    double holds_back = 0;                 ///< Pa over the air's that liquid must exceed to pass there, see breakthrough_pressure()
     double on_warp[2] = {0.5, 0.5};        ///< share of its liquid that clings to the warp yarn: where that lies below, on top
 };
 

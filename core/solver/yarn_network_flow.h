@@ -18,7 +18,7 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     const int longest = of_warp ? all.visited_picks() : all.visited_ends();
     exec_.for_each_line("flow", lines, longest,
                         FlowAlongLines{s, climate_, dt, of_warp, lift(of_warp), pool, &totals_.data()->given, scene_->rules.suction_rounds,
-                                       &totals_.data()->unsolved});
+                                       &totals_.data()->shed, &totals_.data()->unsolved});
     if (scene_->rules.heat)
         exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
 }
@@ -54,7 +54,10 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
     }
     if (fields_.touching.size() > 0) flow_between_touching(dt);
     warp_first_ = !warp_first_;
-    if (pools) pools_.standing[0] -= totals_.read(0).given;
+    if (!pools) return;
+    const YarnTotals found = totals_.read(0);
+    pools_.standing[0] -= found.given;
+    pools_.ran_off.add(found.shed);
 }
 
 } // namespace hygroloom::inline HL_PRECISION
