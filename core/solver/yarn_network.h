@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form.
+// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form. How liquid
+// flows in it by suctions stands in yarn_network_flow.h.
 #pragma once
 
 #include "core/solver/state_archive.h"
@@ -416,5 +417,3 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
 }
 
 } // namespace hygroloom::inline HL_PRECISION
-
-#include "core/solver/yarn_network_flow.h"

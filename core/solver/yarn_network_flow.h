@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The part of a yarn network's step in which liquid flows by suctions; included by yarn_network.h.
+// The part of a yarn network's step in which liquid flows by suctions.
 #pragma once
 
 #include "core/solver/yarn_network.h"
