@@ -202,6 +202,17 @@ double Textile::shift_at_crossing(YarnKind kind, int end, int pick) const
     return drift * 0.5 * std::max(0.0, gap);
 }
 
+bool Textile::touches_next(YarnKind kind, int end, int pick) const
+{
+    constexpr double drawn_apart = 1.0 - widest_share_of_pitch + 1e-6; // of the pitch: yarns that press each other are drawn so
+    const bool is_warp = kind == YarnKind::warp;
+    const YarnSystem& own = system(kind);
+    const int yarn = is_warp ? end : pick;
+    if (yarn + 1 >= own.count) return false;
+    const double nearer = shift_at_crossing(kind, end, pick) - shift_at_crossing(kind, end + (is_warp ? 1 : 0), pick + (is_warp ? 0 : 1));
+    return own.pitch - 0.5 * (type(kind, yarn).section.width + type(kind, yarn + 1).section.width) - nearer <= drawn_apart * own.pitch;
+}
+
 bool Textile::changes_after(YarnKind kind, int end, int pick) const
 {
     const bool along_warp = kind == YarnKind::warp;

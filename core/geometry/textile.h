@@ -94,6 +94,8 @@ struct Textile {
     /// How far the yarn lies beside its place at a crossing, along +x (warp) or +y (weft): where no thread passes between neighbours
     /// they move together, by up to half the gap between them.
     double shift_at_crossing(YarnKind kind, int end, int pick) const;
+    /// Whether the yarn and the next beside it, along +x (warp) or +y (weft), touch at a crossing; the last has none.
+    bool touches_next(YarnKind kind, int end, int pick) const;
     /// Length of a segment's centreline.
     double segment_length(YarnKind kind, int end, int pick) const;
     /// Whether the yarn changes sides between this crossing and the next along it.

@@ -4,6 +4,8 @@
 #include "core/plan/bundles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hygroloom {
@@ -46,6 +48,34 @@ std::vector<double> lengths(const Blocks& blocks, const std::vector<double>& fin
 {
     std::vector<double> coarse = summed(blocks, fine);
     for (std::size_t c = 0; c < coarse.size(); ++c) coarse[c] /= blocks.yarns_of(c);
+    return coarse;
+}
+
+/// Conductances in series, from the middle of each bundle to that of the next: the segments of a cell side by side share their liquid.
+std::vector<double> touching_bundles(const Blocks& blocks, const std::vector<double>& fine)
+{
+    if (fine.empty()) return {};
+    const auto fine_crossings = static_cast<std::size_t>(blocks.ends.yarns * blocks.picks.yarns);
+    std::vector<double> coarse;
+    for (bool is_warp : {true, false}) {
+        const Bundles &own = is_warp ? blocks.ends : blocks.picks, &crossed = is_warp ? blocks.picks : blocks.ends;
+        const auto joint = [&](int yarn, int across) { // all of a cell's between a yarn and the next
+            double sum = 0;
+            for (int at = 0; at < crossed.yarns; ++at)
+                if (crossed.first_of(at) <= across && across <= crossed.last_of(at))
+                    sum += crossed.share(at, across) *
+                           fine[(is_warp ? 0 : fine_crossings) + static_cast<std::size_t>(yarn * crossed.yarns + at)];
+            return sum;
+        };
+        for (int bundle = 0; bundle < own.count; ++bundle)
+            for (int across = 0; across < crossed.count; ++across) {
+                const double begin = (bundle + 0.5) * own.size() - 0.5, end = begin + own.size(); // in yarns' middles
+                double resistance = bundle + 1 < own.count ? 0 : std::numeric_limits<double>::infinity();
+                for (int yarn = static_cast<int>(begin); yarn < end && std::isfinite(resistance); ++yarn)
+                    resistance += std::max(0.0, std::min(end, yarn + 1.0) - std::max(begin, double(yarn))) / joint(yarn, across);
+                coarse.push_back(1.0 / resistance);
+            }
+    }
     return coarse;
 }
 
@@ -93,7 +123,8 @@ void bundle(YarnParameters& yarn, double yarns, double crossed)
 
 void bundle(BetweenParameters& between, double ends, double picks)
 {
-    for (double* of_all : {&between.volume, &between.to_warp, &between.to_weft, &between.yarns, &between.face}) *of_all *= ends * picks;
+    for (double* of_all : {&between.volume, &between.to_warp, &between.to_weft, &between.yarns, &between.face, &between.through})
+        *of_all *= ends * picks;
     between.along_warp *= ends / picks;
     between.along_weft *= picks / ends;
 }
@@ -141,6 +172,7 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     coarse.cloth.length = lengths(blocks, fine.cloth.length);
     coarse.cloth.pores = summed(blocks, fine.cloth.pores);
     coarse.cloth.shift.clear();
+    coarse.cloth.touching = touching_bundles(blocks, fine.cloth.touching);
     coarse.cloth.warp_up_share = warp_up_shares(blocks, fine.cloth.warp_up);
     coarse.cloth.warp_up.clear();
     for (float share : coarse.cloth.warp_up_share) coarse.cloth.warp_up.push_back(share >= 0.5f);

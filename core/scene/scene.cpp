@@ -201,6 +201,7 @@ void flow_by_suction(Scene& scene, const Textile& textile)
 {
     scene.cloth.by_suction = true;
     const LiquidInPores liquid{scene.climate.surface_tension, scene.climate.viscosity};
+    scene.cloth.touching = contacts_of(textile, liquid);
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
     for (std::size_t type = 0; type < warps + wefts; ++type) {
         const bool is_warp = type < warps;
@@ -430,9 +431,8 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.rules.particles_per_droplet = plan.particles_per_droplet;
     set_parts(scene, plan);
     set_up(scene, textile, experiment, plan);
-    if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
-    constexpr double swelling = 1e-3;                    // m3 per kg: bound water takes as much room as liquid
-    if (experiment.swelling) scene.cloth.swelling = swelling;
+    if (!scene.rules.heat) scene.cloth.start.warmth = 0;     // as warm as the air from the start
+    scene.cloth.swelling = experiment.swelling ? 1e-3 : 0.0; // m3 per kg: bound water takes as much room as liquid
     scene.rules.network_step = plan.knobs.network_step_limit;
     scene.rules.calm_network_step = experiment.duration_s;
     scene.rules.step_error = plan.knobs.step_error;

@@ -74,6 +74,26 @@ YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, doub
             type.section.width * pitch * across / (0.25 * type.section.height)};
 }
 
+std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid)
+{
+    std::vector<double> contacts(static_cast<std::size_t>(textile.segments()));
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                if (!textile.touches_next(kind, end, pick)) continue;
+                const int yarn = kind == YarnKind::warp ? end : pick;
+                const YarnType &a = textile.type(kind, yarn), &b = textile.type(kind, yarn + 1);
+                const double across_a = across_per_viscosity(a, liquid), across_b = across_per_viscosity(b, liquid);
+                if (!(across_a > 0 && across_b > 0)) continue;
+                // From axis to axis, over half of the lower one's height.
+                const double per_length = 0.5 * std::min(a.section.height, b.section.height) /
+                                          (0.5 * a.section.width / across_a + 0.5 * b.section.width / across_b);
+                contacts[static_cast<std::size_t>(textile.segment(kind, end, pick))] = per_length * textile.segment_length(kind, end, pick);
+            }
+    const bool any = std::any_of(contacts.begin(), contacts.end(), [](double contact) { return contact > 0; });
+    return any ? contacts : std::vector<double>();
+}
+
 BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_number, std::size_t weft_number, const LiquidInPores& liquid)
 {
     const YarnType &warp_type = textile.warp.types[warp_number], &weft_type = textile.weft.types[weft_number];
@@ -97,6 +117,12 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     const double open = std::max(0.0, weft.pitch - warp.width) * std::max(0.0, warp.pitch - weft.width);
     const double seen = open + 0.1 * warp.pitch * weft.pitch; // of the room from a face; the tenth is an assumption
     between.face = seen * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+    if (open > 0) {
+        const auto angle = [&](const YarnType& type) { return angles_on(type, textile.back_angle).advancing; };
+        between.through = open * std::min(room.along_warp, room.along_weft) / (liquid.viscosity * 0.5 * thickness);
+        between.holds_back = breakthrough_pressure(liquid.surface_tension, 0.5 * (angle(warp_type) + angle(weft_type)), 0.5 * warp.height,
+                                                   0.5 * (weft.pitch - warp.width), 0.5 * weft.height, 0.5 * (warp.pitch - weft.width));
+    }
     for (bool warp_up : {false, true}) {
         const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
               &of_weft = warp_up ? textile.back_angle : textile.face_angle;

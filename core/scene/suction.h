@@ -22,6 +22,8 @@ struct BetweenParameters {
     double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
     double yarns = 0;                      ///< from the one into the other, where they touch
     double face = 0;                       ///< from liquid on one face
+    double through = 0;                    ///< out of the hole on the other face; 0: there is none
+    double holds_back = 0;                 ///< Pa over the air's that liquid must exceed to pass there, see breakthrough_pressure()
     double on_warp[2] = {0.5, 0.5};        ///< share of its liquid that clings to the warp yarn: where that lies below, on top
 };
 
@@ -39,6 +41,9 @@ struct LiquidInPores {
 
 /// One type of a textile's yarns; pitch in m from one crossing to the next.
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid);
+
+/// Between neighbours that touch, m3/(Pa s): see Cloth::touching.
+std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid);
 
 /// Where two types of its yarns cross, by their numbers.
 BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp, std::size_t weft, const LiquidInPores& liquid);

@@ -99,16 +99,17 @@ inline Yarns yarns_of(const Scene& scene)
 /// How many elements an array of the segments has.
 enum class SegmentCount {
     segments,
-    shells,           ///< those of each segment's fibres, from the middle outwards
-    crossings,        ///< end x picks + pick
-    bundle_crossings, ///< the same where the cloth goes in bundles of yarns, else none
-    fed_segments,     ///< all, where any hangs in liquid, else none
-    watched_segments, ///< all, where errors of steps are watched, else none
-    takers,           ///< all that free liquid passes into: segments, and behind them each crossing's room where liquid flows by suction
-    offered_takers,   ///< the same, where a pool stands on cloth in which liquid flows by suction, else none
-    uneven_segments,  ///< all, where yarns are uneven along their length, else none
-    sucking_segments, ///< all, where liquid flows by suction, else none
-    sucking_crossings ///< the same of the crossings
+    shells,            ///< those of each segment's fibres, from the middle outwards
+    crossings,         ///< end x picks + pick
+    bundle_crossings,  ///< the same where the cloth goes in bundles of yarns, else none
+    fed_segments,      ///< all, where any hangs in liquid, else none
+    watched_segments,  ///< all, where errors of steps are watched, else none
+    takers,            ///< all that free liquid passes into: segments, and behind them each crossing's room where liquid flows by suction
+    offered_takers,    ///< the same, where a pool stands on cloth in which liquid flows by suction, else none
+    uneven_segments,   ///< all, where yarns are uneven along their length, else none
+    touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
+    sucking_segments,  ///< all, where liquid flows by suction, else none
+    sucking_crossings  ///< the same of the crossings
 };
 
 /// The segments' arrays. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
@@ -117,6 +118,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<const std::uint8_t> warp_up{}; ///< whether the end is up
     Array<const float> warp_up_share{};  ///< of the crossings that each stands for
     Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
+    Array<const double> touching{};      ///< see Cloth
     Array<double> pores{};               ///< volume; swelling narrows them
     Array<double> dry_pores{};           ///< volume before any swelling, of uneven yarns
     Array<double> supplied{};            ///< liquid since the start by hanging in it
@@ -155,6 +157,7 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"warp_up", "1", Count::crossings}, of.warp_up...);
         visit(Row{"warp_up_share", "1", Count::bundle_crossings}, of.warp_up_share...);
         visit(Row{"fed", "1", Count::fed_segments}, of.fed...);
+        visit(Row{"touching", "m3/(Pa s)", Count::touching_segments}, of.touching...);
         visit(Row{"pores", "m3", Count::segments, saved, shown}, of.pores...);
         visit(Row{"dry_pores", "m3", Count::uneven_segments}, of.dry_pores...);
         visit(Row{"supplied", "kg", Count::fed_segments, saved, shown}, of.supplied...);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/solver/free_liquid.h"
-#include "core/solver/yarn_network.h"
+#include "core/solver/yarn_network_flow.h"
 
 #include <array>
 #include <chrono>

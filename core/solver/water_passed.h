@@ -25,7 +25,7 @@ struct WaterGivenBack {
 struct Pools {
     std::vector<std::int64_t> standing; ///< in each pool
     ManyQuanta pumped;                  ///< into pools and as sweat
-    ManyQuanta ran_off;                 ///< of sweat that found no room
+    ManyQuanta ran_off;                 ///< of sweat that found no room, and through holes
 
     bool any_stands() const
     {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form.
+// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form. How liquid
+// flows in it by suctions stands in yarn_network_flow.h.
 #pragma once
 
 #include "core/solver/state_archive.h"
 #include "core/solver/steps/segment_exchange.h"
 #include "core/solver/steps/segment_sums.h"
+#include "core/solver/steps/touching.h"
 #include "core/solver/steps/track_change.h"
 #include "core/solver/stock.h"
 #include "core/solver/visited_region.h"
@@ -90,7 +92,9 @@ private:
         region_.include_middle(pools_.reach(*scene_, face));
         return face;
     }
+    double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
+    void flow_between_touching(double dt);
     void move_by_suction(double dt);
     void sweat(double dt);
     void move_liquid_and_heat(double dt, const StepSigns& signs);
@@ -147,6 +151,7 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     fields_.warp_up_share.upload(scene.cloth.warp_up_share);
     fields_.fed.upload(scene.supply.fed);
     fields_.dry_pores.upload(scene.cloth.pores);
+    fields_.touching.upload(scene.cloth.touching);
     fields_.contact.fill(no_particle);
     type_.upload(scene.cloth.type);
     yarns_.upload(scene.cloth.yarns);
@@ -234,45 +239,6 @@ template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double 
         each_segment("take from pool", TakeFromPool{ask, pools_.standing[k], &totals_.data()->given});
         pools_.standing[k] -= totals_.read(0).given;
     }
-}
-
-/// Along one system's yarns, and half of what passes across them.
-template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double dt, bool of_warp)
-{
-    Segments s = segments();
-    s.room_with_warp = of_warp;
-    const Cloth& cloth = scene_->cloth;
-    const double lift =
-        climate_.density * (of_warp ? cloth.gravity_along_warp * cloth.weft_pitch : cloth.gravity_along_weft * cloth.warp_pitch);
-    const StandingPool pool = pools_.standing_pool(*scene_, climate_);
-    const Yarns all = yarns();
-    const int first = of_warp ? 0 : all.visited_ends(), lines = of_warp ? all.visited_ends() : all.visited_picks();
-    const int longest = of_warp ? all.visited_picks() : all.visited_ends();
-    exec_.for_each_line("flow", lines, longest,
-                        FlowAlongLines{s, climate_, dt, of_warp, lift, pool, &totals_.data()->given, scene_->rules.suction_rounds,
-                                       &totals_.data()->unsolved});
-    if (scene_->rules.heat)
-        exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
-}
-
-/// Along warp and weft, one after the other; the other way round in the next step.
-template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
-{
-    const bool pools = pools_.feeds();
-    if (pools) {
-        totals_.write(0, {});
-        const WeighPool weigh{segments(), face_under(0), climate_.density, pools_.weight_unit(*scene_), &totals_.data()->asked};
-        each_segment("weigh pool", weigh);
-        each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
-    }
-    const bool hands_over = scene_->rules.heat; // the liquid between yarns
-    for (bool of_warp : {warp_first_, !warp_first_}) {
-        if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
-        flow_by_suction(dt, of_warp);
-        if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
-    }
-    warp_first_ = !warp_first_;
-    if (pools) pools_.standing[0] -= totals_.read(0).given;
 }
 
 /// Each segment of the face gets its share; what finds no room runs off.

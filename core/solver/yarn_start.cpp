@@ -80,6 +80,7 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::takers: return sucks ? 3 * segments / 2 : segments;
     case SegmentCount::offered_takers: return sucks && !scene.supply.pools.empty() ? 3 * segments / 2 : 0;
     case SegmentCount::uneven_segments: return scene.cloth.pores.size();
+    case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;
     case SegmentCount::sucking_crossings: return sucks ? segments / 2 : 0;
     case SegmentCount::segments: break;

@@ -262,6 +262,41 @@ private Q_SLOTS:
             QVERIFY(collector.metrics().notes.empty());
         }
     }
+    void aPoolPassesThroughHolesThatDoNotHoldItsPressure()
+    {
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        for (double per_cm : {2.5, 20.0}) {
+            Design design = fed_design();
+            Fabric& fabric = design.fabrics[0];
+            fabric.ends_per_cm = fabric.picks_per_cm = per_cm;
+            fabric.thickness_mm.reset();
+            fabric.contact_angle_deg = 35;
+            design.experiments[0].sample_mm = {24, 24};
+            design.experiments[0].volume_ul = 600;
+            const Textile textile = textile_of_run(design, fabric, design.experiments[0]);
+            Scene scene =
+                build_scene(design, textile, design.experiments[0], plan_model(design, textile, design.experiments[0], Fidelity::draft), 1);
+            scene.rules.heat = true;
+            const BetweenParameters& between = scene.cloth.crossing[0].between;
+            const Section& yarn = textile.warp.types[0].section;
+            const double b = 0.5 * yarn.height, d = 0.5 * (textile.warp.pitch - yarn.width);
+            const double by_hand = breakthrough_pressure(scene.climate.surface_tension, radian_from_degree(35), b, d, b, d);
+            QVERIFY2(std::abs(between.holds_back / by_hand - 1) < 0.01, qPrintable(QString::number(between.holds_back)));
+            const bool open = between.holds_back < 60; // Pa, less than the pressure of half of it
+            QCOMPARE(open, per_cm < 10);
+            double shed = 0;
+            for (const Frame& frame : frames_at(*backend, scene, {5, 6, 20, 60})) {
+                const Ledger& l = frame.ledger;
+                QVERIFY2(std::abs(l.water_imbalance()) < 1e-12 * l.water_delivered, qPrintable(QString::number(l.water_imbalance())));
+                QVERIFY(std::abs(l.energy_imbalance()) < 1e-9 * std::max(1e-6, std::abs(l.energy_released) + std::abs(l.energy_lost)));
+                QVERIFY(l.water_dripped >= shed && l.water_free >= 0);
+                QCOMPARE(l.water_dripped > 0, open);
+                shed = l.water_dripped;
+                for (float saturation : frame.saturation) QVERIFY(saturation >= 0 && saturation <= 1);
+            }
+            qInfo("%g a cm: holds %g Pa, sheds %g of %g mg", per_cm, between.holds_back, 1e6 * shed, 600.0);
+        }
+    }
     void eachKeyOfTheClosureChangesTheWater_data()
     {
         QTest::addColumn<Change>("change");

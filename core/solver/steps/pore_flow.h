@@ -48,7 +48,10 @@ struct FlowAlongLines : PoreRounds {
             return false;
         }
         const Place p = place(line, i);
-        if (pool.stands) take_from_pool(line, p, i);
+        if (pool.stands) {
+            take_from_pool(line, p, i);
+            shed_through_hole(line, p, i);
+        }
         const double ax = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
         double mass[3] = {liquid(p, own_pores) + along_own + ax + ab, liquid(p, room_pores) + along_room - ax + bx,
                           liquid(p, crossed_pores) - ab - bx};
@@ -87,6 +90,16 @@ struct FlowAlongLines : PoreRounds {
             s.offered[taker(p, which)] -= quanta;
             atomic_add(drawn, quanta);
         }
+    }
+    template <typename Team> HL_FN void shed_through_hole(const Line<Team>& line, const Place& p, int i) const
+    {
+        const double passes = through_hole(room(p), line(suction + room_pores, i));
+        const auto quanta = static_cast<std::int64_t>(passes / water_quantum);
+        if (quanta == 0) return;
+        const double mass = static_cast<double>(quanta) * water_quantum;
+        liquid(p, room_pores) -= mass;
+        s.lost[p.own] += water_specific_heat * mass * s.warmth[p.own];
+        atomic_add(shed, quanta);
     }
     /// Liquid that comes from the crossed yarn, or goes there, carries its warmth.
     HL_FN void warm(const Place& p, double came) const

@@ -46,6 +46,7 @@ struct PoreLines {
     StandingPool pool;
     std::int64_t* drawn;    ///< sums up quanta that came from the pool
     int most_rounds;        ///< for the suctions along a line
+    std::int64_t* shed;     ///< sums up quanta that passed through holes
     std::int64_t* unsolved; ///< counts lines whose rounds did not close in; they stay as they were
 
     template <typename Team> struct Line {

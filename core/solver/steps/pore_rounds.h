@@ -41,6 +41,19 @@ struct PoreRounds : PoreLines {
         return draws < most ? draws : most;
     }
 
+    /// kg/Pa that pass through the hole of a crossing where a pool can press liquid through it.
+    HL_FN double hole(const BetweenParameters& room) const
+    {
+        const bool opens = pool.stands && pool.pressure > room.holds_back;
+        return opens ? climate.density * room.through * 0.5 * dt : 0.0;
+    }
+    /// kg out of a room at a suction.
+    HL_FN double through_hole(const BetweenParameters& room, double suction) const
+    {
+        const double over = -suction - room.holds_back;
+        return over > 0 ? hole(room) * over : 0.0;
+    }
+
     /// What a class holds at its suction; nested: as if the bends that are not taken were straight.
     HL_FN static Held held(const PoreCourse& course, double suction, int bends_taken, bool nested)
     {
@@ -70,17 +83,20 @@ struct PoreRounds : PoreLines {
         const double coupled[3] = {line(along, i) + (starts ? 0.0 : line(along, i - 1)) + ab_all + ax_all,
                                    line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
+        const double shed = through_hole(room(p), line(suction + room_pores, i)), leak = shed > 0 ? hole(room(p)) : 0.0;
         bool open = false;
         for (int which = 0; which < 3; ++which) {
             const double cap = capacity(p, which), fed = from_pool(line, which, i);
             const PoreCourse c = course(line, p, which, i);
             const Held h = held(c, line(suction + which, i), nested ? static_cast<int>(line(taken + which, i)) : 0, nested);
-            const double over = in[which] + fed - cap * (h.saturation - c.saturation);
+            const double out = which == room_pores ? shed : 0.0, leaks = which == room_pores ? leak : 0.0;
+            const double over = in[which] + fed - out - cap * (h.saturation - c.saturation);
             const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
             line(left + which, i) = over;
             line(falls + which, i) = cap * h.fall > least ? cap * h.fall : least;
             if (pool.stands && fed < line(most_fed + which, i)) line(falls + which, i) += line(feed + which, i);
-            const double flows = coupled[which] + (pool.stands ? line(feed + which, i) : 0.0);
+            line(falls + which, i) += leaks;
+            const double flows = coupled[which] + leaks + (pool.stands ? line(feed + which, i) : 0.0);
             const double noise = enough * cap + rounding * flows * std::abs(line(suction + which, i));
             open = open || !(over <= noise && over >= -noise);
         }

@@ -114,6 +114,7 @@ struct FedFace {
 /// What stages count for the host in a step of the yarns.
 struct YarnTotals {
     std::int64_t asked = 0, given = 0; ///< quanta
+    std::int64_t shed = 0;             ///< quanta, through holes
     std::int64_t unsolved = 0;         ///< lines, see FlowAlongLines
     std::int64_t swollen = 0;          ///< segments, see Swell
     std::int64_t wicking_error = 0;    ///< quanta

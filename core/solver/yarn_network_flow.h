@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The part of a yarn network's step in which liquid flows by suctions.
+#pragma once
+
+#include "core/solver/yarn_network.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// Along one system's yarns, and half of what passes across them.
+template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double dt, bool of_warp)
+{
+    Segments s = segments();
+    s.room_with_warp = of_warp;
+    const Cloth& cloth = scene_->cloth;
+    const StandingPool pool = pools_.standing_pool(*scene_, climate_);
+    const Yarns all = yarns();
+    const int first = of_warp ? 0 : all.visited_ends(), lines = of_warp ? all.visited_ends() : all.visited_picks();
+    const int longest = of_warp ? all.visited_picks() : all.visited_ends();
+    exec_.for_each_line("flow", lines, longest,
+                        FlowAlongLines{s, climate_, dt, of_warp, lift(of_warp), pool, &totals_.data()->given, scene_->rules.suction_rounds,
+                                       &totals_.data()->shed, &totals_.data()->unsolved});
+    if (scene_->rules.heat)
+        exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
+}
+
+/// Pa, by which suction rises from a crossing to the next along ends, or along picks, in liquid at rest.
+template <typename Executor> double YarnNetwork<Executor>::lift(bool along_warp) const
+{
+    const Cloth& cloth = scene_->cloth;
+    return climate_.density * (along_warp ? cloth.gravity_along_warp * cloth.weft_pitch : cloth.gravity_along_weft * cloth.warp_pitch);
+}
+
+template <typename Executor> void YarnNetwork<Executor>::flow_between_touching(double dt)
+{
+    for (bool of_odd : {false, true})
+        each_segment("touching", FlowBetweenTouching{segments(), climate_, dt, of_odd, lift(false), lift(true)});
+}
+
+/// Along warp and weft, one after the other; the other way round in the next step.
+template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
+{
+    const bool pools = pools_.feeds();
+    if (pools) {
+        totals_.write(0, {});
+        const WeighPool weigh{segments(), face_under(0), climate_.density, pools_.weight_unit(*scene_), &totals_.data()->asked};
+        each_segment("weigh pool", weigh);
+        each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
+    }
+    const bool hands_over = scene_->rules.heat; // the liquid between yarns
+    for (bool of_warp : {warp_first_, !warp_first_}) {
+        if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
+        flow_by_suction(dt, of_warp);
+        if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
+    }
+    if (fields_.touching.size() > 0) flow_between_touching(dt);
+    warp_first_ = !warp_first_;
+    if (!pools) return;
+    const YarnTotals found = totals_.read(0);
+    pools_.standing[0] -= found.given;
+    pools_.ran_off.add(found.shed);
+}
+
+} // namespace hygroloom::inline HL_PRECISION
