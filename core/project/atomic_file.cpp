@@ -58,21 +58,6 @@ void sync(const std::filesystem::path& path, bool folder, const std::filesystem:
     if (result != 0 && !folder) fail(target, "The file cannot be written to the disk", code);
 }
 
-/// A link stays a link: what it points to is replaced, or made.
-std::filesystem::path behind_links(std::filesystem::path path)
-{
-    std::error_code failure;
-    const std::filesystem::path given = path;
-    constexpr int most_links = 40; // as the kernel
-    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i) {
-        const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
-        if (failure) fail(given, "The link cannot be followed", failure.value());
-        path = path.parent_path() / next;
-    }
-    if (std::filesystem::is_symlink(path, failure)) fail(given, "The link cannot be followed", ELOOP);
-    return path;
-}
-
 void keep_backup(const std::filesystem::path& target)
 {
     const std::filesystem::path backup = target.string() + "~";
@@ -88,6 +73,20 @@ void keep_backup(const std::filesystem::path& target)
 }
 
 } // namespace
+
+std::filesystem::path behind_links(std::filesystem::path path)
+{
+    std::error_code failure;
+    const std::filesystem::path given = path;
+    constexpr int most_links = 40; // as the kernel
+    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i) {
+        const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
+        if (failure) fail(given, "The link cannot be followed", failure.value());
+        path = path.parent_path() / next;
+    }
+    if (std::filesystem::is_symlink(path, failure)) fail(given, "The link cannot be followed", ELOOP);
+    return path;
+}
 
 void write_files_with(const std::vector<std::filesystem::path>& paths,
                       const std::function<void(const std::vector<std::filesystem::path>&)>& writer, Previous previous)
