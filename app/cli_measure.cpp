@@ -84,6 +84,49 @@ void write_vtk_files(const Recording& recording, const MeasureOptions& options)
     if (!options.quiet) fmt::print(stderr, "{} frames are in {}; open yarns.pvd.\n", frames, options.vtk);
 }
 
+/// What is written must not take the place of what is read.
+void require_other_files(const MeasureOptions& options)
+{
+    std::vector<std::filesystem::path> written{options.output, options.report};
+    if (!options.vtk.empty()) {
+        std::error_code none;
+        for (const auto& entry : std::filesystem::directory_iterator(options.vtk, none))
+            if (const std::string ending = entry.path().extension().string(); ending == ".vtp" || ending == ".pvd" || ending == ".series")
+                written.push_back(entry.path());
+    }
+    for (const std::filesystem::path& path : written) {
+        std::error_code none; // no such file: another
+        if (!path.empty() && std::filesystem::equivalent(path, options.recording, none))
+            throw Stop(exit_usage, path.string() + ": This is the recording that is measured; give another name for what is written.");
+    }
+}
+
+std::unique_ptr<Recording> opened(const MeasureOptions& options)
+{
+    try {
+        return std::make_unique<Recording>(options.recording);
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+}
+
+/// Throws Stop when nothing is left.
+void say_what_is_missing(const Recording& recording, const MeasureOptions& options)
+{
+    constexpr std::size_t most_named = 20;
+    const std::vector<std::string>& problems = recording.problems();
+    for (std::size_t i = 0; i < std::min(problems.size(), most_named); ++i) fmt::print(stderr, "{}\n", problems[i]);
+    if (problems.size() > most_named)
+        fmt::print(stderr, "{}: {} more frames are left out.\n", options.recording, problems.size() - most_named);
+    if (recording.frames() == 0) throw Stop(exit_invalid, options.recording + ": The recording has no frames.");
+    if (recording.finished() || options.quiet) return;
+    const double end = recording.ledgers().back().time;
+    if (recording.is_being_written())
+        fmt::print(stderr, "{}: The run goes on; measured is up to {:.4g} s.\n", options.recording, end);
+    else
+        fmt::print(stderr, "{}: The run was stopped at {:.4g} s.\n", options.recording, end);
+}
+
 int measure(const MeasureOptions& options)
 {
     if (!options.report.empty() && CLI::detail::to_lower(std::filesystem::path(options.report).extension().string()) != ".html")
@@ -91,19 +134,16 @@ int measure(const MeasureOptions& options)
     if (options.time >= 0 && options.map.empty() && options.report.empty())
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
-    std::unique_ptr<Recording> recording;
-    try {
-        recording = std::make_unique<Recording>(options.recording);
-    } catch (const FileError& error) {
-        throw Stop(exit_invalid, error.what());
-    }
-    if (recording->frames() == 0) throw Stop(exit_invalid, options.recording + ": The recording has no frames.");
-    if (!recording->finished() && !options.quiet)
-        fmt::print(stderr, "{}: The run was stopped at {:.4g} s.\n", options.recording, recording->ledgers().back().time);
-    if (!options.map.empty()) write_map(*recording, options);
+    require_other_files(options);
+    const std::unique_ptr<Recording> recording = opened(options);
     MetricsCollector collector;
     collector.start(recording->run());
-    for (int i = 0; i < recording->frames(); ++i) collector.add(recording->frame(i));
+    recording->read_frames([&](const Frame& frame) {
+        collector.add(frame);
+        return true;
+    });
+    say_what_is_missing(*recording, options);
+    if (!options.map.empty()) write_map(*recording, options);
     const Metrics metrics = collector.metrics();
     if (!options.report.empty()) write_report(*recording, metrics, options);
     if (!options.vtk.empty()) write_vtk_files(*recording, options);

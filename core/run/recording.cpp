@@ -258,24 +258,23 @@ Frame Recording::frame(int index, std::span<const FrameField> fields) const
     }
 }
 
-void Recording::read_frames(const std::function<void(const Frame&)>& see)
+void Recording::read_frames(const std::function<bool(const Frame&)>& see)
 {
     h5::silence();
     std::vector<StoredFrame> good;
-    file_->ledgers.clear();
+    bool goes_on = true;
     for (StoredFrame& stored : file_->frames) {
-        std::optional<Frame> frame;
         try {
-            frame = file_->values_of(stored, frame_fields);
+            const Frame frame = goes_on ? file_->values_of(stored, frame_fields) : Frame();
+            goes_on = goes_on && see(frame);
+            good.push_back(std::move(stored));
         } catch (const FileError& error) {
             file_->leave_out(stored.number, error.what());
-            continue;
         }
-        see(*frame);
-        file_->ledgers.push_back(stored.ledger);
-        good.push_back(std::move(stored));
     }
     file_->frames = std::move(good);
+    file_->ledgers.clear();
+    for (const StoredFrame& frame : file_->frames) file_->ledgers.push_back(frame.ledger);
 }
 
 } // namespace hygroloom

@@ -52,8 +52,8 @@ public:
     const std::vector<std::string>& problems() const;
     /// With these values of each segment. Throws FileError, which names the frame. 0 <= index < frames().
     Frame frame(int index, std::span<const FrameField> fields = frame_fields) const;
-    /// Each in order. One that cannot be read is left out, and is no frame any more.
-    void read_frames(const std::function<void(const Frame&)>& see);
+    /// Each in order, until it returns false. One that cannot be read is left out, and is no frame any more.
+    void read_frames(const std::function<bool(const Frame&)>& see);
     /// The ledger of every frame, without reading the fields.
     const std::vector<Ledger>& ledgers() const;
 
