@@ -170,7 +170,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
 /// Frames that wait for a reader are not lost.
 RecordingWriter::~RecordingWriter()
 {
-    if (!file_->file.get() || file_->frames == 0 || !file_->target.failure().empty()) return;
+    if (!file_ || !file_->file.get() || file_->frames == 0 || !file_->target.failure().empty()) return;
     try {
         file_->close();
     } catch (const FileError&) {
@@ -222,6 +222,7 @@ void RecordingWriter::finish(double wall)
         file_->close();
         file_->target.sync();
     });
+    file_.reset();
 }
 
 } // namespace hygroloom

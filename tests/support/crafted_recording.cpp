@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "tests/support/crafted_recording.h"
 
-#include "core/run/recording.h"
 #include "tests/support/drop_design.h"
 
 #include <hdf5.h>
@@ -298,7 +297,7 @@ std::string change_json(hid_t file, Choices& choices)
 
 } // namespace
 
-void write_small_recording(const std::string& path)
+RunRecord small_run()
 {
     RunRecord run;
     run.design = drop_design();
@@ -310,18 +309,27 @@ void write_small_recording(const std::string& path)
     run.backend = "cpu";
     run.device = "a device";
     run.date = "2026-11-22T18:40:12Z";
-    RecordingWriter writer(path, run);
+    return run;
+}
+
+Frame small_frame(const RunRecord& run, int number)
+{
+    Frame frame;
     const auto n = static_cast<std::size_t>(run.textile.segments());
-    for (int k = 0; k < 3; ++k) {
-        Frame frame;
-        frame.time = frame.ledger.time = 0.1 * k;
-        frame.resize_fields(n);
-        for (std::size_t i = 0; i < n; ++i) frame.saturation[i] = static_cast<float>(i % 7) / 7;
-        frame.temperature.assign(n, 293.15F);
-        frame.positions.assign(static_cast<std::size_t>(k), {0.001F, 0, 0.002F});
-        frame.velocities.assign(static_cast<std::size_t>(k), {0, 0, -1});
-        writer.append(frame);
-    }
+    frame.time = frame.ledger.time = 0.1 * number;
+    frame.resize_fields(n);
+    for (std::size_t i = 0; i < n; ++i) frame.saturation[i] = static_cast<float>(i % 7) / 7;
+    frame.temperature.assign(n, 293.15F);
+    frame.positions.assign(static_cast<std::size_t>(number), {0.001F, 0, 0.002F});
+    frame.velocities.assign(static_cast<std::size_t>(number), {0, 0, -1});
+    return frame;
+}
+
+void write_small_recording(const std::string& path)
+{
+    const RunRecord run = small_run();
+    RecordingWriter writer(path, run);
+    for (int k = 0; k < 3; ++k) writer.append(small_frame(run, k));
     writer.note_device("a device; from 0.1 s on another");
     writer.note_switched_on({.name = "heat", .time = 0.1, .share = 0.1, .limit = 0.01, .estimate = 0.2, .kept_off = "the run was over"});
     writer.finish(1);

@@ -2,6 +2,8 @@
 // Recordings as a stranger would make them: a valid one whose objects get other types, extents, links and contents, as bytes choose.
 #pragma once
 
+#include "core/run/recording.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -25,6 +27,10 @@ private:
     const std::uint8_t* bytes_;
     std::size_t left_;
 };
+
+/// Of a drop on a small cloth, made up.
+RunRecord small_run();
+Frame small_frame(const RunRecord& run, int number);
 
 /// A valid one of three frames, with a part that came on and some particles.
 void write_small_recording(const std::string& path);
