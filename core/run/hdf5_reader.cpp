@@ -157,7 +157,7 @@ std::string read_text(hid_t parent, const std::string& name)
     std::string value(H5Tget_size(of.type.get()), '\0');
     if (H5Dread(of.set.get(), of.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) < 0)
         refuse(of.place, "cannot be read; the recording is damaged.");
-    value.resize(std::min(value.size(), value.find('\0')));
+    value.erase(std::find_if(value.rbegin(), value.rend(), [](char c) { return c != '\0'; }).base(), value.end());
     return in_whole_utf8(value);
 }
 
