@@ -2,10 +2,10 @@
 #include "core/project/atomic_file.h"
 
 #include "core/base/error.h"
+#include "core/project/leftovers.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -34,15 +34,6 @@ struct Temporary {
         if (!path.empty()) std::filesystem::remove(path, ignored);
     }
 };
-
-std::filesystem::path temporary_beside(const std::filesystem::path& target)
-{
-    static std::atomic<unsigned> counter{0};
-    auto path = target;
-    path.replace_filename(
-        fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, 100), ::getpid(), counter++, target.extension().string()));
-    return path;
-}
 
 /// Whether the data reached the disk; a folder on a file system that cannot sync folders counts as synced.
 void sync(const std::filesystem::path& path, bool folder, const std::filesystem::path& target)
@@ -109,6 +100,7 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
         places.push_back(std::move(place));
     }
     std::vector<std::filesystem::path> temporaries;
+    for (const Place& place : places) remove_leftovers(place.target);
     for (const Place& place : places) temporaries.push_back(temporary_beside(place.target));
     const std::vector<Temporary> guards(temporaries.begin(), temporaries.end());
     writer(temporaries);
