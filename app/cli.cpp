@@ -44,7 +44,7 @@ CLI::Validator seed_validator()
             const bool fits = failure == std::errc() && last == end;
             return fits ? std::string() : "This must be a whole number from 0 to 18446744073709551615; given is \"" + text + "\".";
         },
-        "NUMBER");
+        "");
 }
 
 CLI::Validator time_validator()

@@ -20,7 +20,7 @@ namespace h5 = hdf5;
 namespace {
 
 constexpr int most_yarns_before = 100'000'000; ///< a region's place in the fabric
-constexpr std::uint64_t base_frame_bytes = 48 << 20;
+constexpr std::uint64_t base_frame_bytes = 80 << 20;
 
 /// What the file holds of a frame, before the values of its segments.
 struct StoredFrame {
@@ -147,7 +147,7 @@ struct Recording::File {
     void read_frames();
     void require_order();
     /// Bytes that the values of one frame may take.
-    std::uint64_t room() const { return base_frame_bytes + source.size(); }
+    std::uint64_t room() const { return base_frame_bytes + 3 * source.size(); }
     Frame values_of(const StoredFrame& stored, std::span<const FrameField> fields) const;
 };
 
@@ -202,7 +202,8 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
         field.in(frame) = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name, n);
     }
     frame.ledger = stored.ledger;
-    const hsize_t most = room() / (2 * sizeof frame.positions[0]);
+    const std::uint64_t left = room() - sizeof(float) * std::size(frame_fields) * n; // the constructor saw that they fit
+    const hsize_t most = left / (4 * sizeof frame.positions[0]);
     const std::vector<float> x = h5::read_triples(g, "particle_position", most), v = h5::read_triples(g, "particle_velocity", most);
     if (x.size() != v.size()) throw FileError(fmt::format("it has {} particles, and velocities of {}.", x.size() / 3, v.size() / 3));
     for (std::size_t i = 0; i < x.size(); i += 3) {
