@@ -40,9 +40,10 @@ herr_t close_storage(H5FD_t* file)
     return 0;
 }
 
-herr_t query(const H5FD_t*, unsigned long* flags)
+herr_t query(const H5FD_t* file, unsigned long* flags)
 {
-    *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA;
+    *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA;
+    if (file && own(file).storage->is_written()) *flags |= H5FD_FEAT_ACCUMULATE_METADATA;
     return 0;
 }
 
@@ -56,9 +57,21 @@ herr_t allocate(H5FD_t* file, H5FD_mem_t, haddr_t end)
 
 haddr_t size_of(const H5FD_t* file, H5FD_mem_t) { return own(file).storage->size(); }
 
-herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t count, void* bytes)
+BlockKind kind_of(H5FD_mem_t type)
 {
-    return own(file).storage->read(at, bytes, count) ? 0 : -1;
+    switch (type) {
+    case H5FD_MEM_SUPER: return BlockKind::superblock;
+    case H5FD_MEM_BTREE: return BlockKind::tree;
+    case H5FD_MEM_OHDR: return BlockKind::header;
+    case H5FD_MEM_LHEAP: return BlockKind::heap;
+    case H5FD_MEM_DRAW: return BlockKind::data;
+    default: return BlockKind::other;
+    }
+}
+
+herr_t read(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, size_t count, void* bytes)
+{
+    return own(file).storage->read(at, bytes, count, kind_of(type)) ? 0 : -1;
 }
 
 herr_t write(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, size_t count, const void* bytes)

@@ -3,6 +3,7 @@
 // and the writer decides when what is written takes effect.
 #pragma once
 
+#include "core/run/hdf5_blocks.h"
 #include "core/run/hdf5_file.h"
 
 #include <cstdint>
@@ -14,7 +15,9 @@ class Storage {
 public:
     virtual ~Storage() = default;
     virtual std::uint64_t size() const = 0;
-    virtual bool read(std::uint64_t at, void* bytes, std::size_t count) = 0;
+    virtual bool read(std::uint64_t at, void* bytes, std::size_t count, BlockKind kind) = 0;
+    /// Else each block of metadata is read from its beginning.
+    virtual bool is_written() const = 0;
     /// What is metadata may be written anywhere; what is not, only where nothing that is in use was written before.
     virtual bool write(std::uint64_t at, const void* bytes, std::size_t count, bool is_metadata) = 0;
     virtual void resize(std::uint64_t size) = 0;

@@ -34,7 +34,8 @@ void require_no_link(hid_t parent, const std::string& name, const std::string& p
 {
     if (!exists(parent, name)) refuse(place, "is missing; the recording is damaged or no recording.");
     H5L_info_t info{};
-    if (H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT) < 0) refuse(place, "cannot be read; the recording is damaged.");
+    if (H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT) < 0)
+        refuse(place, "cannot be read; it is damaged, or of a kind that recordings do not hold.");
     if (info.type != H5L_TYPE_HARD) refuse(place, "is a link; recordings hold none, and none is followed.");
 }
 
@@ -116,7 +117,7 @@ Checked checked(hid_t parent, const std::string& name, bool (*is_type)(hid_t), c
     Checked of;
     of.place = place_of(parent, name);
     require_no_link(parent, name, of.place);
-    const std::string damaged = fmt::format("\"{}\" cannot be read; the recording is damaged.", of.place);
+    const std::string damaged = fmt::format("\"{}\" cannot be read; it is damaged, or of a kind that recordings do not hold.", of.place);
     of.set = Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, damaged);
     of.type = Handle(H5Dget_type(of.set.get()), H5Tclose, damaged);
     if (!is_type(of.type.get())) refuse(of.place, fmt::format("is not {}.", type));
@@ -134,7 +135,7 @@ std::vector<float> floats_of(const Checked& of)
     if (of.count > 0 && of.is_packed)
         read_packed(of.set.get(), of.type.get(), of.properties.get(), of.sizes, of.chunk, values.data(), of.place);
     else if (of.count > 0 && H5Dread(of.set.get(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-        refuse(of.place, "cannot be read; the recording is damaged.");
+        refuse(of.place, "cannot be read; it is damaged, or of a kind that recordings do not hold.");
     if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
         refuse(of.place, "holds a number that is not finite.");
     return values;
@@ -147,7 +148,7 @@ Handle open_group(hid_t parent, const std::string& name)
     const std::string place = place_of(parent, name);
     require_no_link(parent, name, place);
     return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose,
-            in_whole_utf8(fmt::format("\"{}\" cannot be read; the recording is damaged.", place))};
+            in_whole_utf8(fmt::format("\"{}\" cannot be read; it is damaged, or of a kind that recordings do not hold.", place))};
 }
 
 std::string read_text(hid_t parent, const std::string& name)
@@ -156,7 +157,7 @@ std::string read_text(hid_t parent, const std::string& name)
     if (of.is_packed) refuse(of.place, "is a compressed text; recordings hold none.");
     std::string value(H5Tget_size(of.type.get()), '\0');
     if (H5Dread(of.set.get(), of.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) < 0)
-        refuse(of.place, "cannot be read; the recording is damaged.");
+        refuse(of.place, "cannot be read; it is damaged, or of a kind that recordings do not hold.");
     value.erase(std::find_if(value.rbegin(), value.rend(), [](char c) { return c != '\0'; }).base(), value.end());
     return in_whole_utf8(value);
 }
@@ -167,14 +168,15 @@ double read_number(hid_t parent, const std::string& name)
 {
     const std::string place = place_of(parent, name);
     if (!has_number(parent, name)) refuse(place, "is missing; the recording is damaged or no recording.");
-    const std::string damaged = fmt::format("\"{}\" cannot be read; the recording is damaged.", place);
+    const std::string damaged = fmt::format("\"{}\" cannot be read; it is damaged, or of a kind that recordings do not hold.", place);
     const Handle attribute(H5Aopen(parent, name.c_str(), H5P_DEFAULT), H5Aclose, damaged);
     const Handle type(H5Aget_type(attribute.get()), H5Tclose, damaged);
     if (!is_plain_float(type.get())) refuse(place, "is not a number.");
     const Handle space(H5Aget_space(attribute.get()), H5Sclose, damaged);
     require_extents(extents_of(space.get(), place), {}, place);
     double value = 0;
-    if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0) refuse(place, "cannot be read; the recording is damaged.");
+    if (H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0)
+        refuse(place, "cannot be read; it is damaged, or of a kind that recordings do not hold.");
     if (!std::isfinite(value)) refuse(place, "is not a finite number.");
     return value;
 }
@@ -211,7 +213,7 @@ Table::Table(hid_t parent, const std::string& name, hsize_t columns) : columns_(
 std::vector<double> Table::read(hsize_t first, hsize_t count) const
 {
     const hsize_t start[2] = {first, 0}, size[2] = {count, columns_};
-    const std::string damaged = fmt::format("\"{}\" cannot be read; the recording is damaged.", place_);
+    const std::string damaged = fmt::format("\"{}\" cannot be read; it is damaged, or of a kind that recordings do not hold.", place_);
     std::vector<double> values(count * columns_);
     const Handle in_file(H5Dget_space(set_.get()), H5Sclose, damaged), in_memory(H5Screate_simple(2, size, nullptr), H5Sclose, damaged);
     if (H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start, nullptr, size, nullptr) < 0 ||

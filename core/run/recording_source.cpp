@@ -50,6 +50,7 @@ RecordingSource::RecordingSource(const std::filesystem::path& path) : file_(::op
     is_being_written_ = is_locked(file_, LockedByte::writer);
     if (is_being_written_) share_index(file_);
     size_ = ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    check_ = {[this](std::uint64_t at, void* bytes, std::size_t count) { return read_plain(at, bytes, count); }, size_};
     std::string end(std::min<std::uint64_t>(size_, log_foot_bytes), '\0');
     if (!read_all(file_, size_ - end.size(), end.data(), end.size())) return;
     const std::uint64_t length = length_of_log(end);
@@ -64,12 +65,17 @@ bool RecordingSource::begins_as_hdf5()
 {
     constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
     std::string begin(signature.size(), '\0');
-    return read(0, begin.data(), begin.size()) && begin == signature;
+    return read_plain(0, begin.data(), begin.size()) && begin == signature;
 }
 
 void RecordingSource::release_index() { unlock(file_, LockedByte::index); }
 
-bool RecordingSource::read(std::uint64_t at, void* bytes, std::size_t count)
+bool RecordingSource::read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind)
+{
+    return check_.allows(at, count, kind) && read_plain(at, bytes, count);
+}
+
+bool RecordingSource::read_plain(std::uint64_t at, void* bytes, std::size_t count)
 {
     if (at > size_ || count > size_ - at) return false;
     if (!read_all(file_, at, static_cast<char*>(bytes), count)) return false;

@@ -24,15 +24,19 @@ public:
     /// From here on a run may change what leads to the frames. Frames and what was read stay.
     void release_index();
 
-    bool read(std::uint64_t at, void* bytes, std::size_t count) override;
+    bool read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind) override;
+    bool is_written() const override { return false; }
     bool write(std::uint64_t, const void*, std::size_t, bool) override { return false; }
     void resize(std::uint64_t) override {}
 
 private:
+    bool read_plain(std::uint64_t at, void* bytes, std::size_t count);
+
     int file_ = -1;
     std::uint64_t size_ = 0;
     bool is_being_written_ = false;
     Changes changes_; ///< that a run was about to make
+    hdf5::BlockCheck check_;
 };
 
 } // namespace hygroloom

@@ -112,7 +112,7 @@ void RecordingTarget::check_target()
     ::fchmod(file_, status.st_mode & 07777);
 }
 
-bool RecordingTarget::read(std::uint64_t at, void* bytes, std::size_t count)
+bool RecordingTarget::read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind)
 {
     std::memset(bytes, 0, count); // what was never written
     for (std::size_t done = 0; done < count;) {

@@ -33,7 +33,8 @@ public:
     void sync();
 
     std::uint64_t size() const override { return end_; }
-    bool read(std::uint64_t at, void* bytes, std::size_t count) override;
+    bool read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind) override;
+    bool is_written() const override { return true; }
     bool write(std::uint64_t at, const void* bytes, std::size_t count, bool is_metadata) override;
     void resize(std::uint64_t size) override { end_ = size; }
 

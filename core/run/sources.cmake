@@ -2,8 +2,10 @@
 target_sources(hygroloom_core PRIVATE
   run/apart.cpp
   run/failover.cpp
+  run/hdf5_blocks.cpp
   run/hdf5_driver.cpp
   run/hdf5_file.cpp
+  run/hdf5_messages.cpp
   run/hdf5_packed.cpp
   run/hdf5_reader.cpp
   run/part_watch.cpp

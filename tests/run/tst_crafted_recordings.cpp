@@ -11,6 +11,7 @@
 #include <hdf5.h>
 #include <zlib.h>
 
+#include <cstring>
 #include <limits>
 #include <random>
 #include <sys/resource.h>
@@ -193,12 +194,19 @@ private Q_SLOTS:
                 H5Tset_size(type, H5T_VARIABLE);
                 put_set(f, "/provenance/all_devices", type, {1});
             },
-            "\"provenance/all_devices\" is not a text of fixed length.");
+            "\"provenance/all_devices\" cannot be read; it is damaged, or of a kind that recordings do not hold.");
         row(
             "a link elsewhere",
             [](hid_t f) {
                 H5Ldelete(f, "/provenance", H5P_DEFAULT);
                 H5Lcreate_external("/etc/passwd", "/", f, "/provenance", H5P_DEFAULT, H5P_DEFAULT);
+            },
+            "this is not a recording, or it is damaged or incomplete.");
+        row(
+            "a link within",
+            [](hid_t f) {
+                H5Ldelete(f, "/provenance", H5P_DEFAULT);
+                H5Lcreate_soft("/textile", f, "/provenance", H5P_DEFAULT, H5P_DEFAULT);
             },
             "\"provenance\" is a link; recordings hold none, and none is followed.");
         row(
@@ -208,7 +216,7 @@ private Q_SLOTS:
                 H5Pset_external(properties, "/etc/passwd", 0, 500);
                 put_set(f, "/provenance/all_devices", list_of_texts(), {1}, properties);
             },
-            "\"provenance/all_devices\" lies in another file; none is opened for it.");
+            "\"provenance/all_devices\" cannot be read; it is damaged, or of a kind that recordings do not hold.");
         row(
             "a table from other files",
             [](hid_t f) {
@@ -217,7 +225,7 @@ private Q_SLOTS:
                 H5Pset_virtual(properties, space, "/etc/passwd", "/ledger", space);
                 put_set(f, "/ledger", H5T_NATIVE_DOUBLE, {3, 13}, properties);
             },
-            "\"ledger\" is put together from other files or sets; recordings hold none of that kind.");
+            "\"ledger\" cannot be read; it is damaged, or of a kind that recordings do not hold.");
         row(
             "a ledger of other columns",
             [](hid_t f) {
@@ -323,6 +331,34 @@ private Q_SLOTS:
         QCOMPARE(refusal_of(crafted_, &frames), std::string());
         QCOMPARE(frames, 2);
         QVERIFY(peak_memory() - before < least_memory);
+    }
+    void whatLeadsBackToItselfIsRefused()
+    {
+        QFile valid(QString::fromStdString(valid_));
+        QVERIFY(valid.open(QIODevice::ReadOnly));
+        const QByteArray bytes = valid.readAll();
+        int tried = 0;
+        const auto attempt = [&](qsizetype at, std::uint64_t number, qsizetype level_at = -1) {
+            QByteArray crafted = bytes;
+            std::memcpy(crafted.data() + at, &number, sizeof number);
+            if (level_at >= 0) crafted[level_at] = 1;
+            QFile file(QString::fromStdString(crafted_));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(crafted);
+            file.close();
+            refusal_of(crafted_);
+            ++tried;
+        };
+        for (qsizetype at = bytes.indexOf("TREE"); at >= 0; at = bytes.indexOf("TREE", at + 1))
+            for (const qsizetype child : {32, 24 + 24, 24 + 32}) attempt(at + child, std::uint64_t(at), at + 5);
+        for (qsizetype at = bytes.indexOf("HEAP"); at >= 0; at = bytes.indexOf("HEAP", at + 1)) {
+            std::uint64_t names = 0;
+            std::memcpy(&names, bytes.constData() + at + 24, sizeof names);
+            attempt(at + 16, 8);                     // free room from a place
+            attempt(qsizetype(names) + 8, 8);        // on to that place
+            attempt(at + 8, std::uint64_t(1) << 40); // of a terabyte
+        }
+        QVERIFY(tried > 40);
     }
     void pipesAndFoldersAreRefusedAtOnce()
     {
