@@ -155,11 +155,13 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     FinishedRun finished;
+    std::atomic<bool> recorded{false};
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0);
+        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0,
+                                [&](const std::shared_ptr<const Frame>&) { recorded = !options.output.empty(); });
     } catch (const Cancelled&) {
-        throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
+        throw Stop(exit_cancelled, recorded ? "Cancelled. The recording so far: " + options.output : "Cancelled.");
     }
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
