@@ -90,6 +90,16 @@ private Q_SLOTS:
             QVERIFY2(run_in_shell(verb + (" " + redirection)).code <= 2, verb);
         QCOMPARE(run_in_shell("--help " + redirection).code, code);
     }
+    void aBrokenPipeEndsNoRun()
+    {
+        const QString recording = at("pipe-run.hygrorec"), code = at("code");
+        const QString simulate =
+            QString("\"%1\" simulate \"%2\" --fidelity draft --backend cpu --set experiments[0].duration_s=0.01 -o \"%3\" 2>&1 >/dev/null")
+                .arg(HYGROLOOM_CLI, example("one-drop-on-cotton.hygro"), recording);
+        QCOMPARE(QProcess::execute("/bin/sh", {"-c", QString("{ %1; echo $? > \"%2\"; } | true").arg(simulate, code)}), 0);
+        QCOMPARE(contents(code).trimmed(), QByteArray("0"));
+        QVERIFY(!run_cli({"measure", recording}).err.contains("stopped"));
+    }
     void seedsThatAreNoNumberAreRefused_data()
     {
         QTest::addColumn<QString>("seed");
