@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Recordings of strangers: whatever their objects are, they are refused with a sentence that names file and field, or read.
 #include "core/base/error.h"
+#include "core/plan/plan_json.h"
 #include "core/run/recording.h"
 #include "tests/support/crafted_recording.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -332,6 +334,17 @@ private Q_SLOTS:
         QCOMPARE(refusal_of(crafted_, &frames), std::string());
         QCOMPARE(frames, 2);
         QVERIFY(peak_memory() - before < least_memory);
+    }
+    void numbersOfAPlanThatDoNotFitAreRefused()
+    {
+        const QString plan = QString::fromStdString(plan_json(small_run().plan));
+        for (const char* key : {"ends", "first_pick", "segments", "crossings_per_cell", "fibre_shells"})
+            for (const char* number : {"1e20", "-4294967296", "1.5"}) {
+                QString changed = plan;
+                changed.replace(QRegularExpression(QString("\"%1\": [0-9]+").arg(key)), QString("\"%1\": %2").arg(key, number));
+                QVERIFY2(changed != plan, key);
+                QVERIFY_EXCEPTION_THROWN(plan_from_json(changed.toStdString()), Error);
+            }
     }
     void whatLeadsBackToItselfIsRefused()
     {
