@@ -5,6 +5,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -192,6 +193,13 @@ Owned strange_layout(std::size_t which, int rank)
 }
 constexpr std::size_t strange_layouts = 9;
 
+/// As many bytes as the values take, at least one number.
+std::vector<double> filled(hid_t space, hid_t type, double value)
+{
+    const hssize_t count = std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space));
+    return std::vector<double>(static_cast<std::size_t>(count) * H5Tget_size(type) / sizeof(double) + 1, value);
+}
+
 template <std::size_t N> const char* one_of(const char* const (&names)[N], Choices& choices) { return names[choices.of(N)]; }
 
 std::string change_number(hid_t file, Choices& choices)
@@ -205,7 +213,7 @@ std::string change_number(hid_t file, Choices& choices)
     const Owned type = how == 1 ? strange_type(0) : strange_type(type_choice);
     const Owned space = how == 1 ? strange_space(0) : strange_space(space_choice);
     const Owned attribute(H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const std::vector<double> content(4000 * 520, values[choices.of(std::size(values))]);
+    const std::vector<double> content = filled(space, type, values[choices.of(std::size(values))]);
     if (attribute >= 0 && type_choice != 7 && type_choice != 11) H5Awrite(attribute, type, content.data());
     return std::string("number ") + group_name + "/" + name + " as type " + std::to_string(how == 1 ? 0 : type_choice) + ", space " +
            std::to_string(how == 1 ? 0 : space_choice) + " of " + std::to_string(content[0]);
@@ -233,7 +241,7 @@ std::string change_set(hid_t file, Choices& choices)
     const Owned set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose);
     const bool is_small = H5Sget_simple_extent_npoints(space) <= 6000 && H5Tget_size(type) <= 4096;
     if (set >= 0 && is_small && layout_choice != 4 && type_choice != 7 && type_choice != 11) {
-        const std::vector<double> content(6000 * 4096 / sizeof(double), values[choices.of(std::size(values))]);
+        const std::vector<double> content = filled(space, type, values[choices.of(std::size(values))]);
         H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data());
     }
     return std::string("set ") + name + " as type " + std::to_string(type_choice) + ", space " + std::to_string(space_choice) +
