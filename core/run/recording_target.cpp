@@ -15,7 +15,8 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::chrono::seconds longest_wait{2}; ///< of a commit, for readers
+constexpr std::chrono::milliseconds patience{20}; ///< with readers, before a commit is put off
+constexpr std::chrono::seconds longest_wait{2};   ///< of a commit, for readers
 
 /// An error number, or 0.
 int write_all(int file, std::uint64_t at, std::string_view bytes)
@@ -155,9 +156,10 @@ void RecordingTarget::commit(Commit when)
     const auto now = std::chrono::steady_clock::now();
     const bool may_wait = when == Commit::may_wait && part_.empty() && now - last_commit_ < longest_wait;
     while (!try_lock(file_, LockedByte::index, false)) {
-        if (may_wait) return;
-        if (std::chrono::steady_clock::now() - now > longest_wait) break; // a reader that was halted
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const auto waited = std::chrono::steady_clock::now() - now;
+        if (may_wait && waited > patience) return;
+        if (waited > longest_wait) break; // a reader that was halted
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     try {
         write_changes(staged_);

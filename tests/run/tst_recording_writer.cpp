@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Recordings while they are written: nothing is lost to a second run, a reader, a kill or a full disk.
 #include "core/base/error.h"
+#include "core/run/byte_lock.h"
 #include "core/run/redo_log.h"
 #include "tests/support/crafted_recording.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -140,6 +142,22 @@ private Q_SLOTS:
         QCOMPARE(whole_frames(path), 20);
         H5Fclose(beside);
         H5Fclose(before);
+    }
+    void aReaderThatWasHaltedHoldsNoRunUp()
+    {
+        const std::string path = at("halted.hygrorec");
+        RecordingWriter writer(path, run_);
+        writer.append(small_frame(run_, 0));
+        const int halted = ::open(path.c_str(), O_RDONLY);
+        QVERIFY(try_lock(halted, LockedByte::index, true));
+        QElapsedTimer time;
+        time.start();
+        for (int k = 1; k < 5; ++k) writer.append(small_frame(run_, k));
+        QVERIFY2(time.elapsed() < 1000, qPrintable(QString::number(time.elapsed())));
+        writer.finish(1);
+        QVERIFY2(time.elapsed() < 6000, qPrintable(QString::number(time.elapsed())));
+        QCOMPARE(whole_frames(path), 5);
+        ::close(halted);
     }
     void aRunningRecordingIsWholeWheneverItIsOpened()
     {
