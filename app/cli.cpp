@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace hygroloom {
 
@@ -31,6 +32,19 @@ void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_expe
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     add_common_options(verb, options);
+}
+
+CLI::Validator seed_validator()
+{
+    return CLI::Validator(
+        [](std::string& text) {
+            std::uint64_t seed = 0;
+            const char* const end = text.data() + text.size();
+            const auto [last, failure] = std::from_chars(text.data(), end, seed);
+            const bool fits = failure == std::errc() && last == end;
+            return fits ? std::string() : "This must be a whole number from 0 to 18446744073709551615; given is \"" + text + "\".";
+        },
+        "");
 }
 
 CLI::Validator time_validator()
@@ -53,7 +67,7 @@ int frame_at(const Recording& recording, const std::string& file, double time)
     if (time < 0) return static_cast<int>(last);
     const double end = ledgers[last].time, interval = last > 0 ? end - ledgers[last - 1].time : 0;
     if (time > end + interval)
-        fmt::print(stderr, "{}: warning: The recording ends at {:.4g} s, before {:.4g} s; its last frame is used.\n", file, end, time);
+        print_note("{}: warning: The recording ends at {:.4g} s, before {:.4g} s; its last frame is used.\n", file, end, time);
     std::size_t nearest = 0;
     for (std::size_t i = 1; i <= last; ++i)
         if (std::abs(ledgers[i].time - time) < std::abs(ledgers[nearest].time - time)) nearest = i;
@@ -127,7 +141,7 @@ std::string knob_help()
 void print_issue(const std::string& file, const Issue& issue)
 {
     constexpr const char* severities[] = {"note", "warning", "error"};
-    fmt::print(stderr, "{}: {}: {}: {}\n", file, issue.where, severities[static_cast<int>(issue.severity)], issue.text);
+    print_note("{}: {}: {}: {}\n", file, issue.where, severities[static_cast<int>(issue.severity)], issue.text);
 }
 
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet)
@@ -137,8 +151,8 @@ void print_in_short(const std::string& file, const std::vector<Issue>& issues, b
         if (issue.severity == Severity::error) print_issue(file, issue);
         if (issue.severity == Severity::warning) ++warnings;
     }
-    if (warnings == 1 && !quiet) fmt::print(stderr, "1 warning; see hygroloom-cli check {}.\n", file);
-    if (warnings > 1 && !quiet) fmt::print(stderr, "{} warnings; see hygroloom-cli check {}.\n", warnings, file);
+    if (warnings == 1 && !quiet) print_note("1 warning; see hygroloom-cli check {}.\n", file);
+    if (warnings > 1 && !quiet) print_note("{} warnings; see hygroloom-cli check {}.\n", warnings, file);
 }
 
 FittedFabrics require_valid(const Design& design, const ProjectOptions& options)
@@ -174,12 +188,12 @@ int devices(const DevicesOptions& options)
             list.push_back({{"backend", info.name}, {"device", info.device}, {"usable", info.usable}});
             if (!info.usable) list.back()["reason"] = info.reason;
         }
-        fmt::print("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
         return exit_ok;
     }
     for (const BackendInfo& info : backends)
-        fmt::print("{:<5} {:<10} {}\n", info.name, info.usable ? "usable" : "not usable",
-                   info.usable ? info.device : (info.device.empty() ? "" : info.device + ": ") + info.reason);
+        print_result("{:<5} {:<10} {}\n", info.name, info.usable ? "usable" : "not usable",
+                     info.usable ? info.device : (info.device.empty() ? "" : info.device + ": ") + info.reason);
     return exit_ok;
 }
 
@@ -202,10 +216,10 @@ std::vector<std::string> arguments(int count, char** values)
 
 int report_failure(bool json, ExitCode code, const std::string& sentence)
 {
+    print_note("{}\n", sentence);
     if (json)
-        fmt::print("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(
-                               2, ' ', false, nlohmann::json::error_handler_t::replace));
-    fmt::print(stderr, "{}\n", sentence);
+        print_result("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(
+                                 2, ' ', false, nlohmann::json::error_handler_t::replace));
     return code;
 }
 
@@ -255,7 +269,11 @@ int run(int count, char** values)
         app.parse(given);
     } catch (const CLI::ParseError& error) {
         if (json && error.get_exit_code() != 0) return report_failure(json, exit_usage, error.what());
-        return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
+        std::ostringstream results, notes;
+        const int code = app.exit(error, results, notes);
+        write_note(notes.str());
+        write_result(results.str());
+        return code == 0 ? exit_ok : exit_usage;
     }
     try {
         return verb();
@@ -291,4 +309,14 @@ void add_devices(CLI::App& app, Verb& verb)
 
 } // namespace hygroloom
 
-int main(int count, char** values) { return hygroloom::run(count, values); }
+int main(int count, char** values)
+{
+    hygroloom::prepare_streams();
+    int code = hygroloom::exit_failed;
+    try {
+        code = hygroloom::run(count, values);
+    } catch (const hygroloom::ResultsLost&) {
+        // said below
+    }
+    return hygroloom::results_are_written() || code != hygroloom::exit_ok ? code : hygroloom::exit_failed;
+}

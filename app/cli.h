@@ -2,6 +2,8 @@
 // What the verbs of hygroloom-cli share: options, exit codes, loading a project and reporting problems.
 #pragma once
 
+#include "app/cli_print.h"
+
 #include "core/base/error.h"
 #include "core/design/validate.h"
 #include "core/plan/fidelity.h"
@@ -69,6 +71,9 @@ int export_wif(const ProjectOptions& options, const std::string& output);
 
 /// The frame nearest to a time (s), the last one when it is negative. Warns on stderr when the recording ends well before the time.
 int frame_at(const Recording& recording, const std::string& file, double time);
+
+/// Accepts a seed: a whole number that is not negative and fits.
+CLI::Validator seed_validator();
 
 /// Accepts a time: a number of seconds, not negative.
 CLI::Validator time_validator();

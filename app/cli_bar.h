@@ -2,6 +2,8 @@
 // A bar on a terminal's stderr while files are written.
 #pragma once
 
+#include "app/cli_print.h"
+
 #include "core/base/text.h"
 
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ public:
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
     void clear()
     {
-        if (shown_) fmt::print(stderr, "\r\033[K");
+        if (shown_) draw_line("");
         shown_ = false;
     }
     /// The finished share; drawn ten times a second at most.
@@ -34,9 +36,8 @@ public:
         const int full = static_cast<int>(share * width);
         const std::optional<double> to_go = time_left(share, drawn_);
         const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
-        fmt::print(stderr, "\r\033[K[{}{}] {:.0f} %, {:.0f} s{}", std::string(static_cast<std::size_t>(full), '#'),
-                   std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, drawn_, left);
-        std::fflush(stderr);
+        draw_line(fmt::format("[{}{}] {:.0f} %, {:.0f} s{}", std::string(static_cast<std::size_t>(full), '#'),
+                              std::string(static_cast<std::size_t>(width - full), '.'), 100 * share, drawn_, left));
     }
 
 private:

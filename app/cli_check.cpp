@@ -143,14 +143,14 @@ std::string range(const PoreRadii& radii) { return fmt::format("{:.3g}..{:.3g}",
 void print_stripes(const std::vector<StripeYarn>& stripes)
 {
     const auto row = [](const char* name, const std::string& warp, const std::string& weft, const char* unit) {
-        fmt::print("  {:<26} {:>9} {:>9}   {:>9} {:>9} {}\n", name, warp, weft, "", "", unit);
+        print_result("  {:<26} {:>9} {:>9}   {:>9} {:>9} {}\n", name, warp, weft, "", "", unit);
     };
     for (std::size_t i = 0; i < stripes.size(); ++i) {
         const std::optional<YarnQuantities>&end = stripes[i].as_end, &pick = stripes[i].as_pick;
         const std::string name = fmt::format("yarn {} (extra yarn {})", letters_of(static_cast<int>(i) + 1), i + 1);
         if (!end && !pick) {
-            fmt::print("  {}: used in neither order; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
-                       text(stripes[i].free.diameter));
+            print_result("  {}: used in neither order; {} tex, {} mm.\n", name, text(stripes[i].free.linear_density_tex),
+                         text(stripes[i].free.diameter));
             continue;
         }
         const auto both = [&](const char* what, double YarnQuantities::*value, const char* unit) {
@@ -179,11 +179,11 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
 {
     const auto row = [](const char* name, const std::string& warp, const std::string& weft, const std::string& warp_made,
                         const std::string& weft_made, const char* unit, const std::string& laboratory = {}) {
-        fmt::print("  {:<26} {:>9} {:>9}   {:>9} {:>9} {:<5} {:>9}\n", name, warp, weft, warp_made, weft_made, unit, laboratory);
+        print_result("  {:<26} {:>9} {:>9}   {:>9} {:>9} {:<5} {:>9}\n", name, warp, weft, warp_made, weft_made, unit, laboratory);
     };
     const YarnQuantities &a = q.warp, &b = q.weft;
-    fmt::print("{}\n", fabric.name);
-    fmt::print("  {:<26} {:>19}   {:>19} {:<5} {:>9}\n", "", "by formula", "by geometry", "", "laboratory");
+    print_result("{}\n", fabric.name);
+    print_result("  {:<26} {:>19}   {:>19} {:<5} {:>9}\n", "", "by formula", "by geometry", "", "laboratory");
     row("", "warp", "weft", "warp", "weft", "");
     row("linear density", text(a.linear_density_tex), text(b.linear_density_tex), "", "", "tex");
     row("cotton count", text(ne_from_tex(a.linear_density_tex)), text(ne_from_tex(b.linear_density_tex)), "", "", "Ne");
@@ -216,7 +216,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("permeability, along", text(1e12 * f.permeability.along_warp), text(1e12 * f.permeability.along_weft),
         text(1e12 * m.permeability.along_warp), text(1e12 * m.permeability.along_weft), "um2");
     print_stripes(stripes);
-    fmt::print(
+    print_result(
         "  Angle over a crossing (braiding angle): between the two stretches of a yarn that meet over a crossed yarn; 180 deg is "
         "straight.\n"
         "  Cover: a yarn's width over the distance from yarn to yarn. Cover factor: the share of the area that yarns hide, seen from "
@@ -224,9 +224,9 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
         "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
         "the faces. Smoothness: 1 less the flyaways' share of the fabric's volume.\n");
     if (fabric.measured != Measured{})
-        fmt::print("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
-    fmt::print("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);
-    for (const std::string& note : q.notes) fmt::print("  {}\n", note);
+        print_result("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
+    print_result("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);
+    for (const std::string& note : q.notes) print_result("  {}\n", note);
 }
 
 int check(const ProjectOptions& options)
@@ -267,7 +267,7 @@ int check(const ProjectOptions& options)
         print_fabric(fabric, quantities, stripes, geometry, formulas);
         print_weave(fabric, fitted.yarns);
     }
-    if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json) print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return has_error(issues) ? exit_invalid : exit_ok;
 }
 

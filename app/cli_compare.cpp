@@ -121,15 +121,15 @@ int compare(const CompareOptions& options)
     run_candidates(design, fabrics, each, options, control, backends, comparison, maps);
     const bool some = !comparison.candidates.empty();
     if (options.json)
-        fmt::print("{}", comparison_json(comparison));
+        print_result("{}", comparison_json(comparison));
     else if (some)
-        fmt::print("{}{}", comparison_table(comparison), fidelity_text(choice));
+        print_result("{}{}", comparison_table(comparison), fidelity_text(choice));
     if (!options.output.empty() && some) {
         write_pictures(maps, fabrics, options.output);
-        if (!options.quiet) fmt::print(stderr, "Table and maps: {}\n", options.output);
+        if (!options.quiet) print_note("Table and maps: {}\n", options.output);
     }
     if (!comparison.complete) {
-        fmt::print(stderr, "Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
+        print_note("Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
         return exit_cancelled;
     }
     const bool failed = std::any_of(comparison.candidates.begin(), comparison.candidates.end(),

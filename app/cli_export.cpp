@@ -96,7 +96,7 @@ Piece wet_piece(const ExportVerbOptions& options)
                     options.water, run.fabric, piece.fabric.name));
         const Frame frame = recording.frame(frame_at(recording, options.water, options.time));
         piece.saturation = frame.saturation;
-        if (!options.quiet) fmt::print(stderr, "Water at {:.4g} s.\n", frame.time);
+        if (!options.quiet) print_note("Water at {:.4g} s.\n", frame.time);
         return piece;
     } catch (const FileError& error) {
         throw Stop(exit_invalid, error.what());
@@ -132,7 +132,7 @@ void warn_of_twist(const Textile& textile, const MeshRequest& mesh)
 {
     const int smooth = smooth_samples(textile);
     if (mesh.samples_per_crossing < smooth)
-        fmt::print(stderr, "At this twist {} samples per crossing are too coarse; use {}.\n", mesh.samples_per_crossing, smooth);
+        print_note("At this twist {} samples per crossing are too coarse; use {}.\n", mesh.samples_per_crossing, smooth);
 }
 
 std::string size_text(const Textile& textile, const ExportEstimate& size)
@@ -145,7 +145,7 @@ std::string size_text(const Textile& textile, const ExportEstimate& size)
 
 void print_json(const nlohmann::ordered_json& json)
 {
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 /// Writes the file and prints its name, or the JSON with what was written.
@@ -167,7 +167,7 @@ void write_piece(const Piece& piece, const ExportOptions& how, const ExportVerbO
     bar.clear();
     for (const auto& file : exported.files) {
         json["files"].push_back(file.string());
-        if (!options.json) fmt::print("{}\n", file.string());
+        if (!options.json) print_result("{}\n", file.string());
     }
     json["bytes"] = exported.bytes;
     json["seconds"] = bar.seconds();
@@ -192,8 +192,7 @@ int export_piece(const ExportVerbOptions& options)
     const ExportOptions how{request_from(options, piece.textile, detail), piece.saturation};
     if (detail == MeshDetail::fibre && !options.quiet) warn_of_twist(piece.textile, how.mesh);
     const ExportEstimate size = export_estimate(piece.textile, piece.fabric, how, format);
-    if (options.estimate ? !options.json : !options.quiet)
-        fmt::print(options.estimate ? stdout : stderr, "{}", size_text(piece.textile, size));
+    if (options.estimate ? !options.json : !options.quiet) (options.estimate ? write_result : write_note)(size_text(piece.textile, size));
     if (!size.refusal.empty()) throw Stop(exit_usage, "-o " + options.output + ": " + size.refusal);
     nlohmann::ordered_json json{{"format", "hygroloom-export"}, {"version", 1},
                                 {"file", options.output},       {"detail", options.detail},
@@ -232,7 +231,7 @@ void add_export(CLI::App& app, Verb& verb)
         ->check(CLI::Range(3, most_sides));
     export_verb.add_flag("--open-ends", options->open_ends, "Leave the ends of yarns or fibres open");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Leave out loops and hairs");
-    export_verb.add_option("--seed", options->seed, "Seed of the random numbers of the fibres");
+    export_verb.add_option("--seed", options->seed, "Seed of the random numbers of the fibres")->check(seed_validator());
     export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours its own piece of cloth");
     export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")
         ->default_str("")

@@ -76,13 +76,13 @@ int import_file(const ImportOptions& options)
         write_project(design, options.output);
     }
     if (options.json) {
-        fmt::print("{}\n", import_json(options, draft, takes, existing).dump(2, ' ', false, Json::error_handler_t::replace));
+        print_result("{}\n", import_json(options, draft, takes, existing).dump(2, ' ', false, Json::error_handler_t::replace));
     } else {
-        fmt::print("{}: \"{}\"\n", options.draft, draft.fabric.name);
+        print_result("{}: \"{}\"\n", options.draft, draft.fabric.name);
         for (const ImportLine& line : draft.report)
             if (line.severity != Severity::note || !options.quiet)
-                fmt::print("  {}{}\n", line.severity == Severity::note ? "" : "warning: ", line.text);
-        if (!options.output.empty()) fmt::print("{} {}\n", existing ? "Added to" : "Written to", options.output);
+                print_result("  {}{}\n", line.severity == Severity::note ? "" : "warning: ", line.text);
+        if (!options.output.empty()) print_result("{} {}\n", existing ? "Added to" : "Written to", options.output);
     }
     if (!options.quiet) print_in_short(options.output, issues, false);
     return exit_ok;
@@ -97,14 +97,14 @@ int export_wif(const ProjectOptions& options, const std::string& output)
     const Fabric& fabric = chosen_fabric(design, options);
     write_wif(design, fabric, output);
     if (options.json)
-        fmt::print("{}\n", Json{{"format", "hygroloom-export"},
-                                {"version", 1},
-                                {"file", output},
-                                {"ends", fabric.weave.ends()},
-                                {"picks", fabric.weave.picks()}}
-                               .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", Json{{"format", "hygroloom-export"},
+                                  {"version", 1},
+                                  {"file", output},
+                                  {"ends", fabric.weave.ends()},
+                                  {"picks", fabric.weave.picks()}}
+                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
-        fmt::print("{}\n", output);
+        print_result("{}\n", output);
     return exit_ok;
 }
 

@@ -47,7 +47,7 @@ void write_map(const Recording& recording, const MeasureOptions& options)
         write_cell_map_csv(picture.map, run, frame.time, side, options.output);
     else
         write_picture(picture, options.output);
-    if (!options.quiet) fmt::print(stderr, "Map at {:.4g} s: {}\n", frame.time, options.output);
+    if (!options.quiet) print_note("Map at {:.4g} s: {}\n", frame.time, options.output);
 }
 
 /// With maps of both faces at --time.
@@ -64,7 +64,7 @@ void write_report(const Recording& recording, const Metrics& metrics, const Meas
         pictures.push_back(
             {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
     write_file(options.report, report_html(run, metrics, pictures, recording.finished()));
-    if (!options.quiet) fmt::print(stderr, "Report: {}\n", options.report);
+    if (!options.quiet) print_note("Report: {}\n", options.report);
 }
 
 void write_vtk_files(const Recording& recording, const MeasureOptions& options)
@@ -81,7 +81,49 @@ void write_vtk_files(const Recording& recording, const MeasureOptions& options)
     } catch (const Cancelled&) {
         throw Stop(exit_cancelled, "Cancelled. The frames written so far are in " + options.vtk + ".");
     }
-    if (!options.quiet) fmt::print(stderr, "{} frames are in {}; open yarns.pvd.\n", frames, options.vtk);
+    if (!options.quiet) print_note("{} frames are in {}; open yarns.pvd.\n", frames, options.vtk);
+}
+
+/// What is written must not take the place of what is read.
+void require_other_files(const MeasureOptions& options)
+{
+    std::vector<std::filesystem::path> written{options.output, options.report};
+    if (!options.vtk.empty()) {
+        std::error_code none;
+        for (const auto& entry : std::filesystem::directory_iterator(options.vtk, none))
+            if (const std::string ending = entry.path().extension().string(); ending == ".vtp" || ending == ".pvd" || ending == ".series")
+                written.push_back(entry.path());
+    }
+    for (const std::filesystem::path& path : written) {
+        std::error_code none; // no such file: another
+        if (!path.empty() && std::filesystem::equivalent(path, options.recording, none))
+            throw Stop(exit_usage, path.string() + ": This is the recording that is measured; give another name for what is written.");
+    }
+}
+
+std::unique_ptr<Recording> opened(const MeasureOptions& options)
+{
+    try {
+        return std::make_unique<Recording>(options.recording);
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+}
+
+/// Throws Stop when nothing is left.
+void say_what_is_missing(const Recording& recording, const MeasureOptions& options)
+{
+    constexpr std::size_t most_named = 20;
+    const std::vector<std::string>& problems = recording.problems();
+    for (std::size_t i = 0; i < std::min(problems.size(), most_named); ++i) print_note("{}\n", problems[i]);
+    if (problems.size() > most_named) print_note("{}: {} more frames are left out.\n", options.recording, problems.size() - most_named);
+    if (recording.frames() == 0) throw Stop(exit_invalid, options.recording + ": The recording has no frames.");
+    if (recording.finished() || options.quiet) return;
+    const double end = recording.ledgers().back().time;
+    if (recording.is_being_written())
+        print_note("{}: The run goes on; measured is up to {:.4g} s.\n", options.recording, end);
+    else
+        print_note("{}: The run was stopped at {:.4g} s.\n", options.recording, end);
 }
 
 int measure(const MeasureOptions& options)
@@ -91,19 +133,16 @@ int measure(const MeasureOptions& options)
     if (options.time >= 0 && options.map.empty() && options.report.empty())
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
-    std::unique_ptr<Recording> recording;
-    try {
-        recording = std::make_unique<Recording>(options.recording);
-    } catch (const FileError& error) {
-        throw Stop(exit_invalid, error.what());
-    }
-    if (recording->frames() == 0) throw Stop(exit_invalid, options.recording + ": The recording has no frames.");
-    if (!recording->finished() && !options.quiet)
-        fmt::print(stderr, "{}: The run was stopped at {:.4g} s.\n", options.recording, recording->ledgers().back().time);
-    if (!options.map.empty()) write_map(*recording, options);
+    require_other_files(options);
+    const std::unique_ptr<Recording> recording = opened(options);
     MetricsCollector collector;
     collector.start(recording->run());
-    for (int i = 0; i < recording->frames(); ++i) collector.add(recording->frame(i));
+    recording->read_frames([&](const Frame& frame) {
+        collector.add(frame);
+        return true;
+    });
+    say_what_is_missing(*recording, options);
+    if (!options.map.empty()) write_map(*recording, options);
     const Metrics metrics = collector.metrics();
     if (!options.report.empty()) write_report(*recording, metrics, options);
     if (!options.vtk.empty()) write_vtk_files(*recording, options);
@@ -111,20 +150,20 @@ int measure(const MeasureOptions& options)
     return exit_ok;
 }
 
-void row(const std::string& name, double value, const std::string& unit) { fmt::print("  {:<34} {:>10.4g} {}\n", name, value, unit); }
+void row(const std::string& name, double value, const std::string& unit) { print_result("  {:<34} {:>10.4g} {}\n", name, value, unit); }
 
 void print_outcome(const Outcome& outcome)
 {
     const std::string name = full_title(outcome);
-    if (!outcome.text.empty()) return fmt::print("  {:<34} {}\n", name, outcome.text);
+    if (!outcome.text.empty()) return print_result("  {:<34} {}\n", name, outcome.text);
     std::string remarks = outcome.grade ? fmt::format("grade {}", *outcome.grade) : "";
     for (const std::string& remark : {outcome.missing, outcome.remark})
         if (!remark.empty()) remarks += (remarks.empty() ? "" : "; ") + remark;
     if (!remarks.empty()) remarks = "(" + remarks + ")";
-    if (!outcome.value) return fmt::print("  {:<34} {:>10} {}\n", name, "-", remarks);
+    if (!outcome.value) return print_result("  {:<34} {:>10} {}\n", name, "-", remarks);
     const ShownValue value = shown(outcome, *outcome.value);
     if (!value.unit.empty() && !remarks.empty()) remarks = " " + remarks;
-    fmt::print("  {:<34} {:>10.4g} {}{}\n", name, value.value, value.unit, remarks);
+    print_result("  {:<34} {:>10.4g} {}{}\n", name, value.value, value.unit, remarks);
 }
 
 } // namespace
@@ -156,11 +195,11 @@ void write_picture(const MapPicture& picture, const std::filesystem::path& path)
 void print_metrics(const RunRecord& run, const Metrics& m, bool json)
 {
     if (json) {
-        fmt::print("{}\n", metrics_json(run, m));
+        print_result("{}\n", metrics_json(run, m));
         return;
     }
     const Ledger& l = m.ledger;
-    fmt::print("{}, {} ({}, {}, {} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, rounded_text(run.wall, 3));
+    print_result("{}, {} ({}, {}, {} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, rounded_text(run.wall, 3));
     row("simulated", l.time, "s");
     for (const Outcome& outcome : outcomes_of(run, m))
         if (is_shown(outcome)) print_outcome(outcome);
@@ -171,10 +210,10 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "°C");
     const std::optional<double>& error = run.plan.expected_error;
-    if (error && *error > 0) fmt::print("  {:<34} {:>10} %\n", "largest numerical error", rounded_text(100 * *error, 2));
-    for (const std::string& note : notes_of(run.plan)) fmt::print("  {}\n", note);
-    for (const std::string& note : m.notes) fmt::print("  {}\n", note);
-    for (const std::string& sentence : m.assumed) fmt::print("  Assumed: {}\n", sentence);
+    if (error && *error > 0) print_result("  {:<34} {:>10} %\n", "largest numerical error", rounded_text(100 * *error, 2));
+    for (const std::string& note : notes_of(run.plan)) print_result("  {}\n", note);
+    for (const std::string& note : m.notes) print_result("  {}\n", note);
+    for (const std::string& sentence : m.assumed) print_result("  Assumed: {}\n", sentence);
 }
 
 void add_measure(CLI::App& app, Verb& verb)

@@ -28,11 +28,11 @@ int list_finishes(const PresetOptions& options)
     Json json = Json::array();
     for (const Finish& finish : finishes()) {
         json.push_back({{"name", finish.name}, {"contact_angle_deg", finish.contact_angle_deg}, {"note", finish.note}});
-        if (!options.json) fmt::print("  {:<30} {:>4.0f} degrees  {}\n", finish.name, finish.contact_angle_deg, finish.note);
+        if (!options.json) print_result("  {:<30} {:>4.0f} degrees  {}\n", finish.name, finish.contact_angle_deg, finish.note);
     }
     if (options.json)
-        fmt::print("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(
-                               2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", Json{{"format", "hygroloom-finishes"}, {"version", 1}, {"finishes", json}}.dump(
+                                 2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -46,12 +46,12 @@ int list_presets(const PresetOptions& options, const std::vector<Preset>& preset
         const double weight = weights[i];
         json.push_back({{"name", preset.fabric().name}, {"group", preset.group}, {"note", preset.note}, {"areal_density_g_m2", weight}});
         if (options.json) continue;
-        if (preset.group != group) fmt::print("{}\n", group = preset.group);
-        fmt::print("  {:<20} {:>4.0f} g/m2  {}\n", preset.fabric().name, weight, preset.note);
+        if (preset.group != group) print_result("{}\n", group = preset.group);
+        print_result("  {:<20} {:>4.0f} g/m2  {}\n", preset.fabric().name, weight, preset.note);
     }
     if (options.json)
-        fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(
-                               2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"presets", json}}.dump(
+                                 2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -92,14 +92,14 @@ int presets(const PresetOptions& options)
         }
         added.push_back(design.fabrics[add_preset(design, *found)].name);
         if (added.back() != name && !options.quiet)
-            fmt::print(stderr, "{}: The fabric \"{}\" exists already; the new one is \"{}\".\n", options.output, name, added.back());
+            print_note("{}: The fabric \"{}\" exists already; the new one is \"{}\".\n", options.output, name, added.back());
     }
     write_project(design, options.output);
     if (options.json)
-        fmt::print("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"file", options.output}, {"fabrics", added}}.dump(
-                               2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", Json{{"format", "hygroloom-presets"}, {"version", 1}, {"file", options.output}, {"fabrics", added}}.dump(
+                                 2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
-        fmt::print("{}\n", options.output);
+        print_result("{}\n", options.output);
     return exit_ok;
 }
 

@@ -102,7 +102,7 @@ void add_reference(CLI::App& app, Verb& chosen)
     verb.group(""); // not in the list of verbs: it is for the guide
     verb.callback([&chosen, &app] {
         chosen = [&app] {
-            fmt::print("{}", reference(app));
+            print_result("{}", reference(app));
             return int{exit_ok};
         };
     });

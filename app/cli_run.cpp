@@ -44,9 +44,8 @@ void RunBar::show(std::size_t run, const RunProgress& progress)
     const std::string far = runs_.size() == 1
                                 ? fmt::format("{:.{}f} of {:.{}f} s", progress.simulated, decimals, progress.duration, decimals)
                                 : fmt::format("{} of {} runs", done, runs_.size());
-    fmt::print(stderr, "\r\033[K[{}{}] {}, {:.0f} s{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
-               std::string(static_cast<std::size_t>(width - full), '.'), far, wall, left, particles);
-    std::fflush(stderr);
+    draw_line(fmt::format("[{}{}] {}, {:.0f} s{}, {} particles", std::string(static_cast<std::size_t>(full), '#'),
+                          std::string(static_cast<std::size_t>(width - full), '.'), far, wall, left, particles));
 }
 
 void RunBar::end(std::size_t run)
@@ -60,14 +59,14 @@ void RunBar::say(const std::string& sentence)
 {
     clear();
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "{}\n", sentence);
+    print_note("{}\n", sentence);
 }
 
 void RunBar::clear()
 {
     if (!shown_) return;
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "\r\033[K");
+    draw_line("");
 }
 
 void add_physics_option(CLI::App& verb, RunVerbOptions& options)
@@ -79,7 +78,7 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options)
 {
     verb.add_option("--backend", options.backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     verb.add_option("--threads", options.threads, "CPU threads; 0: all. Results do not depend on it")->check(CLI::Range(0, 1024));
-    verb.add_option("--seed", options.seed, "Seed of the random numbers");
+    verb.add_option("--seed", options.seed, "Seed of the random numbers")->check(seed_validator());
 }
 
 RunOptions run_options(const RunVerbOptions& options)

@@ -65,24 +65,25 @@ std::map<std::string, std::string> keys_by_reason(const std::vector<IdleKey>& id
 
 void print_plan(const ModelPlan& plan, const std::vector<IdleKey>& idle, const std::string& fabric, const std::string& experiment)
 {
-    fmt::print("fabric       {}\nexperiment   {}\n", fabric, experiment);
-    fmt::print("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
-               error_text(plan), plan.expectation_source);
-    fmt::print("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
+    print_result("fabric       {}\nexperiment   {}\n", fabric, experiment);
+    print_result("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
+                 error_text(plan), plan.expectation_source);
+    print_result("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
-        fmt::print("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
-    fmt::print("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments, plan.region_reason);
-    fmt::print("resolution   a frame every {:.3g} s. {}\n", plan.frame_interval, plan.resolution_reason);
+        print_result("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
+    print_result("region       {} ends, {} picks, {} segments. {}\n", plan.region.ends, plan.region.picks, plan.segments,
+                 plan.region_reason);
+    print_result("resolution   a frame every {:.3g} s. {}\n", plan.frame_interval, plan.resolution_reason);
     const char* head = "knobs";
     for (const KnobInfo& knob : knob_table()) {
         if (plan.idle_knobs.contains(knob.name)) continue;
-        fmt::print("{:<12} {:<23} {:<8} {}{}\n", std::exchange(head, ""), knob.name, value_text(knob, plan.knobs.*knob.value), knob.meaning,
-                   as_set(plan, knob));
+        print_result("{:<12} {:<23} {:<8} {}{}\n", std::exchange(head, ""), knob.name, value_text(knob, plan.knobs.*knob.value),
+                     knob.meaning, as_set(plan, knob));
     }
     head = "no effect";
-    for (const auto& [why, knobs] : idle_by_reason(plan)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);
+    for (const auto& [why, knobs] : idle_by_reason(plan)) print_result("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);
     head = "idle keys";
-    for (const auto& [why, keys] : keys_by_reason(idle)) fmt::print("{:<12} {}: {}\n", std::exchange(head, ""), why, keys);
+    for (const auto& [why, keys] : keys_by_reason(idle)) print_result("{:<12} {}: {}\n", std::exchange(head, ""), why, keys);
 }
 
 int plan(const SimulateOptions& options)
@@ -104,7 +105,7 @@ int plan(const SimulateOptions& options)
         json.update(plan_value(plan));
         json["idle_keys"] = nlohmann::ordered_json::array();
         for (const IdleKey& key : idle) json["idle_keys"].push_back({{"key", key.key}, {"because", key.because}});
-        fmt::print("{}\n", json.dump(2));
+        print_result("{}\n", json.dump(2));
     } else {
         print_plan(plan, idle, fabric.name, experiment);
     }
@@ -114,18 +115,18 @@ int plan(const SimulateOptions& options)
 /// The wall time of each stage; on stderr when stdout is for JSON alone.
 void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
 {
-    std::FILE* const out = json ? stderr : stdout;
+    const auto print = [json](const std::string& text) { json ? write_note(text) : write_result(text); };
     if (stages.empty()) {
-        fmt::print(out, "This backend does not measure the time of its stages.\n");
+        print("This backend does not measure the time of its stages.\n");
         return;
     }
     double rest = wall;
-    fmt::print(out, "{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%");
+    print(fmt::format("{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%"));
     for (const StageTime& stage : stages) {
         rest -= stage.seconds;
-        fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall);
+        print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall));
     }
-    fmt::print(out, "{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "outside the stages", "", rest, 100 * rest / wall);
+    print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "outside the stages", "", rest, 100 * rest / wall));
 }
 
 /// The plan's notes stand in the summary, and on stderr when stdout is for JSON alone.
@@ -133,9 +134,9 @@ void print_run(const FinishedRun& finished, const CommonOptions& options)
 {
     print_metrics(finished.run, finished.metrics, options.json);
     const ModelPlan& plan = finished.run.plan;
-    if (!options.json) fmt::print("{}", fidelity_text({plan.fidelity, plan.fidelity_reason}));
+    if (!options.json) print_result("{}", fidelity_text({plan.fidelity, plan.fidelity_reason}));
     if (options.json && !options.quiet)
-        for (const std::string& note : notes_of(plan)) fmt::print(stderr, "{}: {}\n", finished.run.fabric, note);
+        for (const std::string& note : notes_of(plan)) print_note("{}: {}\n", finished.run.fabric, note);
 }
 
 int simulate_one(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
@@ -154,15 +155,17 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     FinishedRun finished;
+    std::atomic<bool> recorded{false};
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0);
+        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0,
+                                [&](const std::shared_ptr<const Frame>&) { recorded = !options.output.empty(); });
     } catch (const Cancelled&) {
-        throw Stop(exit_cancelled, options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
+        throw Stop(exit_cancelled, recorded ? "Cancelled. The recording so far: " + options.output : "Cancelled.");
     }
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "Recording: {}\n", options.output);
+    if (!options.output.empty() && !options.quiet) print_note("Recording: {}\n", options.output);
     return exit_ok;
 }
 
@@ -207,20 +210,20 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
             return runs[i] && !runs[i]->device_failure.empty();
         });
     }
-    if (options.json) fmt::print("[\n");
+    if (options.json) print_result("[\n");
     const char* between = "";
     std::size_t ended = 0;
     for (const auto& run : runs) {
         if (!run) continue;
-        if (options.json) fmt::print("{}", std::exchange(between, ",\n"));
+        if (options.json) print_result("{}", std::exchange(between, ",\n"));
         print_run(*run, options);
         ++ended;
     }
-    if (options.json) fmt::print("]\n");
+    if (options.json) print_result("]\n");
     if (control.cancel)
         throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.{}", ended, fabrics.size(),
                                                options.output.empty() ? "" : " The recordings so far are in " + options.output + "."));
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "Recordings: {}\n", options.output);
+    if (!options.output.empty() && !options.quiet) print_note("Recordings: {}\n", options.output);
     return failed > 0 ? exit_failed : exit_ok;
 }
 

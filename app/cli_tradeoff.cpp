@@ -80,12 +80,12 @@ TradeoffOutcome run_shown(const ApartRun& scene, const Tradeoff& result, std::si
     const std::string about =
         fmt::format("repeat {} of {}, {} ({} of {})", repeat + 1, result.repeats, variant.name, i + 1, result.points.size());
     const auto show = [&](double share) {
-        if (bar) fmt::print(stderr, "\r\033[K{}: {:.0f} %", about, 100 * share);
+        if (bar) draw_line(fmt::format("{}: {:.0f} %", about, 100 * share));
     };
     show(0);
     TradeoffOutcome outcome = run_apart(scene, variant, cancel, show);
-    if (bar) fmt::print(stderr, "\r\033[K");
-    if (!quiet) fmt::print(stderr, "{}: {} s, {}\n", about, rounded_text(outcome.wall, 3), bytes_text(outcome.peak_bytes));
+    if (bar) draw_line("");
+    if (!quiet) print_note("{}: {} s, {}\n", about, rounded_text(outcome.wall, 3), bytes_text(outcome.peak_bytes));
     return outcome;
 }
 
@@ -93,30 +93,31 @@ std::string percent(const std::optional<double>& share) { return share ? fmt::fo
 
 void print_table(const Tradeoff& t)
 {
-    fmt::print("{}, {} ({}, {}, median of {})\n", t.fabric, t.experiment, t.backend, t.device, t.repeats);
-    fmt::print("  {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", "time", "memory", "error", "map", "overlap");
+    print_result("{}, {} ({}, {}, median of {})\n", t.fabric, t.experiment, t.backend, t.device, t.repeats);
+    print_result("  {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", "time", "memory", "error", "map", "overlap");
     for (const TradeoffPoint& p : t.points) {
-        fmt::print("{} {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", p.pareto ? '*' : ' ', p.variant.name,
-                   p.walls.empty() ? "-" : rounded_text(p.wall(), 3) + " s", p.peaks.empty() ? "-" : bytes_text(p.peak()),
-                   p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
-                   p.errors ? percent(p.errors->overlap) : "-");
+        print_result("{} {:<28} {:>10} {:>9} {:>9} {:>9} {:>9}\n", p.pareto ? '*' : ' ', p.variant.name,
+                     p.walls.empty() ? "-" : rounded_text(p.wall(), 3) + " s", p.peaks.empty() ? "-" : bytes_text(p.peak()),
+                     p.errors ? percent(p.errors->largest) : "-", p.errors ? percent(p.errors->map) : "-",
+                     p.errors ? percent(p.errors->overlap) : "-");
         for (const MetricError& m : p.closed_forms)
-            fmt::print("    {}: {:.5g}, closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
-        for (const std::string& name : p.stands_for) fmt::print("    same run as {}\n", name);
+            print_result("    {}: {:.5g}, closed form {:.5g} (error {:.2g} %)\n", m.name, *m.value, *m.reference, 100 * m.error);
+        for (const std::string& name : p.stands_for) print_result("    same run as {}\n", name);
     }
     for (const ConvergenceStep& step : t.convergence)
-        fmt::print("  from {} to {}: error {}, map {}\n", step.coarse, step.fine, percent(step.errors.largest), percent(step.errors.map));
-    fmt::print("* no other variant is both faster and more accurate. Time and memory (largest resident set): one process per run, one run\n"
-               "at a time. Error against the reference: the largest of all metrics, water contents and 1 - overlap. Map: relative L2.\n");
+        print_result("  from {} to {}: error {}, map {}\n", step.coarse, step.fine, percent(step.errors.largest), percent(step.errors.map));
+    print_result(
+        "* no other variant is both faster and more accurate. Time and memory (largest resident set): one process per run, one run\n"
+        "at a time. Error against the reference: the largest of all metrics, water contents and 1 - overlap. Map: relative L2.\n");
     for (const TradeoffPoint& p : t.points) {
         if (p.variant.name != "standard" || p.stages.empty()) continue;
         std::vector<std::pair<double, std::string>> stages;
         for (const auto& [name, share] : p.stages) stages.emplace_back(share, name);
         std::sort(stages.rbegin(), stages.rend());
         stages.resize(std::min<std::size_t>(stages.size(), 5));
-        fmt::print("Slowest stages of standard:");
-        for (const auto& [share, name] : stages) fmt::print(" {} {:.0f} %", name, share);
-        fmt::print("\n");
+        print_result("Slowest stages of standard:");
+        for (const auto& [share, name] : stages) print_result(" {} {:.0f} %", name, share);
+        print_result("\n");
     }
 }
 
@@ -150,18 +151,18 @@ int tradeoff(const TradeoffOptions& options)
                   [&] { write_results(result, options.output); });
     } catch (const Cancelled&) {
         cancelled = true;
-        if (!options.quiet) fmt::print(stderr, "\n");
+        if (!options.quiet) print_note("\n");
     }
     if (options.json)
-        fmt::print("{}", tradeoff_json(result));
+        print_result("{}", tradeoff_json(result));
     else
         print_table(result);
     const std::string where = options.output.empty() ? "" : fmt::format(" Measurements: {}", options.output);
     if (cancelled) {
-        fmt::print(stderr, "Cancelled.{}\n", where);
+        print_note("Cancelled.{}\n", where);
         return exit_cancelled;
     }
-    if (!options.quiet && !where.empty()) fmt::print(stderr, "{}\n", where.substr(1));
+    if (!options.quiet && !where.empty()) print_note("{}\n", where.substr(1));
     return exit_ok;
 }
 

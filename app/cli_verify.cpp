@@ -65,25 +65,25 @@ void print_parts(const VerifyReport& report, const VerifyResult& r)
         computed += fmt::format(" {}", p.computed);
         expected += fmt::format(" {}", p.expected);
     }
-    fmt::print("  {:<4} {:<24} computed{}  expected{}\n", word_for(report, r), r.name, computed, expected);
+    print_result("  {:<4} {:<24} computed{}  expected{}\n", word_for(report, r), r.name, computed, expected);
 }
 
 void print_report(const VerifyReport& report)
 {
-    fmt::print("{} ({:.2f} s)\n", report.name, report.wall);
-    if (!report.source.empty()) fmt::print("  compared with a measurement: {}\n", report.source);
-    if (!report.not_applicable.empty()) fmt::print("  not applicable: {}\n", report.not_applicable);
+    print_result("{} ({:.2f} s)\n", report.name, report.wall);
+    if (!report.source.empty()) print_result("  compared with a measurement: {}\n", report.source);
+    if (!report.not_applicable.empty()) print_result("  not applicable: {}\n", report.not_applicable);
     for (const VerifyResult& r : report.results) {
         if (!r.parts.empty()) {
             print_parts(report, r);
             continue;
         }
         const char* rule = r.rule == Rule::near ? "expected" : r.rule == Rule::at_most ? "at most" : "at least";
-        fmt::print("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
-                   r.expected, r.tolerance);
-        if (r.blind) fmt::print("       blind: inputs that differ give the same\n");
+        print_result("  {:<4} {:<24} computed {:<12.6g} {:<8} {:<12.6g} tolerance {:.3g}\n", word_for(report, r), r.name, r.computed, rule,
+                     r.expected, r.tolerance);
+        if (r.blind) print_result("       blind: inputs that differ give the same\n");
         if (!r.known_miss.empty())
-            fmt::print("       {}{}\n", r.pass() ? "holds now, but is listed as a miss: " : "known miss: ", r.known_miss);
+            print_result("       {}{}\n", r.pass() ? "holds now, but is listed as a miss: " : "known miss: ", r.known_miss);
     }
 }
 
@@ -103,9 +103,9 @@ void print_summary(const std::vector<VerifyReport>& reports)
             if (!r.pass())
                 misses += fmt::format("\n  {} {}{}", report.name, r.name, r.known_miss.empty() ? "" : ", known: " + r.known_miss);
     }
-    if (known > 0) fmt::print("{} of {} cases with known answers pass.\n", passed, known);
-    if (compared > 0) fmt::print("{} of {} comparisons with measurements hold; {} do not apply.\n", held, compared, left_out);
-    if (!misses.empty()) fmt::print("Misses:{}\n", misses);
+    if (known > 0) print_result("{} of {} cases with known answers pass.\n", passed, known);
+    if (compared > 0) print_result("{} of {} comparisons with measurements hold; {} do not apply.\n", held, compared, left_out);
+    if (!misses.empty()) print_result("Misses:{}\n", misses);
 }
 
 int list_cases(const VerifyOptions& options)
@@ -116,9 +116,9 @@ int list_cases(const VerifyOptions& options)
         if (!c.source.empty()) entry["compared_with"] = c.source;
         if (!c.not_applicable.empty()) entry["not_applicable"] = c.not_applicable;
         list.push_back(entry);
-        if (!options.json) fmt::print("{:<26} {}\n", c.name, c.about);
+        if (!options.json) print_result("{:<26} {}\n", c.name, c.about);
     }
-    if (options.json) fmt::print("{}\n", Json{{"cases", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json) print_result("{}\n", Json{{"cases", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return exit_ok;
 }
 
@@ -159,7 +159,7 @@ int verify(const VerifyOptions& options)
     if (options.json) {
         Json all = Json::array();
         for (const VerifyReport& report : reports) all.push_back(report_json(report));
-        fmt::print("{}\n", (several ? Json{{"reports", all}} : all[0]).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_result("{}\n", (several ? Json{{"reports", all}} : all[0]).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     } else if (several) {
         print_summary(reports);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "app/cli_weave.h"
 
+#include "app/cli_print.h"
+
 #include "core/design/drawdown.h"
 #include "core/design/jam.h"
 #include "core/design/weave_analysis.h"
@@ -39,8 +41,8 @@ std::string floats_text(const Floats& floats, double crossed_per_cm)
 
 void print_jam(const char* name, const JamOfSystem& jam)
 {
-    fmt::print("  {} sett {:.4g}/cm is {:.0f} % of Ashenhurst's limit {:.3g}/cm and {:.0f} % of Peirce's {:.3g}/cm\n", name,
-               jam.sett_per_cm, jam.ashenhurst_percent, jam.ashenhurst_per_cm, jam.peirce_percent, jam.peirce_per_cm);
+    print_result("  {} sett {:.4g}/cm is {:.0f} % of Ashenhurst's limit {:.3g}/cm and {:.0f} % of Peirce's {:.3g}/cm\n", name,
+                 jam.sett_per_cm, jam.ashenhurst_percent, jam.ashenhurst_per_cm, jam.peirce_percent, jam.peirce_per_cm);
 }
 
 } // namespace
@@ -74,11 +76,11 @@ void print_weave(const Fabric& fabric, const FittedYarns& yarns)
 {
     const WeaveAnalysis a = analyse(fabric.weave);
     const auto row = [](const char* name, const std::string& warp, const std::string& weft) {
-        fmt::print("  {:<26} {:>14} {:>14}\n", name, warp, weft);
+        print_result("  {:<26} {:>14} {:>14}\n", name, warp, weft);
     };
-    fmt::print("  {}: smallest repeat {} ends x {} picks, warp up at {:.3g} % of the crossings\n",
-               fabric.weave.pattern().empty() ? "free weave" : fabric.weave.pattern(), a.repeat_ends, a.repeat_picks,
-               100 * a.warp_up_share);
+    print_result("  {}: smallest repeat {} ends x {} picks, warp up at {:.3g} % of the crossings\n",
+                 fabric.weave.pattern().empty() ? "free weave" : fabric.weave.pattern(), a.repeat_ends, a.repeat_picks,
+                 100 * a.warp_up_share);
     row("longest float, face", floats_text(a.warp_face, fabric.picks_per_cm), floats_text(a.weft_face, fabric.ends_per_cm));
     row("longest float, back", floats_text(a.warp_back, fabric.picks_per_cm), floats_text(a.weft_back, fabric.ends_per_cm));
     row("interlacings per repeat", std::to_string(a.warp_interlacings), std::to_string(a.weft_interlacings));

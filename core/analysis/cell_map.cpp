@@ -3,12 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/project/atomic_file.h"
 #include "core/scene/scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace hygroloom {
 
@@ -87,10 +87,7 @@ void write_cell_map_csv(const CellMap& map, const RunRecord& run, double time, M
             text += fmt::format("{},{},{:.6g},{:.6g},{:.6g}\n", column, row, mm_from_metre(0.5 * (column * map.cell_width + right - width)),
                                 mm_from_metre(0.5 * (row * map.cell_height + top - height)), 1e3 * map.at(column, row));
         }
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) throw FileError(path.string() + ": the map cannot be written. Check that the folder exists and can be written to.");
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    if (std::fclose(file) != 0 || !written) throw FileError(path.string() + ": the map cannot be written; the disk may be full.");
+    write_file(path, text);
 }
 
 } // namespace hygroloom

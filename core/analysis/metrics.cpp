@@ -205,7 +205,7 @@ void MetricsCollector::watch_free_water(const Frame& frame)
     delivered_ = frame.ledger.water_delivered;
     if (free_water || comes) metrics_.absorbency_time.reset();
     if (!free_water && had_free_water_ && !metrics_.absorbency_time)
-        metrics_.absorbency_time = std::isfinite(frame.ledger.free_until) ? frame.ledger.free_until : frame.time;
+        metrics_.absorbency_time = frame.ledger.free_until >= 0 ? frame.ledger.free_until : frame.time;
 }
 
 void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(in_words(part)); }

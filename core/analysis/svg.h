@@ -2,6 +2,8 @@
 // What pictures that scale (SVG) and pages (HTML) are put together from.
 #pragma once
 
+#include "core/base/utf8.h"
+
 #include <fmt/format.h>
 
 #include <string>
@@ -12,7 +14,7 @@ namespace hygroloom {
 inline std::string escaped_markup(const std::string& text)
 {
     std::string out;
-    for (char c : text) {
+    for (char c : printable(text)) {
         if (c == '<')
             out += "&lt;";
         else if (c == '>')

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  base/utf8.cpp
   base/words.cpp
 )

@@ -3,7 +3,11 @@
 
 #include "core/base/error.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
 
 namespace hygroloom {
 
@@ -21,12 +25,26 @@ Json knobs_json(const Knobs& knobs)
     return json;
 }
 
+/// Throws Error where it is none that fits: the plan may be a stranger's.
+int whole_number(const Json& json)
+{
+    const double value = json.get<double>();
+    if (!(std::abs(value) <= std::numeric_limits<int>::max()) || value != std::floor(value))
+        throw Error(fmt::format("The model plan cannot be read: {:g} is no whole number that fits.", value));
+    return static_cast<int>(value);
+}
+
 /// Recordings of older versions hold some of the knobs, among the resolution; the others are those of the fidelity.
 Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 {
     Knobs knobs = knobs_of(fidelity);
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
-    for (const KnobInfo& knob : knob_table()) knobs.*knob.value = values.value(knob.name, values.value(knob.old_name, knobs.*knob.value));
+    for (const KnobInfo& knob : knob_table()) {
+        double& value = knobs.*knob.value;
+        value = values.value(knob.name, values.value(knob.old_name, value));
+        if (knob.whole && !(std::abs(value) <= std::numeric_limits<int>::max()))
+            throw Error(fmt::format("The model plan cannot be read: {} is {:g}.", knob.name, value));
+    }
     // Before absorption had a knob of its own, yarns absorbed liquid that never rested at each of its steps.
     if (!values.contains("steps_between_absorption") && !values.contains("steps_between_drinks") && knobs.settle_share <= 0)
         knobs.steps_between_absorption = 1;
@@ -145,13 +163,14 @@ try {
     plan.water_at_stake = json.value("water_at_stake_kg", 0.0);
     if (json.contains("idle_knobs")) plan.idle_knobs = idle_knobs_from_json(json.at("idle_knobs"));
     const Json& region = json.at("region");
-    plan.region = {region.at("first_end"), region.at("first_pick"), region.at("ends"), region.at("picks")};
+    plan.region = {whole_number(region.at("first_end")), whole_number(region.at("first_pick")), whole_number(region.at("ends")),
+                   whole_number(region.at("picks"))};
     plan.region_reason = region.at("reason");
     const Json& resolution = json.at("resolution");
-    plan.particles_per_droplet = resolution.at("particles_per_droplet");
-    plan.segments = resolution.at("segments");
-    plan.fibre_shells = resolution.at("fibre_shells");
-    plan.crossings_per_cell = resolution.value("crossings_per_cell", 1);
+    plan.particles_per_droplet = whole_number(resolution.at("particles_per_droplet"));
+    plan.segments = whole_number(resolution.at("segments"));
+    plan.fibre_shells = whole_number(resolution.at("fibre_shells"));
+    plan.crossings_per_cell = whole_number(resolution.value("crossings_per_cell", Json(1)));
     plan.frame_interval = resolution.at("frame_interval_s");
     plan.knobs = knobs_from_json(json, plan.fidelity);
     plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);

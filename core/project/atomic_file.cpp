@@ -2,10 +2,10 @@
 #include "core/project/atomic_file.h"
 
 #include "core/base/error.h"
+#include "core/project/leftovers.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -35,15 +35,6 @@ struct Temporary {
     }
 };
 
-std::filesystem::path temporary_beside(const std::filesystem::path& target)
-{
-    static std::atomic<unsigned> counter{0};
-    auto path = target;
-    path.replace_filename(
-        fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, 100), ::getpid(), counter++, target.extension().string()));
-    return path;
-}
-
 /// Whether the data reached the disk; a folder on a file system that cannot sync folders counts as synced.
 void sync(const std::filesystem::path& path, bool folder, const std::filesystem::path& target)
 {
@@ -56,21 +47,6 @@ void sync(const std::filesystem::path& path, bool folder, const std::filesystem:
     const int code = errno;
     ::close(file);
     if (result != 0 && !folder) fail(target, "The file cannot be written to the disk", code);
-}
-
-/// A link stays a link: what it points to is replaced, or made.
-std::filesystem::path behind_links(std::filesystem::path path)
-{
-    std::error_code failure;
-    const std::filesystem::path given = path;
-    constexpr int most_links = 40; // as the kernel
-    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i) {
-        const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
-        if (failure) fail(given, "The link cannot be followed", failure.value());
-        path = path.parent_path() / next;
-    }
-    if (std::filesystem::is_symlink(path, failure)) fail(given, "The link cannot be followed", ELOOP);
-    return path;
 }
 
 void keep_backup(const std::filesystem::path& target)
@@ -88,6 +64,20 @@ void keep_backup(const std::filesystem::path& target)
 }
 
 } // namespace
+
+std::filesystem::path behind_links(std::filesystem::path path)
+{
+    std::error_code failure;
+    const std::filesystem::path given = path;
+    constexpr int most_links = 40; // as the kernel
+    for (int i = 0; i < most_links && std::filesystem::is_symlink(path, failure); ++i) {
+        const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
+        if (failure) fail(given, "The link cannot be followed", failure.value());
+        path = path.parent_path() / next;
+    }
+    if (std::filesystem::is_symlink(path, failure)) fail(given, "The link cannot be followed", ELOOP);
+    return path;
+}
 
 void write_files_with(const std::vector<std::filesystem::path>& paths,
                       const std::function<void(const std::vector<std::filesystem::path>&)>& writer, Previous previous)
@@ -110,6 +100,7 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
         places.push_back(std::move(place));
     }
     std::vector<std::filesystem::path> temporaries;
+    for (const Place& place : places) remove_leftovers(place.target);
     for (const Place& place : places) temporaries.push_back(temporary_beside(place.target));
     const std::vector<Temporary> guards(temporaries.begin(), temporaries.end());
     writer(temporaries);

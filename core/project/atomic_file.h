@@ -9,6 +9,9 @@
 
 namespace hygroloom {
 
+/// Where a file of this name is written: a link stays a link, and what it points to is replaced, or made. Throws FileError.
+std::filesystem::path behind_links(std::filesystem::path path);
+
 enum class Previous { replace, keep_as_backup };
 
 /// Writes to a temporary file in the target's folder, syncs it, renames it over the target and syncs the folder.

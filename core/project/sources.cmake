@@ -9,6 +9,7 @@ target_sources(hygroloom_core PRIVATE
   project/draft_json.cpp
   project/gltf_file.cpp
   project/json_reader.cpp
+  project/leftovers.cpp
   project/library.cpp
   project/mesh_file.cpp
   project/migrations.cpp

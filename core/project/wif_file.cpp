@@ -2,6 +2,7 @@
 #include "core/project/wif_file.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 
 #include <fmt/format.h>
 
@@ -16,27 +17,6 @@ namespace hygroloom {
 namespace {
 
 constexpr std::string_view blanks = " \t\f\v\r";
-
-bool is_utf8(std::string_view text)
-{
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80                   ? 1
-                                   : lead >= 0xC2 && lead < 0xE0 ? 2
-                                   : lead >= 0xE0 && lead < 0xF0 ? 3
-                                   : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                                 : 0;
-        if (length == 0 || i + length > text.size()) return false;
-        for (std::size_t k = 1; k < length; ++k)
-            if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
-        const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0x80;
-        if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) || (lead == 0xF0 && second < 0x90) ||
-            (lead == 0xF4 && second > 0x8F))
-            return false; // overlong, surrogate or beyond Unicode
-        i += length;
-    }
-    return true;
-}
 
 void append_utf8(std::string& text, unsigned code)
 {

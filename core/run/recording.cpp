@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Frames are written whole and flushed before the ledger's row that counts them, so a cut recording reads up to its last row.
 #include "core/run/recording.h"
 
 #include "core/base/error.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
-#include "core/run/hdf5_file.h"
-
-#include <fmt/format.h>
+#include "core/run/hdf5_reader.h"
+#include "core/run/recording_layout.h"
+#include "core/run/recording_source.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -18,67 +19,16 @@ namespace h5 = hdf5;
 
 namespace {
 
-constexpr int recording_version = 1;
+constexpr int most_yarns_before = 100'000'000; ///< a region's place in the fabric
+constexpr std::uint64_t base_frame_bytes = 80 << 20;
 
-std::string column_names()
-{
-    std::string names;
-    for (const LedgerColumn& column : ledger_columns) names += (names.empty() ? "" : ",") + std::string(column.name);
-    return names;
-}
-
-std::vector<double> row_of(const Ledger& ledger)
-{
-    std::vector<double> row;
-    for (const LedgerColumn& column : ledger_columns) row.push_back(ledger.*column.value);
-    return row;
-}
-
-Ledger ledger_of(const std::vector<double>& row)
-{
-    constexpr std::size_t first_columns = 13; // that all recordings have
-    if (row.size() < first_columns || row.size() > std::size(ledger_columns))
-        throw FileError("The recording's ledger has the wrong number of columns; it is damaged.");
+/// What the file holds of a frame, before the values of its segments.
+struct StoredFrame {
+    int number = 0; ///< in the file
+    h5::Handle group;
+    double time = 0;
     Ledger ledger;
-    for (std::size_t k = 0; k < row.size(); ++k) ledger.*ledger_columns[k].value = row[k];
-    return ledger;
-}
-
-void write_textile(hid_t file, const Textile& textile)
-{
-    const h5::Handle group = h5::create_group(file, "textile");
-    const auto n = static_cast<std::size_t>(textile.segments());
-    std::vector<int> yarn(n), kind(n), end_of(n), pick_of(n);
-    std::vector<double> length(n);
-    std::vector<float> position(3 * n);
-    for (YarnKind k : {YarnKind::warp, YarnKind::weft})
-        for (int end = 0; end < textile.ends(); ++end)
-            for (int pick = 0; pick < textile.picks(); ++pick) {
-                const auto i = static_cast<std::size_t>(textile.segment(k, end, pick));
-                kind[i] = k == YarnKind::weft;
-                yarn[i] = k == YarnKind::warp ? end : pick;
-                end_of[i] = end;
-                pick_of[i] = pick;
-                length[i] = textile.segment_length(k, end, pick);
-                position[3 * i] = static_cast<float>(textile.x_of_end(end));
-                position[3 * i + 1] = static_cast<float>(textile.y_of_pick(pick));
-                position[3 * i + 2] = static_cast<float>(textile.height_at_crossing(k, end, pick));
-            }
-    h5::write_ints(group.get(), "yarn", yarn);
-    h5::write_ints(group.get(), "kind", kind); // 0 warp, 1 weft
-    h5::write_ints(group.get(), "end", end_of);
-    h5::write_ints(group.get(), "pick", pick_of);
-    h5::write_doubles(group.get(), "length", length, "m");
-    h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
-}
-
-std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
-{
-    std::vector<float> shares;
-    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
-        shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
-    return shares;
-}
+};
 
 /// In order of time; none in recordings of older versions.
 std::vector<SwitchedPart> read_switched_on(hid_t provenance)
@@ -98,153 +48,70 @@ std::vector<SwitchedPart> read_switched_on(hid_t provenance)
     return parts;
 }
 
-std::string frame_name(int index) { return fmt::format("frames/{:06d}", index); }
-
-} // namespace
-
-struct RecordingWriter::File {
-    h5::Handle file;
-    h5::Handle ledger;
-    int frames = 0;
-    std::vector<float> warp_pores, weft_pores; ///< pore volume / yarn volume of each end and of each pick
-};
-
-RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>())
+/// Throws FileError where it cannot be a frame's. Older recordings have fewer columns.
+Ledger ledger_of(const double* row, std::size_t columns)
 {
-    const h5::Quiet quiet;
-    std::error_code ignored;
-    if (std::filesystem::file_size(path, ignored) > 0 && !ignored && H5Fis_hdf5(path.c_str()) <= 0)
-        throw FileError(path.string() +
-                        ": there is a file of this name already and it is no recording. Choose another name for the recording.");
-    file_->file = h5::Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                             path.string() + ": the recording cannot be created. Check that the folder exists and can be written to.");
-    const hid_t file = file_->file.get();
-    h5::write_text(file, "format", "hygroloom-recording");
-    h5::write_number(file, "version", recording_version);
-    h5::write_text(file, "design", format_project(run.design));
-    {
-        const h5::Handle provenance = h5::create_group(file, "provenance");
-        h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + HYGROLOOM_VERSION);
-        h5::write_text(provenance.get(), "version", HYGROLOOM_VERSION);
-        h5::write_text(provenance.get(), "commit", HYGROLOOM_COMMIT);
-        h5::write_text(provenance.get(), "fabric", run.fabric);
-        h5::write_text(provenance.get(), "experiment", run.experiment);
-        h5::write_text(provenance.get(), "backend", run.backend);
-        h5::write_text(provenance.get(), "device", run.device);
-        h5::write_text(provenance.get(), "fidelity", name_of(run.plan.fidelity));
-        h5::write_text(provenance.get(), "plan", plan_json(run.plan));
-        h5::write_text(provenance.get(), "date", run.date);
-        h5::write_text(provenance.get(), "seed", std::to_string(run.seed));
-        h5::write_number(provenance.get(), "threads", run.threads);
+    Ledger ledger;
+    for (std::size_t k = 0; k < columns; ++k) {
+        if (!std::isfinite(row[k])) throw FileError(fmt::format("\"{}\" in the ledger is not a finite number.", ledger_columns[k].name));
+        ledger.*ledger_columns[k].value = row[k];
     }
-    write_textile(file, run.textile);
-    h5::create_group(file, "frames");
-    file_->warp_pores = pore_shares(run.textile, YarnKind::warp);
-    file_->weft_pores = pore_shares(run.textile, YarnKind::weft);
-    file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
-    H5Fflush(file, H5F_SCOPE_GLOBAL);
+    return ledger;
 }
 
-RecordingWriter::~RecordingWriter() = default;
-
-void RecordingWriter::append(const Frame& frame)
+StoredFrame stored_frame(hid_t frames, int number, const double* row, std::size_t columns)
 {
-    const h5::Quiet quiet;
-    {
-        const h5::Handle group = h5::create_group(file_->file.get(), frame_name(file_->frames));
-        const hid_t g = group.get();
-        h5::write_number(g, "time_s", frame.time);
-        h5::write_number(g, "water_top_kg", frame.water_top);
-        h5::write_number(g, "water_bottom_kg", frame.water_bottom);
-        const auto n = frame.saturation.size();
-        std::vector<float> fraction;
-        fraction.reserve(n);
-        const auto along = [&](const std::vector<float>& pores, std::size_t crossed) { // segments are numbered along the yarns
-            for (float share : pores)
-                for (std::size_t i = 0; i < crossed; ++i) fraction.push_back(frame.saturation[fraction.size()] * share);
-        };
-        along(file_->warp_pores, file_->weft_pores.size());
-        along(file_->weft_pores, file_->warp_pores.size());
-        h5::write_floats(g, "liquid_volume_fraction", fraction.data(), n, 1, "1");
-        for (const FrameField& field : frame_fields) h5::write_floats(g, field.name, field.in(frame).data(), n, 1, field.unit);
-        const auto particles = frame.positions.size();
-        h5::write_floats(g, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
-        h5::write_floats(g, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
-    }
-    if (frame.unsolved_lines > 0)
-        h5::write_number(h5::open_group(file_->file.get(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);
-    h5::append_row(file_->ledger.get(), row_of(frame.ledger));
-    if (H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL) < 0) throw FileError("The recording cannot be written; the disk may be full.");
-    ++file_->frames;
+    StoredFrame frame;
+    frame.number = number;
+    frame.group = h5::open_group(frames, frame_name(number));
+    frame.ledger = ledger_of(row, columns);
+    frame.time = h5::read_number(frame.group.get(), "time_s");
+    if (frame.time < 0 || std::abs(frame.time - frame.ledger.time) > 1e-6 * (1 + frame.time))
+        throw FileError(fmt::format("its time is {:.4g} s, and {:.4g} s in the ledger.", frame.time, frame.ledger.time));
+    return frame;
 }
 
-void RecordingWriter::note_device(const std::string& device)
+std::uint64_t seed_from(const std::string& text)
 {
-    const h5::Quiet quiet;
-    h5::write_text(h5::open_group(file_->file.get(), "provenance").get(), "all_devices", device);
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    if (const auto [last, failure] = std::from_chars(text.data(), end, seed); failure != std::errc() || last != end)
+        throw FileError("\"provenance/seed\" is not a whole number.");
+    return seed;
 }
 
-void RecordingWriter::note_switched_on(const SwitchedPart& part)
+void require_version(hid_t file)
 {
-    const h5::Quiet quiet;
-    const h5::Handle provenance = h5::open_group(file_->file.get(), "provenance");
-    const h5::Handle all = h5::exists(provenance.get(), "switched_on") ? h5::open_group(provenance.get(), "switched_on")
-                                                                       : h5::create_group(provenance.get(), "switched_on");
-    const h5::Handle group = h5::create_group(all.get(), part.name);
-    h5::write_number(group.get(), "time_s", part.time);
-    h5::write_number(group.get(), "share", part.share);
-    h5::write_number(group.get(), "limit", part.limit);
-    if (part.estimate) h5::write_number(group.get(), "estimate", *part.estimate);
-    if (!part.kept_off.empty()) h5::write_text(group.get(), "kept_off", part.kept_off);
-    H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL);
-}
-
-void RecordingWriter::finish(double wall)
-{
-    const h5::Quiet quiet;
-    h5::write_number(file_->file.get(), "wall_s", wall);
-    h5::write_number(h5::open_group(file_->file.get(), "provenance").get(), "wall_s", wall);
-    file_->ledger.reset();
-    file_->file.reset();
-}
-
-struct Recording::File {
-    h5::Handle file;
-    RunRecord run;
-    bool finished = false;
-    std::vector<Ledger> ledgers;
-};
-
-Recording::Recording(const std::filesystem::path& path)
-try : file_(std::make_unique<File>()) {
-    const h5::Quiet quiet;
-    if (!std::filesystem::exists(path)) throw FileError("there is no such file.");
-    if (path.extension() == ".hygro" && H5Fis_hdf5(path.c_str()) <= 0)
-        throw FileError(fmt::format("this is a project, not a recording. Run it first: hygroloom-cli simulate {} -o {}.", path.string(),
-                                    std::filesystem::path(path).replace_extension(".hygrorec").string()));
-    file_->file = h5::Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                             "this is not a recording, or it is damaged or incomplete.");
-    const hid_t file = file_->file.get();
-    if (!h5::exists(file, "format") || h5::read_text(file, "format") != "hygroloom-recording")
+    if (!h5::exists(file, "format") || h5::read_text(file, "format") != recording_format)
         throw FileError("this is not a Hygroloom recording.");
     const double version = h5::read_number(file, "version");
     if (version > recording_version)
         throw FileError(
             fmt::format("the recording has version {:.0f}; this program reads up to {}. Use a newer program.", version, recording_version));
+    h5::read_count(file, "version", 1, recording_version);
+}
 
-    RunRecord& run = file_->run;
-    run.design = parse_project(h5::read_text(file, "design"), "the recording's design");
+/// All but the textile and what follows from the design. Returns the project that was run.
+std::string read_provenance(hid_t file, RunRecord& run)
+{
     const h5::Handle provenance = h5::open_group(file, "provenance");
-    run.fabric = h5::read_text(provenance.get(), "fabric");
-    run.experiment = h5::read_text(provenance.get(), "experiment");
-    run.backend = h5::read_text(provenance.get(), "backend");
-    run.device = h5::read_text(provenance.get(), h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
-    run.plan = plan_from_json(h5::read_text(provenance.get(), "plan"));
+    const auto text = [&](const char* name) { return h5::read_text(provenance.get(), name); };
+    run.fabric = text("fabric");
+    run.experiment = text("experiment");
+    run.backend = text("backend");
+    run.device = text(h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
+    run.plan = plan_from_json(text("plan"));
     run.switched_on = read_switched_on(provenance.get());
+    if (h5::exists(provenance.get(), "date")) run.date = text("date");
     if (h5::has_number(provenance.get(), "unsolved_lines")) run.unsolved_lines = h5::read_number(provenance.get(), "unsolved_lines");
-    if (h5::exists(provenance.get(), "date")) run.date = h5::read_text(provenance.get(), "date");
-    run.seed = std::stoull(h5::read_text(provenance.get(), "seed"));
-    run.threads = static_cast<int>(h5::read_number(provenance.get(), "threads"));
+    run.seed = seed_from(text("seed"));
+    run.threads = static_cast<int>(h5::read_count(provenance.get(), "threads", 0, 1'000'000));
+    return h5::read_text(file, "design");
+}
+
+void rebuild_textile(RunRecord& run, const std::string& project)
+{
+    run.design = parse_project(project, "the recording's design");
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     const Validation valid = validate_and_fit(run.design);
@@ -252,16 +119,121 @@ try : file_(std::make_unique<File>()) {
     const TextileRegion& region = run.plan.region;
     const std::array<double, 2> sample = sample_extent_mm(*experiment);
     const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
-    if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks)
+    const auto is_place = [](int yarns) { return yarns >= 0 && yarns <= most_yarns_before; };
+    if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks || !is_place(region.first_end) ||
+        !is_place(region.first_pick))
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
     const auto place = static_cast<std::size_t>(fabric - run.design.fabrics.data());
     run.textile = textile_of_run(run.design, *fabric, *experiment, region, valid.fabrics[place].get());
-    file_->finished = H5Aexists(file, "wall_s") > 0;
-    if (file_->finished) run.wall = h5::read_number(file, "wall_s");
-    for (const std::vector<double>& row : h5::read_table(file, "ledger")) {
-        if (!h5::exists(file, frame_name(static_cast<int>(file_->ledgers.size())))) break;
-        file_->ledgers.push_back(ledger_of(row));
+}
+
+} // namespace
+
+struct Recording::File {
+    explicit File(const std::filesystem::path& path) : name(path.string()), source(path) {}
+
+    std::string name;
+    RecordingSource source; // outlives what the library has open in it
+    h5::Handle file;
+    RunRecord run;
+    bool finished = false;
+    std::vector<StoredFrame> frames;
+    std::vector<Ledger> ledgers; ///< of the frames
+    std::vector<std::string> problems;
+
+    void leave_out(int number, const std::string& why)
+    {
+        problems.push_back(fmt::format("{}: Frame {} is left out: {}", name, number, why));
     }
+    void read_frames();
+    void require_order();
+    /// Bytes that the values of one frame may take.
+    std::uint64_t room() const { return base_frame_bytes + 3 * source.size(); }
+    Frame values_of(const StoredFrame& stored, std::span<const FrameField> fields) const;
+};
+
+/// Up to where the ledger counts none any more, or none is there any more.
+void Recording::File::read_frames()
+{
+    constexpr hsize_t block = 256;
+    constexpr std::size_t most_problems = 1000;
+    const h5::Handle groups = h5::open_group(file.get(), "frames");
+    constexpr hsize_t columns_of_all = 13;
+    const h5::Table table(file.get(), "ledger", columns_of_all, std::size(ledger_columns));
+    bool some = true;
+    for (hsize_t first = 0; some && first < table.rows(); first += block) {
+        const hsize_t count = std::min(block, table.rows() - first);
+        const std::vector<double> rows = table.read(first, count);
+        some = false;
+        for (hsize_t k = 0; k < count && problems.size() < most_problems; ++k) {
+            const int number = static_cast<int>(first + k);
+            some = some || h5::exists(groups.get(), frame_name(number));
+            try {
+                frames.push_back(stored_frame(groups.get(), number, rows.data() + k * table.columns(), table.columns()));
+            } catch (const FileError& error) {
+                leave_out(number, error.what());
+            }
+        }
+    }
+}
+
+/// Leaves out frames that do not come after the one before.
+void Recording::File::require_order()
+{
+    std::vector<StoredFrame> in_order;
+    for (StoredFrame& frame : frames) {
+        if (!in_order.empty() && frame.time <= in_order.back().time)
+            leave_out(frame.number, fmt::format("its time, {:.4g} s, does not come after {:.4g} s.", frame.time, in_order.back().time));
+        else
+            in_order.push_back(std::move(frame));
+    }
+    frames = std::move(in_order);
+    for (const StoredFrame& frame : frames) ledgers.push_back(frame.ledger);
+}
+
+Frame Recording::File::values_of(const StoredFrame& stored, std::span<const FrameField> fields) const
+{
+    const hid_t g = stored.group.get();
+    Frame frame;
+    frame.time = stored.time;
+    frame.water_top = h5::read_number(g, "water_top_kg");
+    frame.water_bottom = h5::read_number(g, "water_bottom_kg");
+    const auto n = static_cast<std::size_t>(run.textile.segments());
+    for (const FrameField& field : fields) {
+        const bool is_older = field.absent && !h5::exists(g, field.name);
+        field.in(frame) = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name, n);
+    }
+    frame.ledger = stored.ledger;
+    const std::uint64_t left = room() - sizeof(float) * std::size(frame_fields) * n; // the constructor saw that they fit
+    const hsize_t most = left / (4 * sizeof frame.positions[0]);
+    const std::vector<float> x = h5::read_triples(g, "particle_position", most), v = h5::read_triples(g, "particle_velocity", most);
+    if (x.size() != v.size()) throw FileError(fmt::format("it has {} particles, and velocities of {}.", x.size() / 3, v.size() / 3));
+    for (std::size_t i = 0; i < x.size(); i += 3) {
+        frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
+        frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
+    }
+    return frame;
+}
+
+Recording::Recording(const std::filesystem::path& path)
+try : file_(std::make_unique<File>(path)) {
+    h5::silence();
+    File& f = *file_;
+    if (path.extension() == ".hygro" && !f.source.begins_as_hdf5())
+        throw FileError(fmt::format("this is a project, not a recording. Run it first: hygroloom-cli simulate {} -o {}.", path.string(),
+                                    std::filesystem::path(path).replace_extension(".hygrorec").string()));
+    f.file = h5::open_file(f.source, "this is not a recording, or it is damaged or incomplete.");
+    require_version(f.file.get());
+    const std::string project = read_provenance(f.file.get(), f.run);
+    f.finished = h5::has_number(f.file.get(), "wall_s");
+    if (f.finished) f.run.wall = h5::read_number(f.file.get(), "wall_s");
+    f.read_frames();
+    f.source.release_index();
+    f.require_order();
+    rebuild_textile(f.run, project);
+    if (sizeof(float) * std::size(frame_fields) * static_cast<std::uint64_t>(f.run.textile.segments()) > f.room())
+        throw FileError(
+            fmt::format("the recording's cloth has {} segments; a file of this size cannot hold their values.", f.run.textile.segments()));
 } catch (const Error& e) {
     throw FileError(path.string() + ": " + e.what());
 } catch (const std::logic_error&) {
@@ -273,32 +245,39 @@ Recording::Recording(Recording&&) noexcept = default;
 
 const RunRecord& Recording::run() const { return file_->run; }
 bool Recording::finished() const { return file_->finished; }
-int Recording::frames() const { return static_cast<int>(file_->ledgers.size()); }
+bool Recording::is_being_written() const { return file_->source.is_being_written() && !file_->finished; }
+int Recording::frames() const { return static_cast<int>(file_->frames.size()); }
 const std::vector<Ledger>& Recording::ledgers() const { return file_->ledgers; }
+const std::vector<std::string>& Recording::problems() const { return file_->problems; }
 
 Frame Recording::frame(int index, std::span<const FrameField> fields) const
 {
-    const h5::Quiet quiet;
-    const h5::Handle group = h5::open_group(file_->file.get(), frame_name(index));
-    const hid_t g = group.get();
-    Frame frame;
-    frame.time = h5::read_number(g, "time_s");
-    frame.water_top = h5::read_number(g, "water_top_kg");
-    frame.water_bottom = h5::read_number(g, "water_bottom_kg");
-    const auto n = static_cast<std::size_t>(file_->run.textile.segments());
-    for (const FrameField& field : fields) {
-        const bool is_older = field.absent && !h5::exists(g, field.name);
-        std::vector<float>& values = field.in(frame);
-        values = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name);
-        if (values.size() != n) throw FileError("The recording is damaged: a frame has the wrong number of segments.");
+    h5::silence();
+    const StoredFrame& stored = file_->frames[static_cast<std::size_t>(index)];
+    try {
+        return file_->values_of(stored, fields);
+    } catch (const FileError& error) {
+        throw FileError(fmt::format("{}: Frame {} cannot be read: {}", file_->name, stored.number, error.what()));
     }
-    frame.ledger = file_->ledgers[static_cast<std::size_t>(index)];
-    const std::vector<float> x = h5::read_floats(g, "particle_position"), v = h5::read_floats(g, "particle_velocity");
-    for (std::size_t i = 0; i + 2 < x.size() && i + 2 < v.size(); i += 3) {
-        frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
-        frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
+}
+
+void Recording::read_frames(const std::function<bool(const Frame&)>& see)
+{
+    h5::silence();
+    std::vector<StoredFrame> good;
+    bool goes_on = true;
+    for (StoredFrame& stored : file_->frames) {
+        try {
+            const Frame frame = goes_on ? file_->values_of(stored, frame_fields) : Frame();
+            goes_on = goes_on && see(frame);
+            good.push_back(std::move(stored));
+        } catch (const FileError& error) {
+            file_->leave_out(stored.number, error.what());
+        }
     }
-    return frame;
+    file_->frames = std::move(good);
+    file_->ledgers.clear();
+    for (const StoredFrame& frame : file_->frames) file_->ledgers.push_back(frame.ledger);
 }
 
 } // namespace hygroloom

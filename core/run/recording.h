@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The recording .hygrorec: an HDF5 file, one group per frame, flushed after each so that a killed run leaves a readable file.
+// The recording .hygrorec: an HDF5 file, one group per frame, whole after each so that a killed run leaves a readable file.
 #pragma once
 
 #include "core/run/run_record.h"
 #include "core/scene/frame.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 
 namespace hygroloom {
 
-/// Writes a recording frame by frame. Throws FileError.
+/// Writes a recording frame by frame. It stands beside the path until its first frame is whole; what was there before stays until then.
+/// Throws FileError, also when another run writes to the path. After an error the frames before it can be read.
 class RecordingWriter {
 public:
     RecordingWriter(const std::filesystem::path& path, const RunRecord& run);
@@ -32,7 +34,8 @@ private:
     std::unique_ptr<File> file_;
 };
 
-/// Reads a recording, finished or cut short. Frames are read one at a time.
+/// Reads a recording, finished, cut short, or as a run that writes it has it so far. Nothing in it is trusted. Frames are read one at a
+/// time; those that are wrong before their values are read are left out.
 class Recording {
 public:
     /// Throws FileError with a sentence when it is no recording, is damaged, or is newer than this program.
@@ -42,9 +45,15 @@ public:
 
     const RunRecord& run() const;
     bool finished() const;
+    /// Whether a run was writing it when it was opened.
+    bool is_being_written() const;
     int frames() const;
-    /// With these values of each segment. Throws FileError. 0 <= index < frames().
+    /// Which frames were left out and why, as sentences that begin with the file's name.
+    const std::vector<std::string>& problems() const;
+    /// With these values of each segment. Throws FileError, which names the frame. 0 <= index < frames().
     Frame frame(int index, std::span<const FrameField> fields = frame_fields) const;
+    /// Each in order, until it returns false. One that cannot be read is left out, and is no frame any more.
+    void read_frames(const std::function<bool(const Frame&)>& see);
     /// The ledger of every frame, without reading the fields.
     const std::vector<Ledger>& ledgers() const;
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,20 +13,20 @@ namespace hygroloom {
 
 /// Where all water is, in kg, and what has happened to energy, in J, since the start.
 struct Ledger {
-    double time = 0;                                              ///< s
-    double water_initial = 0;                                     ///< in fibres and pores before the first drop
-    double water_delivered = 0;                                   ///< by drops
-    double water_free = 0;                                        ///< liquid outside the yarns
-    double water_liquid = 0;                                      ///< liquid in the yarns' pores
-    double water_bound = 0;                                       ///< in the fibres
-    double water_vapour = 0;                                      ///< in the yarns' pores
-    double water_evaporated = 0;                                  ///< to the air, net
-    double water_dripped = 0;                                     ///< fallen off
-    double energy_stored = 0;                                     ///< sensible heat over the climate's temperature
-    double energy_released = 0;                                   ///< by sorption and condensation, less evaporation
-    double energy_lost = 0;                                       ///< to the air, and with water that left
-    double energy_delivered = 0;                                  ///< with water that came
-    double free_until = std::numeric_limits<double>::quiet_NaN(); ///< s, when free liquid was last about; no number: not known
+    double time = 0;             ///< s
+    double water_initial = 0;    ///< in fibres and pores before the first drop
+    double water_delivered = 0;  ///< by drops
+    double water_free = 0;       ///< liquid outside the yarns
+    double water_liquid = 0;     ///< liquid in the yarns' pores
+    double water_bound = 0;      ///< in the fibres
+    double water_vapour = 0;     ///< in the yarns' pores
+    double water_evaporated = 0; ///< to the air, net
+    double water_dripped = 0;    ///< fallen off
+    double energy_stored = 0;    ///< sensible heat over the climate's temperature
+    double energy_released = 0;  ///< by sorption and condensation, less evaporation
+    double energy_lost = 0;      ///< to the air, and with water that left
+    double energy_delivered = 0; ///< with water that came
+    double free_until = -1;      ///< s, when free liquid was last about; less than 0: not known
 
     double water_imbalance() const
     {

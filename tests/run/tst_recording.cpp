@@ -118,7 +118,9 @@ private Q_SLOTS:
             recording.frame(1);
             QFAIL("a frame without temperatures was read");
         } catch (const FileError& e) {
-            QCOMPARE(QString(e.what()), QString("The recording lacks \"temperature\"; it is damaged or not a recording."));
+            QCOMPARE(QString(e.what()), QString::fromStdString(at("lacking.hygrorec")) +
+                                            ": Frame 1 cannot be read: \"frames/000001/temperature\" is missing; " +
+                                            "the recording is damaged or no recording.");
         }
     }
     void aKilledRunLeavesAReadableRecording()

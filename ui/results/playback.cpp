@@ -21,6 +21,37 @@ std::size_t bytes_of(const Frame& frame)
            12 * (frame.positions.size() + frame.velocities.size());
 }
 
+/// Frame after frame; those that cannot be read are passed over and named at the end.
+class Reading {
+public:
+    explicit Reading(const Recording& recording) : recording_(recording), problems_(recording.problems()) {}
+    /// The next one that can be read, from an index on, which becomes its own; nullptr: none is left.
+    std::shared_ptr<const Frame> next(int& index)
+    {
+        for (; index < recording_.frames(); ++index) {
+            try {
+                return std::make_shared<const Frame>(recording_.frame(index));
+            } catch (const Error& error) {
+                problems_.emplace_back(error.what());
+            }
+        }
+        return nullptr;
+    }
+    /// As a text for people; empty without any.
+    QString problems() const
+    {
+        constexpr std::size_t most = 5;
+        QString text;
+        for (std::size_t i = 0; i < std::min(problems_.size(), most); ++i) { text += QString::fromStdString(problems_[i]) + "\n"; }
+        if (problems_.size() > most) { text += Playback::tr("%1 more frames are left out.").arg(problems_.size() - most); }
+        return text.trimmed();
+    }
+
+private:
+    const Recording& recording_;
+    std::vector<std::string> problems_;
+};
+
 double maximum_of(const Frame& frame)
 {
     return frame.saturation.empty() ? 0 : *std::max_element(frame.saturation.begin(), frame.saturation.end());
@@ -155,7 +186,7 @@ void Playback::present(int index, const std::shared_ptr<const Frame>& frame)
 void Playback::read(int index)
 {
     if (live_) {
-        // The file is being written; the nearest frame in memory stands in.
+        // The nearest frame in memory stands in.
         auto near = kept_.lower_bound(index);
         if (near == kept_.end() && !kept_.empty()) { near = std::prev(near); }
         if (near != kept_.end()) { present(near->first, near->second); }
@@ -172,7 +203,7 @@ void Playback::read(int index)
                 remember(index, frame);
                 if (index == current_) { present(index, frame); }
             });
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             const QString sentence = QString::fromStdString(error.what());
             turn.deliver([this, of, sentence] {
                 if (of == generation_) { Q_EMIT failed(sentence); }
@@ -188,21 +219,23 @@ void Playback::scan(const QString& path)
     scanner_.run([this, path](const NewestJob::Turn& turn) {
         try {
             const Recording recording(path.toStdString());
+            Reading reading(recording);
             const auto run = std::make_shared<const RunRecord>(recording.run());
             std::vector<double> times;
             for (const Ledger& ledger : recording.ledgers()) { times.push_back(ledger.time); }
             times.resize(static_cast<std::size_t>(recording.frames()));
-            auto first = times.empty() ? nullptr : std::make_shared<const Frame>(recording.frame(0));
+            int firstIndex = 0;
+            auto first = reading.next(firstIndex);
             // reset() outdates this job; from here on only another run may stop it.
             auto generation = std::make_shared<long>(-1);
-            turn.deliver([this, run, times, first, path, generation] {
+            turn.deliver([this, run, times, first, firstIndex, path, generation] {
                 reset();
                 *generation = generation_;
                 run_ = run;
                 path_ = path;
                 times_ = times;
                 first_ = first;
-                if (first) { remember(0, first); }
+                if (first) { remember(firstIndex, first); }
                 Q_EMIT runChanged();
                 Q_EMIT framesChanged();
                 Q_EMIT metricsChanged();
@@ -213,13 +246,14 @@ void Playback::scan(const QString& path)
             collector.start(*run);
             double maximum = 0;
             const int frames = recording.frames();
-            for (int index = 0; index < frames; ++index) {
-                const auto frame = std::make_shared<const Frame>(recording.frame(index));
-                collector.add(*frame);
-                maximum = std::max(maximum, maximum_of(*frame));
-                if (index % 25 != 24 && index != frames - 1) { continue; }
-                turn.deliver([this, generation, maximum, whole = index == frames - 1,
-                              metrics = std::make_shared<const Metrics>(collector.metrics())] {
+            for (int index = firstIndex; index < frames; ++index) {
+                if (const auto frame = index == firstIndex ? first : reading.next(index)) {
+                    collector.add(*frame);
+                    maximum = std::max(maximum, maximum_of(*frame));
+                }
+                const bool whole = index >= frames - 1;
+                if (index % 25 != 24 && !whole) { continue; }
+                turn.deliver([this, generation, maximum, whole, metrics = std::make_shared<const Metrics>(collector.metrics())] {
                     if (*generation == generation_) {
                         metrics_ = metrics;
                         whole_ = whole;
@@ -228,7 +262,10 @@ void Playback::scan(const QString& path)
                     }
                 });
             }
-        } catch (const Error& error) {
+            if (!reading.problems().isEmpty()) {
+                turn.deliver([this, sentence = reading.problems()] { Q_EMIT failed(sentence); });
+            }
+        } catch (const std::exception& error) {
             const QString sentence = QString::fromStdString(error.what());
             turn.deliver([this, sentence] { Q_EMIT failed(sentence); });
         }

@@ -120,15 +120,15 @@ void WaterMapView::scan()
     scanner_.run([this, of = playback_.generation(), run = playback_.run(), first = playback_.firstFrame(),
                   path = playback_.path().toStdString(), cells = cells_->value()](const NewestJob::Turn& turn) {
         try {
-            const Recording recording(path);
+            Recording recording(path);
             const Frame start = start_of_maps(*run, *first);
             double most = 0;
-            for (int index = 0; index < recording.frames() && !turn.outdated(); ++index) {
-                const Frame frame = recording.frame(index);
+            recording.read_frames([&](const Frame& frame) {
                 for (MapSide side : {MapSide::top, MapSide::bottom}) {
                     most = std::max(most, cell_map(run->textile, frame, start, side, cells).maximum());
                 }
-            }
+                return !turn.outdated();
+            });
             turn.deliver([this, of, cells, most] {
                 if (of == playback_.generation() && cells == cells_->value()) { widen(most); }
             });

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Frames are written whole and committed with the ledger's row that counts them, so a cut recording reads up to its last row.
+#include "core/base/error.h"
+#include "core/plan/plan_json.h"
+#include "core/project/project_file.h"
+#include "core/run/hdf5_reader.h"
+#include "core/run/recording.h"
+#include "core/run/recording_layout.h"
+#include "core/run/recording_target.h"
+
+#include <fmt/format.h>
+
+namespace hygroloom {
+
+namespace h5 = hdf5;
+
+namespace {
+
+std::string column_names()
+{
+    std::string names;
+    for (const LedgerColumn& column : ledger_columns) names += (names.empty() ? "" : ",") + std::string(column.name);
+    return names;
+}
+
+std::vector<double> row_of(const Ledger& ledger)
+{
+    std::vector<double> row;
+    for (const LedgerColumn& column : ledger_columns) row.push_back(ledger.*column.value);
+    return row;
+}
+
+void write_textile(hid_t file, const Textile& textile)
+{
+    const h5::Handle group = h5::create_group(file, "textile");
+    const auto n = static_cast<std::size_t>(textile.segments());
+    std::vector<int> yarn(n), kind(n), end_of(n), pick_of(n);
+    std::vector<double> length(n);
+    std::vector<float> position(3 * n);
+    for (YarnKind k : {YarnKind::warp, YarnKind::weft})
+        for (int end = 0; end < textile.ends(); ++end)
+            for (int pick = 0; pick < textile.picks(); ++pick) {
+                const auto i = static_cast<std::size_t>(textile.segment(k, end, pick));
+                kind[i] = k == YarnKind::weft;
+                yarn[i] = k == YarnKind::warp ? end : pick;
+                end_of[i] = end;
+                pick_of[i] = pick;
+                length[i] = textile.segment_length(k, end, pick);
+                position[3 * i] = static_cast<float>(textile.x_of_end(end));
+                position[3 * i + 1] = static_cast<float>(textile.y_of_pick(pick));
+                position[3 * i + 2] = static_cast<float>(textile.height_at_crossing(k, end, pick));
+            }
+    h5::write_ints(group.get(), "yarn", yarn);
+    h5::write_ints(group.get(), "kind", kind); // 0 warp, 1 weft
+    h5::write_ints(group.get(), "end", end_of);
+    h5::write_ints(group.get(), "pick", pick_of);
+    h5::write_doubles(group.get(), "length", length, "m");
+    h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
+}
+
+std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
+{
+    std::vector<float> shares;
+    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
+        shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
+    return shares;
+}
+
+void write_provenance(hid_t file, const RunRecord& run)
+{
+    const h5::Handle provenance = h5::create_group(file, "provenance");
+    h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + HYGROLOOM_VERSION);
+    h5::write_text(provenance.get(), "version", HYGROLOOM_VERSION);
+    h5::write_text(provenance.get(), "commit", HYGROLOOM_COMMIT);
+    h5::write_text(provenance.get(), "fabric", run.fabric);
+    h5::write_text(provenance.get(), "experiment", run.experiment);
+    h5::write_text(provenance.get(), "backend", run.backend);
+    h5::write_text(provenance.get(), "device", run.device);
+    h5::write_text(provenance.get(), "fidelity", name_of(run.plan.fidelity));
+    h5::write_text(provenance.get(), "plan", plan_json(run.plan));
+    h5::write_text(provenance.get(), "date", run.date);
+    h5::write_text(provenance.get(), "seed", std::to_string(run.seed));
+    h5::write_number(provenance.get(), "threads", run.threads);
+}
+
+void write_frame(hid_t group, const Frame& frame, const std::vector<float>& warp_pores, const std::vector<float>& weft_pores)
+{
+    h5::write_number(group, "time_s", frame.time);
+    h5::write_number(group, "water_top_kg", frame.water_top);
+    h5::write_number(group, "water_bottom_kg", frame.water_bottom);
+    const auto n = frame.saturation.size();
+    std::vector<float> fraction;
+    fraction.reserve(n);
+    const auto along = [&](const std::vector<float>& pores, std::size_t crossed) { // segments are numbered along the yarns
+        for (float share : pores)
+            for (std::size_t i = 0; i < crossed; ++i) fraction.push_back(frame.saturation[fraction.size()] * share);
+    };
+    along(warp_pores, weft_pores.size());
+    along(weft_pores, warp_pores.size());
+    h5::write_floats(group, "liquid_volume_fraction", fraction.data(), n, 1, "1");
+    for (const FrameField& field : frame_fields) h5::write_floats(group, field.name, field.in(frame).data(), n, 1, field.unit);
+    const auto particles = frame.positions.size();
+    h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
+    h5::write_floats(group, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
+}
+
+} // namespace
+
+struct RecordingWriter::File {
+    explicit File(const std::filesystem::path& path) : name(path.string()), target(path) {}
+
+    std::string name;
+    RecordingTarget target; // outlives what the library has open in it
+    h5::Handle file;
+    h5::Handle ledger;
+    int frames = 0;
+    double end = 0;                            ///< s, of the last frame
+    std::vector<float> warp_pores, weft_pores; ///< pore volume / yarn volume of each end and of each pick
+
+    hid_t id() const { return file.get(); }
+    /// What fails leaves the recording as it was before, and nothing is added to it any more.
+    template <typename Write> void attempt(Write write);
+    void flush(RecordingTarget::Commit when);
+    void close();
+};
+
+template <typename Write> void RecordingWriter::File::attempt(Write write)
+{
+    h5::silence();
+    try {
+        write();
+    } catch (const FileError& error) {
+        if (target.failure().empty()) target.give_up(error.what());
+        throw FileError(fmt::format("{}: {}; {}", name, target.failure(),
+                                    frames > 0 ? fmt::format("the recording ends at {:.4g} s and can be read up to there.", end)
+                                               : "nothing was recorded, and what had this name before stays."));
+    }
+}
+
+void RecordingWriter::File::flush(RecordingTarget::Commit when)
+{
+    if (H5Fflush(id(), H5F_SCOPE_GLOBAL) < 0) throw FileError("the recording cannot be written");
+    target.commit(when);
+}
+
+void RecordingWriter::File::close()
+{
+    ledger.reset();
+    file.reset();
+    target.commit(RecordingTarget::Commit::now);
+}
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>(path))
+{
+    file_->attempt([&] {
+        file_->file = h5::create_file(file_->target, "the recording cannot be created");
+        const hid_t file = file_->id();
+        h5::write_text(file, "format", recording_format);
+        h5::write_number(file, "version", recording_version);
+        h5::write_text(file, "design", format_project(run.design));
+        write_provenance(file, run);
+        write_textile(file, run.textile);
+        h5::create_group(file, "frames");
+        file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
+    });
+    file_->warp_pores = pore_shares(run.textile, YarnKind::warp);
+    file_->weft_pores = pore_shares(run.textile, YarnKind::weft);
+}
+
+/// Frames that wait for a reader are not lost.
+RecordingWriter::~RecordingWriter()
+{
+    if (!file_ || !file_->file.get() || file_->frames == 0 || !file_->target.failure().empty()) return;
+    try {
+        file_->close();
+    } catch (const FileError&) {
+        // the frames before can be read
+    }
+}
+
+void RecordingWriter::append(const Frame& frame)
+{
+    file_->attempt([&] {
+        {
+            const h5::Handle frames = h5::open_group(file_->id(), "frames");
+            const h5::Handle group = h5::create_group(frames.get(), frame_name(file_->frames));
+            write_frame(group.get(), frame, file_->warp_pores, file_->weft_pores);
+        }
+        if (frame.unsolved_lines > 0)
+            h5::write_number(h5::open_group(file_->id(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);
+        h5::append_row(file_->ledger.get(), row_of(frame.ledger));
+        file_->flush(RecordingTarget::Commit::may_wait);
+    });
+    ++file_->frames;
+    file_->end = frame.time;
+}
+
+void RecordingWriter::note_device(const std::string& device)
+{
+    file_->attempt([&] { h5::write_text(h5::open_group(file_->id(), "provenance").get(), "all_devices", device); });
+}
+
+void RecordingWriter::note_switched_on(const SwitchedPart& part)
+{
+    file_->attempt([&] {
+        const h5::Handle provenance = h5::open_group(file_->id(), "provenance");
+        const h5::Handle all = h5::exists(provenance.get(), "switched_on") ? h5::open_group(provenance.get(), "switched_on")
+                                                                           : h5::create_group(provenance.get(), "switched_on");
+        const h5::Handle group = h5::create_group(all.get(), part.name);
+        h5::write_number(group.get(), "time_s", part.time);
+        h5::write_number(group.get(), "share", part.share);
+        h5::write_number(group.get(), "limit", part.limit);
+        if (part.estimate) h5::write_number(group.get(), "estimate", *part.estimate);
+        if (!part.kept_off.empty()) h5::write_text(group.get(), "kept_off", part.kept_off);
+        if (file_->frames > 0) file_->flush(RecordingTarget::Commit::may_wait);
+    });
+}
+
+void RecordingWriter::finish(double wall)
+{
+    file_->attempt([&] {
+        h5::write_number(file_->id(), "wall_s", wall);
+        h5::write_number(h5::open_group(file_->id(), "provenance").get(), "wall_s", wall);
+        file_->close();
+        file_->target.sync();
+    });
+    file_.reset();
+}
+
+} // namespace hygroloom

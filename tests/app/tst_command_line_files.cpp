@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What can go wrong around the program: streams that are closed or full, names that are hostile, files that are in use or left over.
+#include "tests/app/command_line.h"
+#include "tests/support/crafted_recording.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <hdf5.h>
+
+#include <csignal>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace hygroloom;
+
+namespace {
+
+/// In a shell, with redirections and what goes before.
+Answer run_in_shell(const QString& arguments, const QString& before = {})
+{
+    QProcess process;
+    process.start("/bin/sh", {"-c", QString("%1\"%2\" %3").arg(before, HYGROLOOM_CLI, arguments)});
+    Answer answer;
+    if (!process.waitForFinished(120'000)) return answer;
+    answer.code = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2;
+    answer.out = process.readAllStandardOutput();
+    answer.err = process.readAllStandardError();
+    return answer;
+}
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void write(const QString& path, const QByteArray& text, qint64 seconds_ago = 0)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    file.flush();
+    QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(-seconds_ago), QFileDevice::FileModificationTime));
+}
+
+} // namespace
+
+class TestCommandLineFiles : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    QString at(const char* name) const { return folder_.filePath(name); }
+    QString recorded(const char* name) const
+    {
+        write_small_recording(at(name).toStdString());
+        return at(name);
+    }
+
+private Q_SLOTS:
+    void streamsThatTakeNothing_data()
+    {
+        QTest::addColumn<QString>("redirection");
+        QTest::addColumn<int>("code");
+        QTest::newRow("no stderr") << "2>&-" << 0;
+        QTest::newRow("full stderr") << "2>/dev/full" << 0;
+        QTest::newRow("no stdin") << "<&-" << 0;
+        QTest::newRow("full stdout") << ">/dev/full" << 1;
+        QTest::newRow("no stdout") << ">&-" << 1;
+        QTest::newRow("nothing") << ">&- 2>&- <&-" << 1;
+    }
+    void streamsThatTakeNothing()
+    {
+        QFETCH(QString, redirection);
+        QFETCH(int, code);
+        const QString recording = at("streams.hygrorec");
+        QFile::remove(recording);
+        const QString simulate = QString("simulate \"%1\" --fidelity draft --backend cpu --set experiments[0].duration_s=0.01 -o \"%2\" ")
+                                     .arg(example("one-drop-on-cotton.hygro"), recording);
+        const Answer run = run_in_shell(simulate + redirection);
+        QCOMPARE(run.code, code);
+        if (code == 1 && !redirection.contains("2>"))
+            QVERIFY2(run.err.contains("The results cannot be written to the standard output: "), run.err);
+        const Answer measured = run_cli({"measure", recording});
+        QVERIFY2(measured.code == 0 && !measured.err.contains("stopped"), measured.err);
+        for (const char* verb : {"presets", "presets --json", "devices", "--help", "--version", "nothing", "nothing --json"})
+            QVERIFY2(run_in_shell(verb + (" " + redirection)).code <= 2, verb);
+        QCOMPARE(run_in_shell("--help " + redirection).code, code);
+    }
+    void aBrokenPipeEndsNoRun()
+    {
+        const QString recording = at("pipe-run.hygrorec"), code = at("code");
+        const QString simulate =
+            QString("\"%1\" simulate \"%2\" --fidelity draft --backend cpu --set experiments[0].duration_s=0.01 -o \"%3\" 2>&1 >/dev/null")
+                .arg(HYGROLOOM_CLI, example("one-drop-on-cotton.hygro"), recording);
+        QCOMPARE(QProcess::execute("/bin/sh", {"-c", QString("{ %1; echo $? > \"%2\"; } | true").arg(simulate, code)}), 0);
+        QCOMPARE(contents(code).trimmed(), QByteArray("0"));
+        QVERIFY(!run_cli({"measure", recording}).err.contains("stopped"));
+    }
+    void seedsThatAreNoNumberAreRefused_data()
+    {
+        QTest::addColumn<QString>("seed");
+        for (const char* seed : {"-1", "1.5", "18446744073709551616", "one", ""}) QTest::newRow(seed) << QString(seed);
+    }
+    void seedsThatAreNoNumberAreRefused()
+    {
+        QFETCH(QString, seed);
+        for (const QStringList& verb : {QStringList{"simulate", example("one-drop-on-cotton.hygro")},
+                                        QStringList{"export", example("one-drop-on-cotton.hygro"), "-o", at("seed.obj")}}) {
+            const Answer answer = run_cli(verb + QStringList{"--seed=" + seed});
+            QCOMPARE(answer.code, 2);
+            QVERIFY2(answer.err.contains("This must be a whole number from 0 to 18446744073709551615") || seed.isEmpty(), answer.err);
+        }
+    }
+    void namesCannotCommandATerminal()
+    {
+        QByteArray project = contents(example("one-drop-on-cotton.hygro"));
+        QVERIFY(project.contains("\"Textile F\""));
+        project.replace("\"Textile F\"", "\"\\u001b]0;gone\\u0007\\u0000 \\u009b31m\"");
+        const QString file = at("hostile.hygro"), recording = at("hostile.hygrorec"), report = at("hostile.html");
+        write(file, project);
+        const QStringList run{"simulate", file,     "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=0.01",
+                              "-o",       recording};
+        for (const QStringList& verb :
+             {QStringList{"check", file}, QStringList{"plan", file}, run, QStringList{"measure", recording, "--report", report},
+              QStringList{"check", file, "--fabric", "\x1b[31m"}}) {
+            const Answer answer = run_cli(verb);
+            for (const char* code : {"\x1b", "\x07", "\xc2\x9b"}) QVERIFY2(!(answer.out + answer.err).contains(code), qPrintable(verb[0]));
+            QVERIFY(!(answer.out + answer.err).contains('\0'));
+        }
+        const QByteArray page = contents(report);
+        QVERIFY(page.contains("gone"));
+        QVERIFY(!page.contains('\x1b') && !page.contains('\0'));
+    }
+    void whatIsMeasuredIsNotOverwritten()
+    {
+        const QString recording = recorded("kept.hygrorec"), page = at("kept.html"), csv = at("kept.csv"), folder = at("kept"),
+                      vtp = folder + "/kept.vtp";
+        QVERIFY(QDir().mkpath(folder));
+        for (const QString& name : {page, csv, vtp}) QCOMPARE(::link(qPrintable(recording), qPrintable(name)), 0);
+        const QByteArray before = contents(recording);
+        for (const QStringList& verb :
+             {QStringList{"measure", recording, "--report", page}, QStringList{"measure", recording, "--map", "top", "-o", csv},
+              QStringList{"measure", vtp, "--vtk", folder}, QStringList{"measure", page, "--report", page}}) {
+            const Answer answer = run_cli(verb);
+            QCOMPARE(answer.code, 2);
+            QVERIFY2(answer.err.contains("This is the recording that is measured; give another name for what is written."), answer.err);
+        }
+        QCOMPARE(contents(recording), before);
+        QCOMPARE(contents(vtp), before);
+    }
+    void mapsAreWholeOrNotThere()
+    {
+        const QString recording = recorded("map.hygrorec"), csv = at("map.csv");
+        write(csv, "older");
+        const Answer answer =
+            run_in_shell(QString("measure \"%1\" --map top --cells 1 -o \"%2\"").arg(recording, csv), "ulimit -f 8; trap '' XFSZ; ");
+        QCOMPARE(answer.code, 1);
+        QCOMPARE(contents(csv), QByteArray("older"));
+        QCOMPARE(run_cli({"measure", recording, "--map", "top", "--cells", "1", "-o", csv}).code, 0);
+        QVERIFY(contents(csv).size() > 8 * 512);
+    }
+    void pipesAreRefusedAtOnce()
+    {
+        QCOMPARE(::mkfifo(qPrintable(at("pipe.hygrorec")), 0600), 0);
+        QElapsedTimer time;
+        time.start();
+        const Answer answer = run_cli({"measure", at("pipe.hygrorec")}, 10);
+        QCOMPARE(answer.code, 3);
+        QVERIFY(answer.err.contains("this is not a regular file"));
+        QVERIFY(time.elapsed() < 5000);
+    }
+    void badFramesAreNamedAndTheOthersMeasured()
+    {
+        const QString recording = recorded("frames.hygrorec");
+        const hid_t file = H5Fopen(qPrintable(recording), H5F_ACC_RDWR, H5P_DEFAULT);
+        H5Ldelete(file, "/frames/000001/temperature", H5P_DEFAULT);
+        H5Fclose(file);
+        const Answer answer = run_cli({"measure", recording, "--json"});
+        QCOMPARE(answer.code, 0);
+        QVERIFY2(answer.err.contains(recording.toUtf8() + ": Frame 1 is left out: \"frames/000001/temperature\" is missing"), answer.err);
+        QCOMPARE(answer.json()["series"].toObject()["time_s"].toArray().size(), 2);
+    }
+    void ofTwoRunsToOneFileTheSecondIsRefused()
+    {
+        const QString recording = recorded("two.hygrorec");
+        const QStringList run{"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft",  "--backend", "cpu", "-q",
+                              "--set",    "experiments[0].duration_s=3600",    "-o",         recording};
+        QProcess first;
+        first.start(HYGROLOOM_CLI, run);
+        QVERIFY(first.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(run_cli({"measure", recording}).err.contains("The run goes on; measured is up to "), 30000);
+        const Answer second = run_cli(run);
+        QCOMPARE(second.code, 1);
+        QVERIFY2(second.err.contains(": another run is writing this recording."), second.err);
+        QVERIFY(run_cli({"measure", recording}).err.contains("The run goes on"));
+        ::kill(static_cast<pid_t>(first.processId()), SIGKILL);
+        QVERIFY(first.waitForFinished());
+        const Answer measured = run_cli({"measure", recording});
+        QCOMPARE(measured.code, 0);
+        QVERIFY(measured.err.contains("The run was stopped at "));
+    }
+    void leftOverTemporariesAreRemoved()
+    {
+        const QString gone = at(".left.99999999-0.obj"), fresh = at(".left.99999999-1.obj"), other = at(".other.99999999-0.obj"),
+                      own = at((".left." + std::to_string(::getpid()) + "-0.obj").c_str()), no_number = at(".left.1x-0.obj");
+        for (const QString& name : {gone, other, own, no_number}) write(name, "x", 3600);
+        write(fresh, "x");
+        QCOMPARE(run_cli({"export", example("one-drop-on-cotton.hygro"), "--size-mm", "1x1", "-o", at("left.obj")}).code, 0);
+        QVERIFY(!QFile::exists(gone));
+        for (const QString& name : {fresh, other, own, no_number}) QVERIFY2(QFile::exists(name), qPrintable(name));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLineFiles)
+#include "tst_command_line_files.moc"

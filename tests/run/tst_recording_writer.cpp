@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Recordings while they are written: nothing is lost to a second run, a reader, a kill or a full disk.
+#include "core/base/error.h"
+#include "core/run/byte_lock.h"
+#include "core/run/redo_log.h"
+#include "tests/support/crafted_recording.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <hdf5.h>
+
+#include <csignal>
+#include <random>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr double mark_of_older = 77; ///< s, as the wall time
+
+template <typename Act> QString complaint_of(Act act)
+{
+    try {
+        act();
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+QByteArray bytes_of(const std::string& path)
+{
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void set_bytes(const std::string& path, const QByteArray& bytes)
+{
+    QFile file(QString::fromStdString(path));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+/// Runs it in a process of its own; returns how that ended.
+template <typename Act> pid_t begin_apart(Act act)
+{
+    const pid_t child = fork();
+    if (child != 0) return child;
+    act();
+    _exit(0);
+}
+
+} // namespace
+
+class TestRecordingWriter : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    RunRecord run_ = small_run();
+
+    std::string at(const char* name) const { return folder_.filePath(name).toStdString(); }
+    QStringList files() const { return QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden); }
+    void write_older(const std::string& path) const
+    {
+        RecordingWriter writer(path, run_);
+        writer.append(small_frame(run_, 0));
+        writer.finish(mark_of_older);
+    }
+    bool is_older(const std::string& path) const { return Recording(path).run().wall == mark_of_older; }
+    /// All frames so far are whole.
+    static int whole_frames(const std::string& path)
+    {
+        Recording recording(path);
+        recording.read_frames([](const Frame&) { return true; });
+        for (const std::string& problem : recording.problems()) qWarning("%s", problem.c_str());
+        return recording.problems().empty() ? recording.frames() : -1;
+    }
+
+private Q_SLOTS:
+    void anOlderRecordingStaysUntilAFrameIsWhole()
+    {
+        const std::string path = at("older.hygrorec");
+        write_older(path);
+        {
+            const RecordingWriter writer(path, run_);
+            QVERIFY(is_older(path));
+        }
+        QVERIFY(is_older(path)); // a run that ends before its first frame leaves nothing
+        RecordingWriter writer(path, run_);
+        writer.append(small_frame(run_, 0));
+        QVERIFY(!is_older(path));
+        QVERIFY(Recording(path).is_being_written());
+        writer.append(small_frame(run_, 1));
+        QCOMPARE(whole_frames(path), 2);
+        writer.finish(1);
+        QVERIFY(Recording(path).finished());
+        QVERIFY(!Recording(path).is_being_written());
+        QCOMPARE(files().filter("older"), QStringList{"older.hygrorec"});
+    }
+    void aSecondRunIsRefusedAndTouchesNothing()
+    {
+        const std::string path = at("two.hygrorec");
+        write_older(path);
+        RecordingWriter first(path, run_);
+        const auto second = [&] { return complaint_of([&] { RecordingWriter(path, run_); }); };
+        const QString sentence =
+            QString::fromStdString(path) + ": another run is writing this recording. Wait for its end or choose another name.";
+        QCOMPARE(second(), sentence);
+        QVERIFY(is_older(path));
+        for (int k = 0; k < 3; ++k) {
+            first.append(small_frame(run_, k));
+            QCOMPARE(second(), sentence);
+            QCOMPARE(whole_frames(path), k + 1);
+        }
+        first.finish(1);
+        QCOMPARE(second(), QString());
+        QVERIFY(Recording(path).finished());
+    }
+    void readersHoldNoRunUp()
+    {
+        const std::string path = at("readers.hygrorec");
+        write_older(path);
+        const hid_t before = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); // takes the library's lock
+        const Recording older(path);
+        RecordingWriter writer(path, run_);
+        writer.append(small_frame(run_, 0));
+        const hid_t beside = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+        QVERIFY(beside >= 0);
+        const Recording reader(path);
+        for (int k = 1; k < 20; ++k) writer.append(small_frame(run_, k));
+        writer.finish(1);
+        QCOMPARE(reader.frames(), 1);
+        QCOMPARE(reader.frame(0).temperature.front(), 293.15F);
+        QCOMPARE(older.frame(0).temperature.front(), 293.15F);
+        QCOMPARE(whole_frames(path), 20);
+        H5Fclose(beside);
+        H5Fclose(before);
+    }
+    void aReaderThatWasHaltedHoldsNoRunUp()
+    {
+        const std::string path = at("halted.hygrorec");
+        RecordingWriter writer(path, run_);
+        writer.append(small_frame(run_, 0));
+        const int halted = ::open(path.c_str(), O_RDONLY);
+        QVERIFY(try_lock(halted, LockedByte::index, true));
+        QElapsedTimer time;
+        time.start();
+        for (int k = 1; k < 5; ++k) writer.append(small_frame(run_, k));
+        QVERIFY2(time.elapsed() < 1000, qPrintable(QString::number(time.elapsed())));
+        writer.finish(1);
+        QVERIFY2(time.elapsed() < 6000, qPrintable(QString::number(time.elapsed())));
+        QCOMPARE(whole_frames(path), 5);
+        ::close(halted);
+    }
+    void aRunningRecordingIsWholeWheneverItIsOpened()
+    {
+        const std::string path = at("running.hygrorec");
+        const pid_t child = begin_apart([&] {
+            RecordingWriter writer(path, run_);
+            for (int k = 0; k < 400; ++k) writer.append(small_frame(run_, k));
+            writer.finish(1);
+        });
+        int openings = 0, last = 0, sizes = 0;
+        for (bool goes_on = true; goes_on; ++openings) {
+            goes_on = waitpid(child, nullptr, WNOHANG) == 0;
+            if (!QFile::exists(QString::fromStdString(path))) continue;
+            const int now = whole_frames(path);
+            QVERIFY(now >= std::max(1, last));
+            sizes += now > last ? 1 : 0;
+            last = now;
+        }
+        QCOMPARE(last, 400);
+        QVERIFY2(sizes > 5, qPrintable(QString("%1 of %2 openings").arg(sizes).arg(openings)));
+    }
+    void aKillAtAnyMomentLeavesWholeFrames()
+    {
+        const std::string path = at("killed.hygrorec");
+        std::mt19937 random(1);
+        int readable = 0, frames = 0;
+        for (int trial = 0; trial < 60; ++trial) {
+            write_older(path);
+            const pid_t child = begin_apart([&] {
+                RecordingWriter writer(path, run_);
+                for (int k = 0;; ++k) writer.append(small_frame(run_, k % 5 + 5 * k));
+            });
+            std::this_thread::sleep_for(std::chrono::microseconds(random() % 60'000));
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+            const int whole = whole_frames(path);
+            QVERIFY(whole >= 1);
+            readable += is_older(path) || !Recording(path).finished() ? 1 : 0;
+            frames = std::max(frames, whole);
+            QVERIFY(!Recording(path).is_being_written());
+        }
+        QCOMPARE(readable, 60);
+        QVERIFY(frames > 1);
+        write_older(path); // takes over what the last kill may have left beside it
+        QCOMPARE(files().filter("killed"), QStringList{"killed.hygrorec"});
+    }
+    void aChangeThatWasCutOffIsMadeByTheReader()
+    {
+        const std::string path = at("log.hygrorec");
+        write_small_recording(path);
+        const QByteArray whole = bytes_of(path);
+        QByteArray torn = whole;
+        Changes changes;
+        for (qsizetype place : {qsizetype(0), qsizetype(96), qsizetype(700)}) { // the superblock and what follows
+            stage(changes, std::uint64_t(place), {whole.constData() + place, 64});
+            torn.replace(place, 64, QByteArray(64, 'x'));
+        }
+        const std::string log = redo_log(changes);
+        set_bytes(path, torn + QByteArray::fromStdString(log));
+        QCOMPARE(whole_frames(path), 3);
+        set_bytes(path, torn + QByteArray::fromStdString(log).chopped(1));
+        QVERIFY_EXCEPTION_THROWN(Recording{path}, FileError);
+        set_bytes(path, whole + QByteArray::fromStdString(log).chopped(1)); // a log that was cut, before any change
+        QCOMPARE(whole_frames(path), 3);
+    }
+    void aFullDiskKeepsWhatWasWholeBefore_data()
+    {
+        QTest::addColumn<int>("kilobytes");
+        for (int kilobytes = 2; kilobytes < 700; kilobytes += 23) QTest::addRow("%d kB", kilobytes) << kilobytes;
+    }
+    /// A limit on the size of files stands for the disk.
+    void aFullDiskKeepsWhatWasWholeBefore()
+    {
+        QFETCH(int, kilobytes);
+        const std::string path = at("full.hygrorec"), said = at("full.txt");
+        write_older(path);
+        const pid_t child = begin_apart([&] {
+            std::signal(SIGXFSZ, SIG_IGN);
+            QFile sentence(QString::fromStdString(said));
+            const bool open = sentence.open(QIODevice::WriteOnly);
+            int frames = 0;
+            const rlimit most{rlim_t(kilobytes) * 1024, RLIM_INFINITY};
+            const QString complaint = complaint_of([&] {
+                setrlimit(RLIMIT_FSIZE, &most);
+                RecordingWriter writer(path, run_);
+                for (; frames < 200; ++frames) writer.append(small_frame(run_, frames));
+            });
+            if (open) sentence.write(QByteArray::number(frames) + " " + complaint.toUtf8());
+            sentence.close();
+            std::exit(0); // what the library does at the end, too
+        });
+        int status = -1;
+        waitpid(child, &status, 0);
+        QCOMPARE(status, 0);
+        const QString complaint = bytes_of(said);
+        const int frames = complaint.section(' ', 0, 0).toInt();
+        QVERIFY2(complaint.contains(": it cannot be written: File too large; "), qPrintable(complaint));
+        if (frames == 0) {
+            QVERIFY(complaint.endsWith("; nothing was recorded, and what had this name before stays."));
+            QVERIFY(is_older(path));
+        } else {
+            QVERIFY2(complaint.endsWith(QString("; the recording ends at %1 s and can be read up to there.").arg(0.1 * (frames - 1))),
+                     qPrintable(complaint));
+            QCOMPARE(whole_frames(path), frames);
+            QVERIFY(!Recording(path).finished());
+        }
+        QCOMPARE(files().filter("full.hygrorec"), QStringList{"full.hygrorec"});
+    }
+    void whatIsNoRecordingIsNotReplaced()
+    {
+        const std::string path = at("text.hygrorec");
+        set_bytes(path, "a text");
+        QVERIFY(complaint_of([&] { RecordingWriter(path, run_); }).contains("it is no recording"));
+        QCOMPARE(bytes_of(path), QByteArray("a text"));
+        QVERIFY(complaint_of([&] { RecordingWriter(folder_.path().toStdString(), run_); }).contains("cannot be replaced"));
+        QCOMPARE(files().filter("text"), QStringList{"text.hygrorec"});
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecordingWriter)
+#include "tst_recording_writer.moc"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Recordings as a stranger would make them: a valid one whose objects get other types, extents, links and contents, as bytes choose.
+#pragma once
+
+#include "core/run/recording.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace hygroloom {
+
+/// Takes decisions from bytes, one after another; from none, the first.
+class Choices {
+public:
+    Choices(const std::uint8_t* bytes, std::size_t count) : bytes_(bytes), left_(count) {}
+    /// Less than the number of choices.
+    std::size_t of(std::size_t choices)
+    {
+        if (left_ == 0 || choices == 0) return 0;
+        --left_;
+        return *bytes_++ % choices;
+    }
+    bool any_left() const { return left_ > 0; }
+
+private:
+    const std::uint8_t* bytes_;
+    std::size_t left_;
+};
+
+/// Of a drop on a small cloth, made up.
+RunRecord small_run();
+Frame small_frame(const RunRecord& run, int number);
+
+/// A valid one of three frames, with a part that came on and some particles.
+void write_small_recording(const std::string& path);
+
+/// Changes some of the objects of the recording at a path. Returns what it did, in words.
+std::string craft(const std::string& path, Choices choices);
+
+} // namespace hygroloom

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Recordings in the window: damaged ones, and one whose run goes on.
+#include "tests/support/crafted_recording.h"
+#include "ui/results/playback.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <hdf5.h>
+
+using namespace hygroloom;
+
+class TestPlayback : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+    /// A valid one without an object.
+    QString without(const char* object) const
+    {
+        const QString path = folder_.filePath("damaged.hygrorec");
+        write_small_recording(path.toStdString());
+        const hid_t file = H5Fopen(qPrintable(path), H5F_ACC_RDWR, H5P_DEFAULT);
+        H5Ldelete(file, object, H5P_DEFAULT);
+        H5Fclose(file);
+        return path;
+    }
+
+private Q_SLOTS:
+    void damagedFramesAreNamedAndTheOthersShown_data()
+    {
+        QTest::addColumn<int>("frame");
+        for (int frame = 0; frame < 3; ++frame) QTest::addRow("%d", frame) << frame;
+    }
+    void damagedFramesAreNamedAndTheOthersShown()
+    {
+        QFETCH(int, frame);
+        const QString path = without(qPrintable(QString("/frames/00000%1/temperature").arg(frame)));
+        Playback playback;
+        QSignalSpy opened(&playback, &Playback::opened), failed(&playback, &Playback::failed);
+        playback.open(path);
+        QTRY_COMPARE(opened.count(), 1);
+        QTRY_VERIFY(playback.whole());
+        QTRY_VERIFY(failed.count() >= 1);
+        QVERIFY(failed.last()[0].toString().startsWith(path + QString(": Frame %1 cannot be read: ").arg(frame)));
+        QVERIFY(playback.firstFrame());
+        QCOMPARE(playback.firstFrame()->time, frame == 0 ? 0.1 : 0.0);
+        QCOMPARE(playback.metrics()->series.time.size(), std::size_t(2));
+        playback.show(frame == 2 ? 1 : 2);
+        QTRY_VERIFY(playback.frame() && playback.frame()->time == (frame == 2 ? 0.1 : 0.2));
+    }
+    void whatIsNoRecordingIsRefusedWithASentence()
+    {
+        const QString path = without("/ledger");
+        Playback playback;
+        QSignalSpy failed(&playback, &Playback::failed);
+        playback.open(path);
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed[0][0].toString().contains("\"ledger\" is missing"));
+    }
+    void aRecordingWhoseRunGoesOnOpensWithItsFramesSoFar()
+    {
+        const QString path = folder_.filePath("running.hygrorec");
+        const RunRecord run = small_run();
+        RecordingWriter writer(path.toStdString(), run);
+        for (int k = 0; k < 2; ++k) writer.append(small_frame(run, k));
+        Playback playback;
+        playback.open(path);
+        QTRY_COMPARE(playback.frames(), 2);
+        writer.append(small_frame(run, 2));
+        QTRY_VERIFY(playback.frame() && playback.whole());
+        playback.open(path);
+        QTRY_COMPARE(playback.frames(), 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlayback)
+#include "tst_playback.moc"
