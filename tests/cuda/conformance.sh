@@ -66,6 +66,8 @@ if command -v compute-sanitizer > /dev/null; then
             --set particles=100 --set time_s=0.01 --backend cuda
         try "$tool, yarns" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set duration_s=0.1 --backend cuda
+        try "$tool, yarns that touch" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
+            --set experiment=moisture_management --set "fabric=Textile C" --set duration_s=0.02 --backend cuda
     done
 else
     echo "skip compute-sanitizer: not there"
