@@ -24,6 +24,7 @@ void check(const Cloth& cloth)
     demand(std::all_of(cloth.length.begin(), cloth.length.end(), [](double length) { return length > 0; }), "a segment has no length");
     demand(empty_or(cloth.pores.size(), cloth.segments()), "its cloth does not have pores for each segment");
     demand(empty_or(cloth.shift.size(), cloth.segments()), "its cloth does not have a shift for each segment");
+    demand(empty_or(cloth.touching.size(), cloth.segments()), "its cloth does not say of each segment how it touches the next");
     demand(empty_or(cloth.start.liquid.size(), cloth.segments()), "its cloth does not begin with liquid for each segment");
     demand(cloth.warp_up.size() == static_cast<std::size_t>(cloth.crossings()), "its cloth does not say at each crossing which yarn is up");
     demand(empty_or(cloth.warp_up_share.size(), cloth.crossings()), "its cloth does not have a share for each crossing");
@@ -77,6 +78,8 @@ void check(const Scene& scene)
     check(scene.rules);
     const bool drops = !scene.supply.droplets.empty(), has_free_liquid = drops || !scene.liquid.places.empty();
     demand(!has_free_liquid || scene.rules.liquid_step_factor > 0, "its free liquid has no step");
+    demand(!scene.cloth.by_suction || scene.supply.pools.size() <= 1, "several pools stand on cloth in which liquid flows by suction");
+    demand(scene.rules.suction_rounds >= 1, "suctions are found in no rounds");
     demand(!drops || !scene.liquid.places.empty() || scene.rules.particles_per_droplet > 0, "its drops have no particles");
     demand(empty_or(scene.supply.fed.size(), scene.cloth.segments()), "it does not say of each segment whether it hangs in liquid");
     demand(scene.cloth.shapes.size() == scene.cloth.yarns.size() || !has_free_liquid, "its yarns have no shape that liquid could meet");

@@ -63,7 +63,7 @@ public:
             sync_time_ = -1;
             step_yarns(time_ - network_time_, time_ >= until);
             network_time_ = time_;
-            if (was_free || is_free_liquid_about()) free_until_ = time_;
+            if (was_free || yarns_.pool_was_fed() || is_free_liquid_about()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
         }
         return time_;

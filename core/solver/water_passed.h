@@ -26,6 +26,7 @@ struct Pools {
     std::vector<std::int64_t> standing; ///< in each pool
     ManyQuanta pumped;                  ///< into pools and as sweat
     ManyQuanta ran_off;                 ///< of sweat that found no room, and through holes
+    bool came = false;                  ///< whether any pool got liquid in the last step
 
     bool any_stands() const
     {
@@ -41,11 +42,13 @@ struct Pools {
     /// What is pumped until a time, in the dt before it, s. Density in kg/m3.
     void fill(const Scene& scene, double time, double dt, double density)
     {
+        came = false;
         for (std::size_t k = 0; k < standing.size(); ++k) {
             const ScenePool& pool = scene.supply.pools[k];
-            const std::int64_t came = std::llround((pool.delivered(time) - pool.delivered(time - dt)) * density / water_quantum);
-            standing[k] += came;
-            pumped.add(came);
+            const std::int64_t quanta = std::llround((pool.delivered(time) - pool.delivered(time - dt)) * density / water_quantum);
+            standing[k] += quanta;
+            pumped.add(quanta);
+            came = came || quanta > 0;
         }
     }
     FedFace face_under(const Scene& scene, std::size_t k, double density) const

@@ -30,6 +30,7 @@ public:
     Segments segments();
     int visited_segments() { return yarns().visited_segments(); }
     bool pool_feeds() const { return pools_.feeds(); }
+    bool pool_was_fed() const { return pools_.came; }
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
     double next_event(double time) const;

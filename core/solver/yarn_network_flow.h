@@ -32,7 +32,7 @@ template <typename Executor> double YarnNetwork<Executor>::lift(bool along_warp)
 
 template <typename Executor> void YarnNetwork<Executor>::flow_between_touching(double dt)
 {
-    for (bool of_odd : {false, true})
+    for (bool of_odd : {warp_first_, !warp_first_}) // in turn, or water would run farther to one side
         each_segment("touching", FlowBetweenTouching{segments(), climate_, dt, of_odd, lift(false), lift(true)});
 }
 

@@ -231,7 +231,9 @@ private Q_SLOTS:
         row(
             "a ledger of other columns",
             [](hid_t f) {
-                put_set(f, "/ledger", H5T_NATIVE_DOUBLE, {3, 12});
+                const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+                H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+                put_set(f, "/ledger", H5T_NATIVE_DOUBLE, {3, 12}, properties);
             },
             "\"ledger\" has 12 columns; 13 to 14 are possible.");
         row(

@@ -129,7 +129,7 @@ private Q_SLOTS:
         const pid_t child = fork();
         QVERIFY(child >= 0);
         if (child == 0) {
-            record_run(path, 100);
+            record_run(path, 100'000);
             _exit(0);
         }
         QTest::qSleep(1500);

@@ -104,7 +104,7 @@ private Q_SLOTS:
         apart.cloth.touching.clear();
         QCOMPARE(end_holds(apart, frames_at(*backend, apart, {10}).front(), 1), 0.0);
     }
-    void restIsExact()
+    void whatRestsStaysToAFloat()
     {
         const std::unique_ptr<Backend> backend = make_cpu_backend();
         Scene scene = first_end_wet(0.9);

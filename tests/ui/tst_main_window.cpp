@@ -179,7 +179,9 @@ private Q_SLOTS:
         QVERIFY(originOf(other, true).endsWith(", running"));
         QVERIFY(originOf(other, false).endsWith(", stopped"));
         other.plan.expected_error = 0;
+        other.plan.fidelity = Fidelity::reference;
         QVERIFY(originOf(other, false).contains("the reference for numerical errors"));
+        other.plan.fidelity = Fidelity::draft;
         QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false)
                     .join('\n')

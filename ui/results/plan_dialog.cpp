@@ -68,9 +68,9 @@ QString roughDuration(double seconds)
 
 QString expectation(const ModelPlan& plan)
 {
-    const QString error = !plan.expected_error        ? PlanDialog::tr("numerical error not known")
-                          : *plan.expected_error <= 0 ? PlanDialog::tr("reference for numerical errors")
-                                                      : errorText(*plan.expected_error);
+    const QString error = !plan.expected_error                   ? PlanDialog::tr("numerical error not known")
+                          : plan.fidelity == Fidelity::reference ? PlanDialog::tr("reference for numerical errors")
+                                                                 : errorText(*plan.expected_error);
     return PlanDialog::tr("%1, %2 of memory, %3. %4")
         .arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes), error,
              QString::fromStdString(plan.expectation_source).toHtmlEscaped());
@@ -79,15 +79,15 @@ QString expectation(const ModelPlan& plan)
 QString shortExpectation(const ModelPlan& plan)
 {
     const QString cost = PlanDialog::tr("%1, %2").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes));
-    const bool known = plan.expected_error && *plan.expected_error > 0; // the reference's is none by definition
+    const bool known = plan.expected_error && plan.fidelity != Fidelity::reference; // whose own is none by definition
     return known ? PlanDialog::tr("%1, %2").arg(cost, errorText(*plan.expected_error)) : cost;
 }
 
 QString expectedError(const ModelPlan& plan)
 {
     if (!plan.expected_error) { return PlanDialog::tr("expected numerical error not known"); }
-    return *plan.expected_error > 0 ? PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error))
-                                    : PlanDialog::tr("the reference for numerical errors");
+    return plan.fidelity == Fidelity::reference ? PlanDialog::tr("the reference for numerical errors")
+                                                : PlanDialog::tr("expected %1").arg(errorText(*plan.expected_error));
 }
 
 PlanDialog::PlanDialog(const ModelPlan& plan, const QString& fabric, const QString& experiment, QWidget* parent) : QDialog(parent)
