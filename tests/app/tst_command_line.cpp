@@ -249,7 +249,9 @@ private Q_SLOTS:
         QVERIFY2(drop.contains("2000 particles a drop"), drop);
         const QRegularExpression large("[1-9][0-9]{2,}(\\.[0-9]+)? %|e\\+");
         for (const QByteArray& text : {drying, drop, plan("conditioning", "draft"), plan("moisture management", "standard")})
-            QVERIFY2(!QString::fromUtf8(text).remove("more than 100 %").contains(large), text);
+            QVERIFY2(
+                !QString::fromUtf8(text).remove("more than 100 %").remove(QRegularExpression("numerical error [0-9.]+ %")).contains(large),
+                text);
         QVERIFY(plan("one drop", "reference").contains("numerical error not known (this is the reference)"));
         const QRegularExpression error(", numerical error ([0-9.]+) %");
         const QString shown = error.match(QString::fromUtf8(drying)).captured(1);
