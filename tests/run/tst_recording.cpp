@@ -2,6 +2,7 @@
 // Recordings: what is written is read back, a cut one reads to its last frame, and anything else is refused with a sentence.
 #include "core/base/error.h"
 #include "core/run/hdf5_file.h"
+#include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
 #include "core/solver/backend.h"
 #include "tests/support/drop_design.h"
