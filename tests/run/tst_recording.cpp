@@ -130,7 +130,7 @@ private Q_SLOTS:
         const pid_t child = fork();
         QVERIFY(child >= 0);
         if (child == 0) {
-            record_run(path, 100'000);
+            record_run(path, 50'000);
             _exit(0);
         }
         QTest::qSleep(1500);
