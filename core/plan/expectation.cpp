@@ -364,8 +364,8 @@ FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const Fideli
         const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
         const auto found = std::find_if(plans.begin(), plans.end(), keeps);
         if (found != plans.end())
-            return {found->fidelity, fmt::format("The cheapest that is expected to keep the numerical error below {:g} %: {:.2g} %. {}",
-                                                 100 * *target.error, 100 * *found->expected_error, found->expectation_source)};
+            return {found->fidelity, fmt::format("The cheapest that is expected to keep the numerical error below {:g} %: {}. {}",
+                                                 100 * *target.error, error_text(*found), found->expectation_source)};
         return {plans.back().fidelity,
                 fmt::format("No fidelity is known from measurements to keep the numerical error below {:g} % in a scene of this "
                             "kind, so the finest is taken.",
