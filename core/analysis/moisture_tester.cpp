@@ -42,17 +42,25 @@ Samples sampled(const std::vector<double>& time, const std::vector<TesterReading
     return samples;
 }
 
-/// Mean slope from a sample until most of the largest content within the feed is first reached, %/s; 0 when the feed ended before.
+/// Slope of the straight rise that leaves the same area above it, from a sample until most of the largest content within the feed is first
+/// reached, %/s; 0 when the feed ended before. Unlike the time of one level it changes little where a content lingers near that level.
 double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
 {
     std::size_t end = wetting; // the first sample past the feed
     while (end < face.time.size() && face.time[end] <= feed_end + 1e-9) ++end;
     if (end < wetting + 2) return 0;
+    const double start = face.content[wetting];
     const auto from = face.content.begin() + static_cast<std::ptrdiff_t>(wetting);
-    const auto until = face.content.begin() + static_cast<std::ptrdiff_t>(end);
-    const double enough = share_of_largest * *std::max_element(from, until);
-    const auto reached = std::find_if(from + 1, until - 1, [&](double content) { return content >= enough; });
-    return (*reached - *from) / (tester_interval * static_cast<double>(reached - from));
+    const double rise = share_of_largest * *std::max_element(from, face.content.begin() + static_cast<std::ptrdiff_t>(end)) - start;
+    double above = 0, missing = rise, reached = start;
+    for (std::size_t i = wetting + 1; i < end && missing > 0; ++i) {
+        reached = std::max(reached, face.content[i]);
+        const double next = rise - (reached - start);
+        const double until = next > 0 ? 1.0 : missing / (missing - next); // share of the interval
+        above += tester_interval * until * 0.5 * (missing + std::max(next, 0.0));
+        missing = next;
+    }
+    return 0.5 * rise * rise / above;
 }
 
 FaceIndices face_indices(const Samples& face, double feed_end)
@@ -126,14 +134,13 @@ TesterReading TesterPins::read(const Frame& frame, const std::vector<float>& reg
 
 double face_content(const RingContents& rings)
 {
-    double sum = 0;
-    int wet = 0;
-    for (double content : rings)
-        if (is_wet(content)) {
-            sum += content;
-            ++wet;
-        }
-    return wet > 0 ? sum / wet : rings[0];
+    double sum = 0, weighted = 0;
+    for (double content : rings) {
+        const double held = std::max(content, 0.0);
+        sum += held;
+        weighted += held * held;
+    }
+    return sum > 0 ? weighted / sum : 0;
 }
 
 ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, double feed_end)
@@ -158,12 +165,13 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
                     mm_from_metre(ring_step), mm_from_metre(ring_band)),
         fmt::format("A ring reads wet above {:g} % of the dry mass of that half of the cloth, beyond what the cloth held at the start.",
                     wet_content),
-        "The content of a face is the mean over its wet rings of the water in the yarns that lie on it; liquid on the cloth, and between "
-        "the cloth and the lower sensor, is left out.",
+        "The content of a face is that of the water in the yarns that lie on it, the mean over the rings, each weighted with its own "
+        "content, so that a ring that is just becoming wet counts little; liquid on the cloth, and between the cloth and the lower sensor, "
+        "is left out.",
         fmt::format("The tester samples every {:g} s; frames lie up to {:.3g} s apart during the feed and are joined by straight lines.",
                     tester_interval, frame_interval),
         fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed is first "
-                    "reached.",
+                    "reached, that of a straight rise with the same area above it.",
                     100 * share_of_largest),
         drop_ul > 0
             ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "

@@ -47,7 +47,7 @@ private:
     std::array<RingContents, 2> dry_{}; ///< kg, top and bottom
 };
 
-/// Content that a face shows: mean over its wet rings; while none is wet, that of the middle. %
+/// Content that a face shows: mean over its rings, each weighted with its own content; of rings that are alike their own, %.
 double face_content(const RingContents& rings);
 
 /// The test's indices. time in s, rising, one reading for each; between them readings change linearly. With fewer than two times all

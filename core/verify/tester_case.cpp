@@ -65,13 +65,13 @@ std::vector<VerifyResult> tester(const VerifyValues& v, Backend&)
     const ManagementIndices m = tester_indices({0, rise, duration}, {start, end, end}, feed);
 
     const ExpectedRings rings = rings_of(radius);
-    // Samples lie 0.1 s apart: the first that has 90 % of the content, and the first in which a ring is wet.
-    const double most = tester_interval * std::ceil(share_of_largest * rise / tester_interval - 1e-9);
-    const double rate = content * std::min(1.0, most / rise) / most;
+    // Samples lie 0.1 s apart and are joined by straight lines; the last one below 90 % may bend the rise.
+    const double bend = tester_interval * std::floor(rise / tester_interval + 1e-9), rate = content / rise;
+    const double bent = bend >= share_of_largest * rise ? 0.0 : 1 - rise / (bend + tester_interval);
     const double first = tester_interval * std::max(1.0, std::ceil(wet_content / content * rise / tester_interval - 1e-5));
     const bool partly = rings.partial * content > wet_content;
     const int wet = rings.full + partly;
-    // A ring that is partly wet lowers the mean of the wet rings by up to this share, and reads wet later.
+    // A ring that is partly wet lowers the mean over the rings by up to this share, and reads wet later.
     const double loose = partly ? (1 - rings.partial) / (rings.full + 2) + 0.02 : 1e-6;
     const double step = mm_from_metre(ring_step), transport = (bottom - 1) * content * (1 - 0.5 * rise / duration);
     const double fastest = step / tester_interval, whole = rings.full > 0 ? step / first + (rings.full - 1) * fastest : 0.0;
@@ -81,7 +81,7 @@ std::vector<VerifyResult> tester(const VerifyValues& v, Backend&)
     const double own = partly ? step / std::max(last - (rings.full > 0 ? first : 0.0), tester_interval) : 0.0;
     const double speed = wet > 0 ? (whole + own) / wet : 0.0;
     return {{"wetting_time_s", m.top.wetting_time.value_or(std::numeric_limits<double>::quiet_NaN()), 0, 1e-9},
-            {"absorption_rate_pct_s", m.top.absorption_rate, rate, loose * rate},
+            {"absorption_rate_pct_s", m.top.absorption_rate, rate, (loose + bent) * rate},
             {"maximum_wetted_radius_mm", m.top.maximum_wetted_radius, step * wet, 1e-9},
             {"spreading_speed_mm_s", m.top.spreading_speed, speed, partly ? std::max(own, fastest - own) / wet : 1e-6 * speed},
             {"one_way_transport_pct", m.one_way_transport, transport, loose * std::abs(transport) + 1e-3 * content}};
