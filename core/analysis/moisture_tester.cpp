@@ -42,8 +42,8 @@ Samples sampled(const std::vector<double>& time, const std::vector<TesterReading
     return samples;
 }
 
-/// Slope of the straight rise that leaves the same area above it, from a sample until most of the largest content within the feed is first
-/// reached, %/s; 0 when the feed ended before. Unlike the time of one level it changes little where a content lingers near that level.
+/// Slope of the straight rise that leaves the same area above it, from a sample until that share of the largest content within the feed is
+/// first reached, %/s; 0 when the feed ended before. Unlike the time of a level it changes little where a content lingers near that level.
 double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
 {
     std::size_t end = wetting; // the first sample past the feed
@@ -170,8 +170,8 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
         "is left out.",
         fmt::format("The tester samples every {:g} s; frames lie up to {:.3g} s apart during the feed and are joined by straight lines.",
                     tester_interval, frame_interval),
-        fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed is first "
-                    "reached, that of a straight rise with the same area above it.",
+        fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed are first "
+                    "reached: that of a straight rise with the same area above it.",
                     100 * share_of_largest),
         drop_ul > 0
             ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "

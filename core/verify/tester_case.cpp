@@ -65,7 +65,7 @@ std::vector<VerifyResult> tester(const VerifyValues& v, Backend&)
     const ManagementIndices m = tester_indices({0, rise, duration}, {start, end, end}, feed);
 
     const ExpectedRings rings = rings_of(radius);
-    // Samples lie 0.1 s apart and are joined by straight lines; the last one below 90 % may bend the rise.
+    // Samples lie 0.1 s apart and are joined by straight lines; the last one below that share may bend the rise.
     const double bend = tester_interval * std::floor(rise / tester_interval + 1e-9), rate = content / rise;
     const double bent = bend >= share_of_largest * rise ? 0.0 : 1 - rise / (bend + tester_interval);
     const double first = tester_interval * std::max(1.0, std::ceil(wet_content / content * rise / tester_interval - 1e-5));
