@@ -52,6 +52,20 @@ HL_FN Retention narrowed(Retention pores, double factor)
     return pores;
 }
 
+/// A yarn whose fibres have swollen, m3.
+struct Swollen {
+    double pores;
+    double grown; ///< by how much it is larger than when dry, into the room beside it
+};
+/// Bound water widens the fibres by its own volume. As long as its share of the room lasts, the yarn grows and stays as packed as it was;
+/// then the fibres grow into its pores, of which a twentieth always stays open.
+HL_FN Swollen swollen_yarn(double dry_pores, double dry_fibres, double bound, double share_of_room)
+{
+    const double as_packed = bound * (1.0 + dry_pores / dry_fibres), grown = as_packed < share_of_room ? as_packed : share_of_room;
+    const double pores = dry_pores + grown - bound, least = 0.05 * dry_pores;
+    return {pores > least ? pores : least, grown};
+}
+
 /// base^(twice / 2), 0 <= base.
 HL_FN double half_power(double base, int twice)
 {

@@ -120,7 +120,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
     Array<const double> touching{};      ///< see Cloth
     Array<double> pores{};               ///< volume; swelling narrows them
-    Array<double> dry_pores{};           ///< volume before any swelling, of uneven yarns
+    Array<const double> dry_pores{};     ///< volume before any swelling, of uneven yarns
     Array<double> supplied{};            ///< liquid since the start by hanging in it
     Array<double> liquid{};
     Array<double> vapour{};
@@ -196,6 +196,7 @@ template <template <typename> typename Array> struct SegmentFields {
 /// The segments as stages see them; arrays that the scene does not have are null.
 struct Segments : Yarns, SegmentFields<Pointer> {
     int shells = 0;             ///< of each segment's fibres
+    double swelling = 0;        ///< m3 of fibre per kg of water bound
     bool narrows = false;       ///< segments' pores differ from their type's, where they swell or yarns are uneven
     bool room_with_warp = true; ///< whose temperature the liquid between yarns has
 

@@ -6,6 +6,7 @@
 #include "core/solver/state_archive.h"
 #include "core/solver/steps/segment_exchange.h"
 #include "core/solver/steps/segment_sums.h"
+#include "core/solver/steps/swelling.h"
 #include "core/solver/steps/touching.h"
 #include "core/solver/steps/track_change.h"
 #include "core/solver/stock.h"
@@ -126,6 +127,7 @@ template <typename Executor> Segments YarnNetwork<Executor>::segments()
     Segments s;
     static_cast<Yarns&>(s) = yarns();
     s.shells = scene_->rules.fibre_shells;
+    s.swelling = scene_->cloth.swelling;
     s.narrows = scene_->cloth.swelling > 0 || !scene_->cloth.pores.empty();
     Segments::each([](const auto&, auto& buffer, auto& pointer) { pointer = buffer.size() > 0 ? buffer.data() : nullptr; }, fields_, s);
     return s;
@@ -311,7 +313,8 @@ template <typename Executor> void YarnNetwork<Executor>::move_liquid_and_heat(do
 template <typename Executor> WaterGivenBack YarnNetwork<Executor>::swell(double least, std::size_t most)
 {
     WaterGivenBack given;
-    each_segment("swell", Swell{segments(), climate_.density, scene_->cloth.swelling, least, &totals_.data()->swollen});
+    each_segment("swell", Swell{segments(), climate_.density, least, &totals_.data()->swollen});
+    if (by_suction()) each_crossing("narrow room", NarrowRoom{segments(), climate_.density});
     if (most == 0 || totals_.read(0).swollen == 0) return given;
     const std::vector<double> surplus = fields_.work0.download();
     const Yarns all = yarns();

@@ -35,6 +35,24 @@ double pore_vapour(const Scene& scene)
     return begins * saturation_concentration(climate.temperature + scene.cloth.start.warmth);
 }
 
+/// The segments as far as their swelling asks for them.
+Segments swelling_segments(const Scene& scene, YarnStart& start, std::vector<double>& bound)
+{
+    Segments s;
+    static_cast<Yarns&>(s) = yarns_of(scene);
+    s.swelling = scene.cloth.swelling;
+    s.length = scene.cloth.length.data();
+    s.warp_up = scene.cloth.warp_up.data();
+    s.dry_pores = scene.cloth.pores.empty() ? nullptr : scene.cloth.pores.data();
+    s.room = start.room.empty() ? nullptr : start.room.data();
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
+        bound[i] = yarn.initial_regain * scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
+    }
+    s.bound = bound.data();
+    return s;
+}
+
 /// As filled up to what they hold.
 void settle(std::vector<double>& suctions, std::vector<double>& settled, const Retention& retention, double saturation)
 {
@@ -47,21 +65,21 @@ const Retention& pores_at_start(const Segments& s, int i)
     return s.yarn_of(i).on_face[s.face_of(s.crossing_of(i), s.is_warp(i))].retention;
 }
 
-void add_suctions(YarnStart& start, const Scene& scene, const Yarns& yarns)
+void add_suctions(YarnStart& start, const Scene& scene, const Segments& s)
 {
     const double density = scene.climate.density;
     const ClothStart& at = scene.cloth.start;
-    Segments s;
-    static_cast<Yarns&>(s) = yarns;
-    s.warp_up = scene.cloth.warp_up.data();
     for (std::size_t i = 0; i < start.pores.size(); ++i)
         settle(start.suction, start.settled, pores_at_start(s, static_cast<int>(i)),
                at.liquid.empty() ? 0.0 : at.liquid[i] / (density * start.pores[i]));
+    const FindPores find{s, density};
     for (int crossing = 0; crossing < scene.cloth.crossings(); ++crossing) {
-        const BetweenParameters& between = yarns.crossing_at(crossing / scene.cloth.picks, crossing % scene.cloth.picks).between;
-        start.room.push_back(between.volume);
-        settle(start.between_suction, start.between_settled, between.retention,
-               at.between.empty() ? 0.0 : at.between[static_cast<std::size_t>(crossing)] / (density * between.volume));
+        const int end = crossing / scene.cloth.picks, pick = crossing % scene.cloth.picks;
+        const BetweenParameters& between = s.crossing_at(end, pick).between;
+        const double held = at.between.empty() ? 0.0 : at.between[static_cast<std::size_t>(crossing)] / density;
+        double& room = start.room[static_cast<std::size_t>(crossing)];
+        room = std::max(held, between.volume - find.swollen(crossing).grown - find.swollen(s.weft_of(end, pick)).grown);
+        settle(start.between_suction, start.between_settled, find.retention_of_room(crossing, between), held / room);
     }
 }
 
@@ -93,22 +111,23 @@ YarnStart yarn_start(const Scene& scene)
     const auto n = static_cast<std::size_t>(scene.cloth.segments()), shells = static_cast<std::size_t>(scene.rules.fibre_shells);
     YarnStart start{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n * shells), {}};
     const double density = scene.climate.density, vapour = pore_vapour(scene);
-    const Yarns yarns = yarns_of(scene);
+    if (scene.cloth.by_suction) start.room.resize(n / 2);
+    std::vector<double> bound(n);
+    const Segments s = swelling_segments(scene, start, bound);
     constexpr double least_change = 1e-3;       // of regain: where nothing is to change, nothing is to be followed more closely
     constexpr double temperature_change = 50.0; // K: temperatures settle at once, so errors of steps do not add up
     for (std::size_t i = 0; i < n; ++i) {
-        const YarnParameters& yarn = yarns.yarn_of(static_cast<int>(i));
+        const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double liquid = scene.cloth.start.liquid.empty() ? 0.0 : scene.cloth.start.liquid[i];
         const double fibres = scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
-        const double dry = scene.cloth.pores.empty() ? yarn.pore_area * scene.cloth.length[i] : scene.cloth.pores[i];
-        start.pores[i] = std::max({0.05 * dry, liquid / density, dry - scene.cloth.swelling * yarn.initial_regain * fibres});
+        start.pores[i] = std::max(liquid / density, FindPores{s, density}.swollen(static_cast<int>(i)).pores);
         start.vapour[i] = vapour * pore_air(start.pores[i], liquid, density);
         std::fill_n(start.regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
         if (scene.rules.sorption) start.at_stake.water += fibres * std::max(least_change, largest_change(scene, yarn));
         start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.length[i], liquid);
     }
     add_water_to_come(start.at_stake.water, scene, std::accumulate(start.pores.begin(), start.pores.end(), 0.0));
-    if (scene.cloth.by_suction) add_suctions(start, scene, yarns);
+    if (scene.cloth.by_suction) add_suctions(start, scene, s);
     return start;
 }
 

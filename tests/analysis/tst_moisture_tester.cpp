@@ -118,17 +118,21 @@ private Q_SLOTS:
     {
         QCOMPARE(face_content({200, 200, 200, 0, 0, 0, 0}), 200.0);
         QCOMPARE(face_content({200, 100, 0, 0, 0, 0, 0}), 50000.0 / 300);
-        QVERIFY(near(face_content({100, 5, 0, 0, 0, 0, 0}), face_content({100, 0, 0, 0, 0, 0, 0}), 5)); // hardly less than before it got wet
-        QCOMPARE(face_content({-3, 0, 0, 0, 0, 0, 0}), 0.0);                                            // drier than at the start
+        QVERIFY(
+            near(face_content({100, 5, 0, 0, 0, 0, 0}), face_content({100, 0, 0, 0, 0, 0, 0}), 5)); // hardly less than before it got wet
+        QCOMPARE(face_content({-3, 0, 0, 0, 0, 0, 0}), 0.0);                                        // drier than at the start
     }
     void theRateHardlyChangesWhereAContentLingers()
     {
         // A level within 1 s, which lasts for 15 s, then 100 %: what lingers just below half counts little less than what just passes it.
         const auto rate = [](double level) {
-            return run_of(0.1, 60, [level](double t) {
-                       const double content = t <= 1 ? level * t : t <= 16 ? level : level + (100 - level) * std::min(1.0, (t - 16) / 2);
-                       return TesterReading{all(content), {}};
-                   })
+            return run_of(0.1, 60,
+                          [level](double t) {
+                              const double content = t <= 1    ? level * t
+                                                     : t <= 16 ? level
+                                                               : level + (100 - level) * std::min(1.0, (t - 16) / 2);
+                              return TesterReading{all(content), {}};
+                          })
                 .indices()
                 .top.absorption_rate;
         };

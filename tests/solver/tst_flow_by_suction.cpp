@@ -34,6 +34,14 @@ std::vector<Retention> some_pores()
     return pores;
 }
 
+const YarnParameters& yarn_of(const Scene& scene, int segment)
+{
+    const Cloth& cloth = scene.cloth;
+    const int crossings = cloth.crossings(),
+              line = segment < crossings ? segment / cloth.picks : cloth.ends + (segment - crossings) / cloth.ends;
+    return cloth.yarns[cloth.type[static_cast<std::size_t>(line)]];
+}
+
 /// A library fabric's patch with drops of liquid put anywhere in it, or none.
 Scene wet_patch(const std::string& fabric, unsigned seed, bool swelling)
 {
@@ -50,12 +58,8 @@ Scene wet_patch(const std::string& fabric, unsigned seed, bool swelling)
     scene.rules.rest_tolerance = 0;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0, 1);
-    const auto type_of = [&](int i) {
-        return scene.cloth.type[static_cast<std::size_t>(
-            i < scene.cloth.crossings() ? i / scene.cloth.picks : scene.cloth.ends + (i - scene.cloth.crossings()) / scene.cloth.ends)];
-    };
     for (int i = 0; i < scene.cloth.segments(); ++i) {
-        const double pores = scene.cloth.yarns[type_of(i)].pore_area * scene.cloth.length[static_cast<std::size_t>(i)];
+        const double pores = yarn_of(scene, i).pore_area * scene.cloth.length[static_cast<std::size_t>(i)];
         scene.cloth.start.liquid.push_back(share(random) < 0.3 ? 0.4 * share(random) * scene.climate.density * pores : 0.0);
     }
     for (int i = 0; i < scene.cloth.crossings(); ++i)
@@ -234,6 +238,55 @@ private Q_SLOTS:
                 }
             }
         }
+    }
+    void aYarnGrowsIntoItsRoomAndThenItsFibresIntoItsPores()
+    {
+        const auto swells = [](double bound, double pores, double grown) {
+            const Swollen yarn = swollen_yarn(4, 6, bound, 1);
+            return std::abs(yarn.pores - pores) < 1e-14 && std::abs(yarn.grown - grown) < 1e-14;
+        };
+        QVERIFY(swells(0, 4, 0));
+        QVERIFY(swells(0.3, 4.2, 0.5)); // 6.3 of 10.5 are fibres, as 6 of 10
+        QVERIFY(swells(0.6, 4.4, 1));
+        QVERIFY(swells(2, 3, 1)); // the room's share is used up
+        QVERIFY(swells(100, 0.2, 1));
+    }
+    void poresOfSwollenClothFollowItsFibres()
+    {
+        // The whole cloth at rest in moist air: each yarn's pores are those of what its fibres hold, and no water is lost on the way.
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        Scene scene = wet_patch("Viscose challis", 3, true);
+        const Frame frame = frames_at(*backend, scene, {30}).front();
+        int seen = 0, larger = 0;
+        for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
+            const double own = static_cast<double>(frame.liquid[i] - frame.between[i]), filled = static_cast<double>(frame.saturation[i]);
+            if (filled < 0.05 || filled > 0.99 || frame.between[i] > 0) continue; // liquid holds full pores open
+            const YarnParameters& yarn = yarn_of(scene, static_cast<int>(i));
+            const double length = scene.cloth.length[i], dry = yarn.pore_area * length, fibres = yarn.fibre_area * length;
+            const double bound = static_cast<double>(frame.regain[i]) * fibres * yarn.fibre_density * scene.cloth.swelling;
+            const Swollen expected = swollen_yarn(dry, fibres, bound, 0.25 * scene.cloth.crossing[0].between.volume);
+            const double pores = own / (scene.climate.density * filled);
+            QVERIFY2(std::abs(pores / expected.pores - 1) < 0.01, qPrintable(QString("%1 of %2 m3").arg(pores).arg(expected.pores)));
+            ++seen;
+            larger += pores > dry - bound;
+        }
+        QVERIFY(seen > 20);
+        QCOMPARE(larger, seen);
+    }
+    void swollenYarnsHoldMoreAndSuckWithNarrowerRooms()
+    {
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        Experiment experiment = standard_experiment(ExperimentType::vertical_wicking);
+        experiment.closure = Closure::pores;
+        experiment.sample_mm = {6, 130};
+        experiment.duration_s = 60;
+        const auto water = [&](bool swelling) {
+            experiment.swelling = swelling;
+            const Ledger end = run_whole(design_of(library_fabric("Viscose challis"), experiment), Fidelity::draft, *backend).last.ledger;
+            return end.water_liquid;
+        };
+        const double dry = water(false), swollen = water(true); // with narrower pores in rooms as wide as before it was less
+        QVERIFY2(swollen > 1.05 * dry, qPrintable(QString("%1 of %2 kg").arg(swollen).arg(dry)));
     }
     void aLineWhoseRoundsDoNotCloseInStaysAsItWasAndIsNoted()
     {

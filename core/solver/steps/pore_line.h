@@ -91,7 +91,7 @@ struct PoreLines {
     }
     HL_FN Retention retention(const Place& p, int which) const
     {
-        if (which == room_pores) return room(p).retention;
+        if (which == room_pores) return find().retention_of_room(p.crossing, room(p));
         return find().retention(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
     }
     HL_FN PoresFound found(const Place& p, int which) const
@@ -196,8 +196,7 @@ struct PoreLines {
         line(along, i) = line(along + 1, i) = 0;
         if (i + 1 < line.last && !(bath && is_fed(i + 1))) { // what stands in a bath bears itself
             const Place q = place(line, i + 1);
-            const BetweenParameters& there = room(q);
-            const double from = of_warp ? here.along_warp : here.along_weft, to = of_warp ? there.along_warp : there.along_weft;
+            const double from = along_room(p), to = along_room(q);
             const double in_series = from > 0 && to > 0 ? 2.0 * from * to / (from + to) : 0.0;
             line(along, i) =
                 coupling_along(own, end_of(line, q, own_pores, i + 1), density * along_yarn(yarn_of(p, own_pores), i), 7, moves);
@@ -205,6 +204,10 @@ struct PoreLines {
         }
         const bool by_pool = pool.stands && couple_with_pool(line, p, i);
         return by_pool || moves;
+    }
+    HL_FN double along_room(const Place& p) const // m3/(s Pa), half of the way to the next
+    {
+        return find().permeability_of_room(p.crossing, room(p)) * (of_warp ? room(p).along_warp : room(p).along_weft);
     }
     HL_FN double along_yarn(const YarnParameters& yarn, int i) const // m3/(s Pa), from i to i + 1
     {
@@ -222,7 +225,8 @@ struct PoreLines {
             line(feed + which, i) = 0;
             if (quanta <= 0) continue;
             const End to = end_of(line, p, which, i);
-            const double conductance = which == room_pores ? room(p).face : yarn_of(p, which).face_conductance;
+            const double conductance =
+                which == room_pores ? find().permeability_of_room(p.crossing, room(p)) * room(p).face : yarn_of(p, which).face_conductance;
             line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : to.gate);
             any = any || line(feed + which, i) > 0;
         }

@@ -20,12 +20,45 @@ struct FindPores {
     const Segments& s;
     double density; ///< kg/m3, of the liquid
 
-    /// How much finer pores are that swell, or have more fibres than their type, in a yarn that keeps its outline: the ratio of fibres to
-    /// pores over that of dry ones.
+    HL_FN double dry_pores(int i, const YarnParameters& yarn) const // m3
+    {
+        return s.dry_pores != nullptr ? s.dry_pores[i] : yarn.pore_area * s.length[i];
+    }
+    HL_FN double dry_fibres(int i, const YarnParameters& yarn) const // m3
+    {
+        return (yarn.pore_area + yarn.fibre_area) * s.length[i] - dry_pores(i, yarn);
+    }
+    HL_FN Swollen swollen(int i) const
+    {
+        const YarnParameters& yarn = s.yarn_of(i);
+        double share_of_room = 0;
+        if (s.room != nullptr) {
+            constexpr double each = 0.25; // both yarns together take up to half of it
+            const int crossing = s.crossing_of(i);
+            share_of_room = each * s.crossing_at(crossing / s.picks, crossing % s.picks).between.volume;
+        }
+        return swollen_yarn(dry_pores(i, yarn), dry_fibres(i, yarn), s.swelling * s.bound[i], share_of_room);
+    }
+    /// How much finer pores are that swell, or have more fibres than their type: the ratio of fibres to pores over that of dry ones.
     HL_FN double tightness(int i, const YarnParameters& yarn) const
     {
-        const double all = (yarn.pore_area + yarn.fibre_area) * s.length[i], pores = s.pores[i];
-        return (all - pores) * yarn.pore_area * plain_inverse(pores * yarn.fibre_area);
+        const double fibres = dry_fibres(i, yarn) + (s.swelling > 0 ? s.swelling * s.bound[i] : 0.0);
+        return fibres * yarn.pore_area * plain_inverse(s.pores[i] * yarn.fibre_area);
+    }
+    /// How much narrower the room at a crossing is between yarns that have grown.
+    HL_FN double narrowness(int crossing, const BetweenParameters& at) const
+    {
+        return s.swelling > 0 ? at.volume * plain_inverse(s.room[crossing]) : 1.0;
+    }
+    /// Permeability of that room over that between dry yarns: as the cube of its volume (Kozeny and Carman, skin unchanged).
+    HL_FN double permeability_of_room(int crossing, const BetweenParameters& at) const
+    {
+        const double wide = plain_inverse(narrowness(crossing, at));
+        return wide * wide * wide;
+    }
+    HL_FN Retention retention_of_room(int crossing, const BetweenParameters& at) const
+    {
+        return s.swelling > 0 ? narrowed(at.retention, narrowness(crossing, at)) : at.retention;
     }
     /// Permeability over that of dry pores: pores^3 / fibres^2 (Gebart 1992).
     HL_FN double permeability(int i, const YarnParameters& yarn) const
@@ -45,7 +78,7 @@ struct FindPores {
     }
     HL_FN PoresFound between(int crossing, const BetweenParameters& at) const
     {
-        return found(at.retention, density * s.room[crossing], s.between[crossing], s.between_suction[crossing],
+        return found(retention_of_room(crossing, at), density * s.room[crossing], s.between[crossing], s.between_suction[crossing],
                      s.between_settled[crossing]);
     }
     HL_FN static PoresFound found(const Retention& retention, double capacity, double liquid, double suction, double settled)

@@ -62,7 +62,10 @@ private:
     HL_FN int face() const { return s.face_of(crossing(), s.is_warp(number)); }
     HL_FN double conductance(const PoresFound& pores, bool from_drop) const
     {
-        if (is_room()) return pores.is_connected() || yarn_is_wet() ? at().between.face : 0.0;
+        if (is_room())
+            return pores.is_connected() || yarn_is_wet()
+                       ? FindPores{s, density}.permeability_of_room(crossing(), at().between) * at().between.face
+                       : 0.0;
         const YarnParameters& yarn = s.yarn_of(number);
         const WettedPores& dry = yarn.on_face[face()];
         const double gate = from_drop ? dry.gate * dry.between_hairs : dry.gate;
@@ -204,29 +207,6 @@ struct TakeFromPool {
         const auto quanta = static_cast<std::int64_t>(share() * static_cast<double>(ask.wanted(i)));
         if (quanta > 0) ask.s.absorbed[i] += quanta;
         return quanta;
-    }
-};
-
-/// Fibres that bound water narrow the pores; never below a twentieth, nor below the liquid in them, of which GiveBack takes what is too
-/// much. Counts where that is the least given back or more.
-struct Swell {
-    Segments s;
-    double density;
-    double swelling;      ///< m3 per kg
-    double least_surplus; ///< kg
-    std::int64_t* total;  ///< of segments with so much
-
-    HL_FN std::int64_t operator()(int index) const
-    {
-        const int i = s.visited_segment(index);
-        const YarnParameters& yarn = s.yarn_of(i);
-        const double dry = s.dry_pores != nullptr ? s.dry_pores[i] : yarn.pore_area * s.length[i];
-        double pores = dry - swelling * s.bound[i];
-        if (pores < 0.05 * dry) pores = 0.05 * dry;
-        s.work0[i] = s.liquid[i] - density * pores;
-        if (pores < s.liquid[i] / density) pores = s.liquid[i] / density;
-        s.pores[i] = pores;
-        return s.work0[i] >= least_surplus;
     }
 };
 
