@@ -143,10 +143,10 @@ void liquid_stages(benchmark::State& state)
 BENCHMARK(liquid_stages)->ArgNames({"particles", "fall_mm"})->Args({8000, 10})->Args({8000, 0})->Args({1000000, 10})->Iterations(1);
 
 /// Argument: side of the sample in mm.
-void network_step(benchmark::State& state, bool everything)
+void network_step(benchmark::State& state, bool everything, Closure closure = Closure::kissa)
 {
     if (!has_gpu(state)) return;
-    const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything);
+    const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything, closure);
     const std::unique_ptr<Backend> backend = make_backend("cuda");
     backend->load(scene);
     double time = 0.1;
@@ -164,6 +164,12 @@ void network_step(benchmark::State& state, bool everything)
     state.counters["GB in use"] = static_cast<double>(all - left) * 1e-9;
 }
 BENCHMARK_CAPTURE(network_step, everything, true)->Arg(20)->Arg(80)->Arg(1000)->Iterations(5)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(network_step, everything_with_pores, true, Closure::pores)
+    ->Arg(80)
+    ->Arg(1000)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(network_step, wicking_alone, false)->Arg(80)->Arg(1000)->Iterations(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// Half of the bytes read, half written.

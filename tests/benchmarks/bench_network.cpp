@@ -14,9 +14,9 @@ using namespace hygroloom;
 namespace {
 
 /// Argument: side of the sample in mm.
-void step(benchmark::State& state, bool everything, int threads)
+void step(benchmark::State& state, bool everything, int threads, Closure closure = Closure::kissa)
 {
-    const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything);
+    const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything, closure);
     Solver<CpuExecutor> solver;
     solver.executor().set_threads(threads);
     solver.load(scene);
@@ -29,6 +29,7 @@ void step(benchmark::State& state, bool everything, int threads)
     state.counters["least B/s"] = benchmark::Counter(visits * least_bytes(scene), benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK_CAPTURE(step, everything, true, 0)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(step, everything_with_pores, true, 0, Closure::pores)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(step, everything_one_thread, true, 1)->Arg(20)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(step, wicking_alone, false, 0)->Arg(20)->Arg(80)->Unit(benchmark::kMillisecond)->UseRealTime();
 

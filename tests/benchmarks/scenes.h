@@ -56,10 +56,11 @@ inline double least_bytes(const Scene& scene) { return 8.0 * (scene.rules.vapour
 /// Every segment wet, steps of one length (wet_cloth_step), each with its exchange with fibres and air.
 constexpr double wet_cloth_step = 0.01; // s
 
-inline Scene wet_cloth(double side_mm, bool everything)
+inline Scene wet_cloth(double side_mm, bool everything, Closure closure = Closure::kissa)
 {
-    Scene scene = scene_of(pool_on_textile_f(side_mm, 1),
-                           {{"growth", false}, {"sorption", everything}, {"vapour", everything}, {"heat", everything}});
+    Design design = pool_on_textile_f(side_mm, 1);
+    design.experiments[0].closure = closure;
+    Scene scene = scene_of(design, {{"growth", false}, {"sorption", everything}, {"vapour", everything}, {"heat", everything}});
     scene.supply.pools.clear();
     scene.rules.step_error = 0;
     scene.rules.network_step = scene.rules.calm_network_step = wet_cloth_step;
