@@ -130,39 +130,11 @@ private Q_SLOTS:
     {
         RunHistory history;
         history.keep(thick_);
-        QCOMPARE(history.unsaved().size(), std::size_t{1});
+        QVERIFY(!history.runs().front().saved);
         history.markSaved(thick_.path);
         history.keep(thick_);
         QCOMPARE(history.runs().size(), std::size_t{1});
-        QVERIFY(history.unsaved().empty());
-    }
-
-    void theOldestUnsavedRecordingsGiveWay()
-    {
-        RunHistory history;
-        QTemporaryDir folder;
-        const auto copy = [&](const QString& name) {
-            KeptRun run = thick_;
-            run.path = folder.filePath(name);
-            run.own = true;
-            QFile::copy(thick_.path, run.path);
-            return run;
-        };
-        const KeptRun oldest = copy("oldest"), saved = copy("saved"), newest = copy("newest");
-        KeptRun opened = copy("opened");
-        opened.own = false;
-        for (const KeptRun& run : {opened, oldest, saved, newest}) { history.keep(run); }
-        history.markSaved(saved.path);
-        const double size = static_cast<double>(QFileInfo(thick_.path).size());
-        QCOMPARE(history.dropOldest(3 * size), 0);
-        QCOMPARE(history.runs().size(), std::size_t{4});
-        QCOMPARE(history.dropOldest(2 * size), 0); // one that is saved elsewhere is no loss
-        QVERIFY(!QFile::exists(saved.path) && QFile::exists(oldest.path));
-        QCOMPARE(history.dropOldest(1.5 * size), 1);
-        QVERIFY(!QFile::exists(oldest.path));
-        QCOMPARE(history.dropOldest(0), 0); // the newest stays
-        QCOMPARE(history.runs().size(), std::size_t{2});
-        QVERIFY(QFile::exists(newest.path) && QFile::exists(opened.path));
+        QVERIFY(history.runs().front().saved);
     }
 
     void theTableIsWrittenBestFirst()
@@ -235,7 +207,7 @@ private:
         RunControl control;
         auto run = std::make_shared<const RunRecord>(
             run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks));
-        return {path, run, std::make_shared<const Metrics>(collector.metrics()), false};
+        return {path, run, std::make_shared<const Metrics>(collector.metrics())};
     }
 
     QTemporaryDir folder_;

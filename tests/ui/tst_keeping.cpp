@@ -2,6 +2,7 @@
 // What a designer has made is not lost: not while it is typed, nor when it is saved over, nor in a crash. Needs a display: xvfb-run.
 #include "core/project/project_file.h"
 #include "ui/basics/quantity_edit.h"
+#include "ui/document/run_folder.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/textile_canvas.h"
@@ -35,7 +36,11 @@ private Q_SLOTS:
         QVERIFY(window_->openFile(project()));
     }
 
-    void cleanup() { window_.reset(); }
+    void cleanup()
+    {
+        window_.reset();
+        QDir(runFolderOf(project())).removeRecursively();
+    }
 
     void savingCommitsTheValueBeingEdited()
     {
@@ -159,7 +164,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(playback().frame(), 5000);
         QCOMPARE(window_->document().fabric()->ends_per_cm, 30.0); // the project stays
         QVERIFY(window_->simulate().resultsAreStale());
-        QVERIFY(!QSettings().value("recent").toStringList().contains(first)); // it goes with the window
+        QVERIFY(!QSettings().value("recent").toStringList().contains(first)); // it belongs to the project
     }
 
     void unsavedWorkOutlivesACrash()
@@ -227,21 +232,14 @@ private Q_SLOTS:
         window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);
         const QString second = playback().path();
-        meet<QMessageBox>([](QMessageBox* box) {
-            for (QAbstractButton* button : box->buttons()) {
-                if (button->text().remove('&') == "Stop the Run") {
-                    button->click();
-                    return;
-                }
-            }
-        });
+        const auto asked = press("Stop and Keep What Is Recorded");
         QVERIFY(window_->openFile(saved));
+        QVERIFY(asked->contains(QString::fromStdString(window_->document().fabric()->name)));
         QTRY_COMPARE_WITH_TIMEOUT(playback().path(), saved, 10000);
         const auto& kept = runs().runs();
         const auto stopped = std::find_if(kept.begin(), kept.end(), [&](const KeptRun& run) { return run.path == second; });
         QVERIFY(stopped != kept.end());
-        QVERIFY(!stopped->complete() && stopped->own && !stopped->saved);
-        QVERIFY(stopped->elapsed > 0);
+        QVERIFY(!stopped->complete() && stopped->own && stopped->saved);
     }
 
     void discardedWorkIsNotRecovered()
@@ -286,11 +284,7 @@ private:
 
     void saveRecording(const QString& path)
     {
-        meet<QFileDialog>([path](QFileDialog* dialog) {
-            dialog->setOption(QFileDialog::DontConfirmOverwrite);
-            dialog->findChild<QLineEdit*>()->setText(path);
-            QMetaObject::invokeMethod(dialog, "accept");
-        });
+        chooseFile(path);
         trigger("Save Recording As");
     }
 };

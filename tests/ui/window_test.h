@@ -10,6 +10,8 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QSettings>
 #include <QSignalSpy>
@@ -41,6 +43,7 @@ protected:
     {
         QCoreApplication::setOrganizationName("hygroloom-test");
         QCoreApplication::setApplicationName("hygroloom-test");
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8()); // unsaved work
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
         applyAppearance(Appearance::light);
     }
@@ -84,6 +87,24 @@ protected:
         timer->start(50);
     }
 
+    /// Presses the button with this text in the next question. Returns what was asked, once it was.
+    std::shared_ptr<QString> press(const QString& text)
+    {
+        auto asked = std::make_shared<QString>();
+        meet<QMessageBox>([asked, text](QMessageBox* box) {
+            *asked = box->text() + "\n" + box->informativeText();
+            for (QAbstractButton* button : box->buttons()) {
+                if (button->text().remove('&') == text) {
+                    button->click();
+                    return;
+                }
+            }
+            box->reject();
+            QFAIL(qPrintable("There is no button " + text));
+        });
+        return asked;
+    }
+
     /// Answers the next question; the value is true once there was one.
     std::shared_ptr<bool> answer(QMessageBox::StandardButton button)
     {
@@ -93,6 +114,16 @@ protected:
             box->button(button)->click();
         });
         return asked;
+    }
+
+    /// Gives the next file dialog this path, over a file that is there.
+    void chooseFile(const QString& path)
+    {
+        meet<QFileDialog>([path](QFileDialog* dialog) {
+            dialog->setOption(QFileDialog::DontConfirmOverwrite);
+            dialog->findChild<QLineEdit*>()->setText(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
     }
 
     /// Shortens the experiment to a small drop that a draft run simulates in seconds.

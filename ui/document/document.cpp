@@ -170,6 +170,7 @@ void Document::replace(Design design, const QString& path, const QString& title)
     path_ = path;
     title_ = title;
     apply({std::make_shared<const Design>(std::move(design)), 0, 0});
+    Q_EMIT replaced();
     Q_EMIT pathChanged();
     Q_EMIT modifiedChanged(false);
 }

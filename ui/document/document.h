@@ -67,6 +67,8 @@ Q_SIGNALS:
     /// The design, or which fabric or experiment is chosen.
     void designChanged();
     void pathChanged();
+    /// Another project has taken the place of the one before; pathChanged() follows.
+    void replaced();
     void modifiedChanged(bool modified);
     void failed(const QString& sentence);
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_file.h"
+#include "ui/document/run_folder.h"
 
 #include <QDir>
 #include <QFile>
@@ -52,16 +53,20 @@ Recovery::~Recovery()
 {
     writer_.reset(); // what it is writing is written first
     if (lock_) {
-        removeKept(file_);
+        if (!holdsRuns(runFolder())) { removeKept(file_); }
         lock_.reset();
     }
 }
+
+QString Recovery::runFolder() const { return runFolderOf(file_); }
+
+bool Recovery::isDue() const { return document_.modified() || holdsRuns(runFolder()); }
 
 QString Recovery::standardFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"; }
 
 void Recovery::follow()
 {
-    if (document_.modified()) {
+    if (isDue()) {
         if (!wait_.isActive()) { wait_.start(); }
     } else {
         forget();
@@ -108,7 +113,7 @@ std::vector<LeftOver> Recovery::leftOver() const
         const QStringList lines = origin.open(QIODevice::ReadOnly) ? QString::fromUtf8(origin.readAll()).split('\n') : QStringList();
         const QString path = lines.value(0);
         const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
-        found.push_back({file, path, lines.value(1), info.lastModified(), outdated});
+        found.push_back({file, path, lines.value(1), info.lastModified(), outdated, runFolderOf(file)});
     }
     return found;
 }
@@ -118,14 +123,24 @@ bool Recovery::open(const LeftOver& left)
     if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
     keep();
     connect(
-        this, &Recovery::kept, this, [left] { discard(left); }, Qt::SingleShotConnection);
+        this, &Recovery::kept, this,
+        [left] {
+            if (!holdsRuns(left.runs)) { remove(left); }
+        },
+        Qt::SingleShotConnection);
     return true;
+}
+
+void Recovery::remove(const LeftOver& left)
+{
+    removeKept(left.file);
+    QFile::remove(lockOf(left.file));
 }
 
 void Recovery::discard(const LeftOver& left)
 {
-    removeKept(left.file);
-    QFile::remove(lockOf(left.file));
+    QDir(left.runs).removeRecursively();
+    remove(left);
 }
 
 } // namespace hygroloom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Unsaved work on the disk, so that it outlives a crash. What is left over is what no running window holds the lock of.
+// Unsaved work on the disk, so that it outlives a crash: a copy of the project, and beside it the runs of one that has no file of its own.
+// What is left over is what no running window holds the lock of.
 #pragma once
 
 #include "ui/basics/newest_job.h"
@@ -21,29 +22,37 @@ struct LeftOver {
     QString title;
     QDateTime when;
     bool outdated = false; ///< what is at its path was saved later
+    QString runs;          ///< the folder with its runs; need not exist
 };
 
-/// Writes the design beside other work shortly after it changed, and removes the copy once it is saved or discarded.
+/// Writes the design beside other work shortly after it changed, and removes the copy once it is saved or discarded and no runs lie beside
+/// it.
 class Recovery : public QObject {
     Q_OBJECT
 public:
     explicit Recovery(Document& document, QString folder = standardFolder(), QObject* parent = nullptr);
-    /// A regular end: no copy stays.
+    /// A regular end: no copy stays, but where runs lie beside it.
     ~Recovery() override;
 
     static QString standardFolder();
+    /// For runs of this window that cannot lie beside their project.
+    QString runFolder() const;
+    /// Writes or removes the copy, whichever is due: runs have come or gone.
+    void follow();
     /// Newest first.
     std::vector<LeftOver> leftOver() const;
     /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document
     /// said why not; the file is then still there.
     bool open(const LeftOver& left);
+    /// Deletes it, with its runs.
     static void discard(const LeftOver& left);
 
 Q_SIGNALS:
     void kept();
 
 private:
-    void follow();
+    static void remove(const LeftOver& left);
+    bool isDue() const;
     void keep();
     void forget();
 

@@ -8,6 +8,7 @@
 #include "ui/basics/quantity.h"
 #include "ui/results/compare_maps.h"
 #include "ui/results/results_panel.h"
+#include "ui/results/run_actions.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -30,6 +31,16 @@ namespace hygroloom {
 namespace {
 
 QString fabricOf(const KeptRun& run) { return QString::fromStdString(run.run->fabric); }
+
+/// What there is to say of where a run stands.
+QString stateOf(const KeptRun& run)
+{
+    QStringList words;
+    if (run.marked) { words << CompareView::tr("kept"); }
+    if (!run.current) { words << (run.own ? CompareView::tr("older design") : CompareView::tr("other design")); }
+    if (!run.saved) { words << CompareView::tr("not saved"); }
+    return words.join(", ");
+}
 
 /// The best of the candidates by a criterion, where one is better than another.
 std::optional<double> bestOf(const Comparison& comparison, const OutcomeInfo& criterion)
@@ -71,8 +82,8 @@ QTableWidgetItem* cellOf(const Candidate& candidate, const OutcomeInfo& criterio
 } // namespace
 
 CompareView::CompareView(RunHistory& history, QWidget* parent)
-    : QWidget(parent), history_(history), list_(new QTreeWidget), table_(new QTableWidget), maps_(new CompareMaps), origin_(new QLabel),
-      save_(new QPushButton(tr("Save &Table…")))
+    : QWidget(parent), history_(history), list_(new QTreeWidget), actions_(new RunActions(history)), table_(new QTableWidget),
+      maps_(new CompareMaps), origin_(new QLabel), save_(new QPushButton(tr("Save &Table…")))
 {
     auto* numbers = new QWidget;
     auto* column = new QVBoxLayout(numbers);
@@ -115,7 +126,7 @@ CompareView::CompareView(RunHistory& history, QWidget* parent)
 QWidget* CompareView::buildList()
 {
     list_->setAccessibleName(tr("Runs to compare"));
-    list_->setHeaderLabels({tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Saved")});
+    list_->setHeaderLabels({tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
     list_->setRootIsDecorated(false);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 120);
@@ -130,14 +141,17 @@ QWidget* CompareView::buildList()
     });
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* item) { Q_EMIT runRequested(item->data(0, Qt::UserRole).toString()); });
-    return list_;
-}
-
-const KeptRun* CompareView::find(const QString& path) const
-{
-    const auto& runs = history_.runs();
-    const auto found = std::find_if(runs.begin(), runs.end(), [&path](const KeptRun& run) { return run.path == path; });
-    return found == runs.end() ? nullptr : &*found;
+    connect(list_, &QTreeWidget::currentItemChanged, actions_,
+            [this](QTreeWidgetItem* item) { actions_->setRun(item ? item->data(0, Qt::UserRole).toString() : QString()); });
+    connect(actions_, &RunActions::markRequested, this, &CompareView::markRequested);
+    connect(actions_, &RunActions::forgetRequested, this, &CompareView::forgetRequested);
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(list_, 1);
+    column->addWidget(actions_);
+    return both;
 }
 
 QString CompareView::nameOf(const KeptRun& run) const
@@ -168,7 +182,7 @@ QString CompareView::whyNot(const KeptRun& run) const
 
 void CompareView::choose(const QString& path, bool on)
 {
-    const KeptRun* run = find(path);
+    const KeptRun* run = history_.find(path);
     proposing_ = false;
     if (on && run && !chosen_.contains(path) && whyNot(*run).isEmpty()) {
         chosen_ << path;
@@ -189,7 +203,8 @@ void CompareView::propose()
     QStringList fabrics;
     const auto& runs = history_.runs();
     for (auto run = runs.rbegin(); run != runs.rend() && chosen_.size() < most_runs; ++run) {
-        if (whyNotCompared(*run, chosen_.isEmpty() ? *run : *find(chosen_.front())).isEmpty() && !fabrics.contains(fabricOf(*run))) {
+        if (whyNotCompared(*run, chosen_.isEmpty() ? *run : *history_.find(chosen_.front())).isEmpty() &&
+            !fabrics.contains(fabricOf(*run))) {
             chosen_ << run->path;
             fabrics << fabricOf(*run);
         }
@@ -199,7 +214,7 @@ void CompareView::propose()
 void CompareView::refresh()
 {
     if (proposing_) { propose(); }
-    chosen_.removeIf([this](const QString& path) { return !find(path); });
+    chosen_.removeIf([this](const QString& path) { return !history_.find(path); });
     refreshList();
     refreshTable();
     refreshMaps();
@@ -219,9 +234,10 @@ void CompareView::refreshList()
         item->setText(1, QString::fromStdString(run.run->experiment));
         item->setText(2, fidelity.left(1).toUpper() + fidelity.mid(1));
         item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
-        item->setText(4, run.saved ? tr("yes") : tr("no"));
+        item->setText(4, bytesText(run.bytes));
+        item->setText(5, stateOf(run));
         const QString why = whyNot(run);
-        const QString tip = why.isEmpty() ? originOf(*run.run, false) : why;
+        const QString tip = (why.isEmpty() ? originOf(*run.run, false) : why) + ". " + QDir::toNativeSeparators(run.path);
         item->setCheckState(0, chosen_.contains(run.path) ? Qt::Checked : Qt::Unchecked);
         if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
         for (int column = 0; column < list_->columnCount(); ++column) {
@@ -230,6 +246,7 @@ void CompareView::refreshList()
         }
         if (run.path == at) { list_->setCurrentItem(item); }
     }
+    actions_->setRun(list_->currentItem() ? at : QString());
     for (int column = 0; column < list_->columnCount(); ++column) { list_->resizeColumnToContents(column); }
     list_->setColumnWidth(0, std::min(list_->columnWidth(0), 220));
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 160));

@@ -15,6 +15,7 @@ class QTreeWidget;
 namespace hygroloom {
 
 class CompareMaps;
+class RunActions;
 struct Comparison;
 
 class CompareView : public QWidget {
@@ -37,12 +38,13 @@ public:
 Q_SIGNALS:
     /// A run of the list is to be opened.
     void runRequested(const QString& path);
+    void markRequested(const QString& path, bool marked);
+    void forgetRequested(const QString& path);
     void mapsChanged();
     void failed(const QString& sentence);
 
 private:
     QWidget* buildList();
-    const KeptRun* find(const QString& path) const;
     /// The fabric, with the run's number where the history has more runs of it.
     QString nameOf(const KeptRun& run) const;
     std::vector<KeptRun> compared() const;
@@ -60,6 +62,7 @@ private:
     QStringList chosen_;
     bool proposing_ = true; ///< until the user chooses
     QTreeWidget* list_;
+    RunActions* actions_;
     QTableWidget* table_;
     CompareMaps* maps_;
     QLabel* origin_;

@@ -91,6 +91,11 @@ void Playback::clear()
     Q_EMIT frameShown();
 }
 
+void Playback::move(const QString& from, const QString& to)
+{
+    if (path_ == from) { path_ = to; }
+}
+
 void Playback::begin(const std::shared_ptr<const RunRecord>& run, const QString& path)
 {
     reset();

@@ -29,6 +29,8 @@ public:
     /// Reads a recording in the background; opened() or failed() follows.
     void open(const QString& path);
     void clear();
+    /// The recording that is shown lies at another path from now on.
+    void move(const QString& from, const QString& to);
 
     const std::shared_ptr<const RunRecord>& run() const { return run_; }
     /// Another with each run that is shown; run() alone changes also when a live one is complete.

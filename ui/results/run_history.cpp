@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/run_history.h"
 
-#include <QFile>
+#include "ui/basics/quantity.h"
+
 #include <QFileInfo>
 
 #include <algorithm>
-#include <iterator>
 
 namespace hygroloom {
 
@@ -23,23 +23,36 @@ Design conditionsOf(const RunRecord& run)
     return part;
 }
 
+template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
+
 } // namespace
 
-RunHistory::RunHistory(QObject* parent) : QObject(parent) {}
+RunHistory::RunHistory(QObject* parent) : QObject(parent), design_(std::make_shared<const Design>()) {}
+
+const KeptRun* RunHistory::find(const QString& path) const
+{
+    const auto found = std::find_if(runs_.begin(), runs_.end(), [&path](const KeptRun& run) { return run.path == path; });
+    return found == runs_.end() ? nullptr : &*found;
+}
 
 void RunHistory::keep(const KeptRun& run)
 {
-    const auto same = std::find_if(runs_.begin(), runs_.end(), [&run](const KeptRun& known) { return known.path == run.path; });
-    if (same == runs_.end()) {
-        runs_.push_back(run);
-        runs_.back().number = ++count_;
-    } else {
-        const KeptRun known = *same;
-        *same = run;
-        same->saved = known.saved || run.saved;
-        same->elapsed = std::max(known.elapsed, run.elapsed);
-        same->number = known.number;
+    KeptRun kept = run;
+    if (const KeptRun* known = find(run.path)) {
+        kept.number = known->number;
+        kept.saved = known->saved || run.saved;
+        kept.marked = known->marked || run.marked;
+        runs_.erase(runs_.begin() + (known - runs_.data()));
     }
+    const bool taken = std::any_of(runs_.begin(), runs_.end(), [&kept](const KeptRun& other) { return other.number == kept.number; });
+    if (kept.number <= 0 || taken) {
+        kept.number = 1;
+        for (const KeptRun& other : runs_) { kept.number = std::max(kept.number, other.number + 1); }
+    }
+    kept.bytes = static_cast<double>(QFileInfo(kept.path).size());
+    kept.current = holdsFor(*kept.run, *design_);
+    const auto after = std::find_if(runs_.begin(), runs_.end(), [&kept](const KeptRun& other) { return other.number > kept.number; });
+    runs_.insert(after, kept);
     Q_EMIT changed();
 }
 
@@ -49,48 +62,60 @@ void RunHistory::markSaved(const QString& path)
     Q_EMIT changed();
 }
 
-void RunHistory::forget(const QString& path)
+void RunHistory::setMarked(const QString& path, bool marked)
 {
-    const auto gone =
-        std::remove_if(runs_.begin(), runs_.end(), [&path](const KeptRun& run) { return QFileInfo(run.path) == QFileInfo(path); });
-    if (gone != runs_.end()) {
-        runs_.erase(gone, runs_.end());
-        Q_EMIT changed();
-    }
-}
-
-/// end() where none may go.
-std::vector<KeptRun>::iterator RunHistory::nextToDrop()
-{
-    if (runs_.empty()) { return runs_.end(); }
-    const auto newest = std::prev(runs_.end());
-    const auto spare = std::find_if(runs_.begin(), newest, [](const KeptRun& run) { return run.own && run.saved; });
-    if (spare != newest) { return spare; }
-    const auto oldest = std::find_if(runs_.begin(), newest, [](const KeptRun& run) { return run.own; });
-    return oldest != newest ? oldest : runs_.end();
-}
-
-int RunHistory::dropOldest(double most_bytes)
-{
-    const auto bytes_of = [](const KeptRun& run) { return run.own ? static_cast<double>(QFileInfo(run.path).size()) : 0.0; };
-    double bytes = 0;
-    for (const KeptRun& run : runs_) { bytes += bytes_of(run); }
-    int lost = 0;
-    for (auto run = nextToDrop(); bytes > most_bytes && run != runs_.end(); run = nextToDrop()) {
-        bytes -= bytes_of(*run);
-        lost += run->saved ? 0 : 1;
-        QFile::remove(run->path);
-        runs_.erase(run);
+    for (KeptRun& run : runs_) {
+        if (run.path == path) { run.marked = marked; }
     }
     Q_EMIT changed();
-    return lost;
 }
 
-std::vector<KeptRun> RunHistory::unsaved() const
+void RunHistory::move(const QString& from, const QString& to, bool saved)
 {
-    std::vector<KeptRun> found;
-    std::copy_if(runs_.begin(), runs_.end(), std::back_inserter(found), [](const KeptRun& run) { return !run.saved; });
-    return found;
+    for (KeptRun& run : runs_) {
+        if (run.path != from) { continue; }
+        run.path = to;
+        run.saved = run.saved || saved;
+    }
+    Q_EMIT changed();
+}
+
+void RunHistory::forget(const QString& path)
+{
+    if (std::erase_if(runs_, [&path](const KeptRun& run) { return QFileInfo(run.path) == QFileInfo(path); })) { Q_EMIT changed(); }
+}
+
+void RunHistory::forgetOwn()
+{
+    if (std::erase_if(runs_, [](const KeptRun& run) { return run.own; })) { Q_EMIT changed(); }
+}
+
+void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
+{
+    design_ = design;
+    bool differs = false;
+    for (KeptRun& run : runs_) {
+        const bool current = holdsFor(*run.run, *design_);
+        differs = differs || current != run.current;
+        run.current = current;
+    }
+    if (differs) { Q_EMIT changed(); }
+}
+
+bool holdsFor(const RunRecord& run, const Design& design)
+{
+    const Experiment* experiment = find_experiment(design, run.experiment);
+    if (!experiment || !areEqual(experiment, find_experiment(run.design, run.experiment))) { return false; }
+    const auto liquids = [&](const Design& of) { return find_liquid(of, experiment->liquid); };
+    return areEqual(liquids(design), liquids(run.design)) && design.materials == run.design.materials &&
+           areEqual(find_fabric(design, run.fabric), find_fabric(run.design, run.fabric));
+}
+
+QString runInWords(const KeptRun& run)
+{
+    return RunHistory::tr("%1: %2, %3, %4")
+        .arg(run.number)
+        .arg(QString::fromStdString(run.run->fabric), QString::fromStdString(run.run->experiment), bytesText(run.bytes));
 }
 
 QString whyNotCompared(const KeptRun& one, const KeptRun& other)

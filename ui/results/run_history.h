@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The runs of this window and the recordings it opened, to be shown again and compared.
+// The runs of the open project and the recordings that were opened, to be shown again and compared.
 #pragma once
 
 #include "core/analysis/metrics.h"
@@ -16,10 +16,12 @@ struct KeptRun {
     QString path; ///< of its recording
     std::shared_ptr<const RunRecord> run;
     std::shared_ptr<const Metrics> metrics;
-    bool saved = false; ///< in a file that outlives the window
-    bool own = false;   ///< its file goes with the window
-    double elapsed = 0; ///< s from its start to its end in this window; 0: it ran elsewhere
-    int number = 0;     ///< in the order they came; the history counts
+    bool own = false;     ///< a run of the open project
+    bool saved = false;   ///< in a file that outlives the window
+    bool marked = false;  ///< with "keep"
+    bool current = false; ///< of the design as it is now; the history finds out
+    double bytes = 0;     ///< of its file; the history finds out
+    int number = 0;       ///< the history counts those without
 
     bool complete() const { return run->wall > 0; }
 };
@@ -29,28 +31,36 @@ class RunHistory : public QObject {
 public:
     explicit RunHistory(QObject* parent = nullptr);
 
-    /// The oldest first.
+    /// By number.
     const std::vector<KeptRun>& runs() const { return runs_; }
+    /// nullptr where there is none.
+    const KeptRun* find(const QString& path) const;
     /// Adds it, or renews what is known of the recording at its path.
     void keep(const KeptRun& run);
     void markSaved(const QString& path);
+    void setMarked(const QString& path, bool marked);
+    /// The recording lies at another path from now on, with the project or not.
+    void move(const QString& from, const QString& to, bool saved);
     /// The recording at this path has been replaced or deleted.
     void forget(const QString& path);
-    /// Deletes runs and their recordings until the others fit into most_bytes: those saved elsewhere first, then the oldest.
-    /// The newest run stays. How many were not saved.
-    int dropOldest(double most_bytes);
-    /// Runs that end with the window.
-    std::vector<KeptRun> unsaved() const;
+    /// Another project is open; recordings that were opened stay.
+    void forgetOwn();
+    /// Finds out which runs are of this design.
+    void setDesign(const std::shared_ptr<const Design>& design);
 
 Q_SIGNALS:
     void changed();
 
 private:
-    std::vector<KeptRun>::iterator nextToDrop();
-
     std::vector<KeptRun> runs_;
-    int count_ = 0;
+    std::shared_ptr<const Design> design_;
 };
+
+/// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
+bool holdsFor(const RunRecord& run, const Design& design);
+
+/// A run in a few words, for questions and lists: its number, fabric, experiment and size.
+QString runInWords(const KeptRun& run);
 
 /// Why two runs cannot stand side by side, in a sentence; empty when they can.
 QString whyNotCompared(const KeptRun& one, const KeptRun& other);

@@ -2,9 +2,8 @@
 // The workspace in which runs stand side by side.
 #pragma once
 
+#include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
-
-class QWidget;
 
 namespace hygroloom {
 
@@ -12,17 +11,15 @@ class CompareView;
 
 class CompareWorkspace {
 public:
-    /// window: parent of its questions.
-    explicit CompareWorkspace(QWidget& window);
+    CompareWorkspace(Document& document, Recovery& recovery);
 
     RunHistory& runs() { return runs_; }
+    ProjectRuns& project() { return project_; }
     CompareView& view() { return *view_; }
-    /// Asks before long runs that are not saved are lost with the window.
-    bool mayDropRuns() const;
 
 private:
-    QWidget& window_;
     RunHistory runs_;
+    ProjectRuns project_;
     CompareView* view_;
 };
 

@@ -13,10 +13,12 @@
 #include "ui/window/recent_files.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QSessionManager>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -55,8 +57,8 @@ void MainWindow::buildPanels()
 {
     viewport_ = new Viewport;
     design_ = std::make_unique<DesignWorkspace>(document_, *viewport_, *this);
-    compare_ = std::make_unique<CompareWorkspace>(*this);
-    simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), *viewport_, *this);
+    compare_ = std::make_unique<CompareWorkspace>(document_, recovery_);
+    simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), *viewport_, *this);
     issues_ = new IssuesPanel(document_);
     issues_dock_ = makeDock(*this, "issues", tr("Issues"), issues_);
 
@@ -188,10 +190,14 @@ void MainWindow::connectParts()
     connect(simulate_.get(), &SimulateWorkspace::wanted, this, [this] { setWorkspace(Workspace::simulate); });
     connect(simulate_.get(), &SimulateWorkspace::recordingUsed, recent_, &RecentFiles::add);
     connect(simulate_.get(), &SimulateWorkspace::designRequested, this, [this] {
-        if (simulate_->playback().run() && mayDiscard()) { simulate_->takeDesign(); }
+        if (simulate_->playback().run() && mayLeave()) { simulate_->takeDesign(); }
     });
     connect(&compare_->view(), &CompareView::runRequested, simulate_.get(), &SimulateWorkspace::showEarlierRun);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);
+    // Where the end of the session leaves no time for a question, changes and runs are on the disk and are offered at the next start.
+    connect(qApp, &QGuiApplication::commitDataRequest, this, [this](auto& session) {
+        if (session.allowsInteraction() && !close()) { session.cancel(); }
+    });
     connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);
 }
 

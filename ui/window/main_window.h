@@ -97,7 +97,10 @@ private:
     void chooseDraft();
     void exportDraft();
     void exportMesh();
+    /// Asks about everything that would be lost with the project: a run in progress, changes, runs without a place of their own.
+    bool mayLeave();
     bool mayDiscard();
+    bool mayDropRuns();
     bool mayStopExport();
 
     Document document_;

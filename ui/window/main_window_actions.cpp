@@ -97,7 +97,7 @@ void MainWindow::fillExamples(QMenu* menu)
         for (const QString& file : files) {
             QAction* action = into->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
             connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
-                if (mayDiscard() && document_.openExample(path)) { simulate_->clearResults(); }
+                if (mayLeave() && document_.openExample(path)) { simulate_->clearResults(); }
             });
         }
         into->setEnabled(!files.isEmpty());

@@ -2,6 +2,7 @@
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
 #include "ui/basics/typed_value.h"
+#include "ui/document/run_folder.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/weave/import_dialog.h"
@@ -50,7 +51,7 @@ bool MainWindow::openFile(const QString& path)
 {
     if (isDraft(path)) { return importDraft(path); }
     if (isRecording(path)) { return simulate_->openRecording(path); }
-    if (!mayDiscard() || !document_.open(path)) { return false; }
+    if (!mayLeave() || !document_.open(path)) { return false; }
     simulate_->clearResults();
     recent_->add(document_.path());
     return true;
@@ -75,14 +76,16 @@ void MainWindow::offer(const LeftOver& left)
     const QString when = tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat));
     const QString later =
         tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
-    box.setInformativeText(left.outdated ? when + " " + later : when);
+    const auto runs = recordingsIn(left.runs).size();
+    const QString with = runs == 0 ? QString() : runs == 1 ? tr("1 run belongs to it.") : tr("%1 runs belong to it.").arg(runs);
+    box.setInformativeText(QStringList{when, left.outdated ? later : QString(), with}.join(' ').simplified());
     QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     box.addButton(tr("&Ask Again Later"), QMessageBox::RejectRole);
     box.setDefaultButton(open);
     box.exec();
-    if (box.clickedButton() == open && mayDiscard()) {
-        recovery_.open(left);
+    if (box.clickedButton() == open && mayLeave() && recovery_.open(left)) {
+        compare_->project().takeFrom(left.runs);
     } else if (box.clickedButton() == discard) {
         Recovery::discard(left);
     }
@@ -90,7 +93,7 @@ void MainWindow::offer(const LeftOver& left)
 
 void MainWindow::newProject()
 {
-    if (mayDiscard()) {
+    if (mayLeave()) {
         Design design;
         design.experiments.push_back(Experiment{});
         design.experiments.front().name = tr("one drop").toStdString();
@@ -204,6 +207,36 @@ void MainWindow::exportMesh()
     export_->activateWindow();
 }
 
+bool MainWindow::mayLeave() { return simulate_->mayStopRun() && mayDiscard() && mayDropRuns(); }
+
+/// Runs of a project that has a file stay with it.
+bool MainWindow::mayDropRuns()
+{
+    const QStringList runs = compare_->project().unfiled();
+    if (runs.isEmpty()) {
+        compare_->project().agreeToLeave();
+        return true;
+    }
+    constexpr int most = 6;
+    QStringList names;
+    for (const QString& path : runs.mid(0, most)) {
+        const KeptRun* run = compare_->runs().find(path);
+        names << (run ? runInWords(*run) : QFileInfo(path).fileName());
+    }
+    if (runs.size() > most) { names << tr("and %1 more").arg(runs.size() - most); }
+    QMessageBox box(QMessageBox::Question, tr("Runs are not saved"), tr("Save the project, so that its runs are kept beside it?"),
+                    QMessageBox::Save | QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("Otherwise these runs are deleted:") + "\n" + names.join('\n'));
+    QPushButton* drop = box.addButton(runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) { return (document_.path().isEmpty() ? save() : saveAs()) && compare_->project().unfiled().isEmpty(); }
+    if (box.clickedButton() != drop) { return false; }
+    compare_->project().agreeToLeave();
+    return true;
+}
+
 bool MainWindow::mayDiscard()
 {
     commitTypedValue(*this);
@@ -241,10 +274,11 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!mayDiscard() || !simulate_->mayStopRun() || !compare_->mayDropRuns() || !mayStopExport()) {
+    if (!mayStopExport() || !mayLeave()) {
         event->ignore();
         return;
     }
+    compare_->project().leave();
     if (export_) {
         export_->close(); // keeps its choice
     }

@@ -8,6 +8,7 @@
 #include "ui/picture/viewport.h"
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
+#include "ui/results/run_history.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
@@ -18,25 +19,8 @@
 
 namespace hygroloom {
 
-namespace {
-
-/// The part of a design that a run depends on: results hold while it stays equal.
-Design dependence(const Design& design, const std::string& fabric, const std::string& experiment)
-{
-    Design part;
-    part.materials = design.materials;
-    if (const Fabric* found = find_fabric(design, fabric)) { part.fabrics.push_back(*found); }
-    if (const Experiment* found = find_experiment(design, experiment)) {
-        part.experiments.push_back(*found);
-        if (const Liquid* liquid = find_liquid(design, found->liquid)) { part.liquids.push_back(*liquid); }
-    }
-    return part;
-}
-
-} // namespace
-
-SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& runs, Viewport& viewport, QMainWindow& window)
-    : document_(document), history_(runs), viewport_(viewport), window_(window)
+SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window)
+    : document_(document), history_(history), runs_(runs), viewport_(viewport), window_(window)
 {
     buildPanels(window);
     connectPanels();
@@ -173,8 +157,7 @@ void SimulateWorkspace::refreshStale()
     if (const auto& run = playback_.run()) {
         const bool chosen = document_.fabric() && document_.experiment() && document_.fabric()->name == run->fabric &&
                             document_.experiment()->name == run->experiment;
-        stale_ = !chosen ||
-                 dependence(run->design, run->fabric, run->experiment) != dependence(*document_.design(), run->fabric, run->experiment);
+        stale_ = !chosen || !holdsFor(*run, *document_.design());
     }
 }
 

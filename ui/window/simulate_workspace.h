@@ -5,8 +5,7 @@
 #include "ui/results/playback.h"
 #include "ui/results/simulation_run.h"
 
-#include <QElapsedTimer>
-#include <QTemporaryDir>
+#include <QObject>
 
 class QAction;
 class QDockWidget;
@@ -19,6 +18,7 @@ class Chart;
 class Document;
 class ExperimentPanel;
 class ResultsPanel;
+class ProjectRuns;
 class RunHistory;
 class SimulationPanel;
 class Timeline;
@@ -45,7 +45,7 @@ public:
         QAction* save_recording = nullptr;
     };
 
-    SimulateWorkspace(Document& document, RunHistory& runs, Viewport& viewport, QMainWindow& window);
+    SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window);
     ~SimulateWorkspace() override;
 
     Playback& playback() { return playback_; }
@@ -76,7 +76,7 @@ public:
     void showIssue(const QString& where);
 
     void startRun();
-    /// Opens a recording, with its design if the project has no changes. False when the user keeps the run in progress.
+    /// Opens a recording, with its design if the project has neither changes nor runs. False when the user keeps the run in progress.
     bool openRecording(const QString& path);
     /// Opens the recording of an earlier run; the project stays.
     void showEarlierRun(const QString& recording);
@@ -84,7 +84,7 @@ public:
     void clearResults();
     /// Replaces the project's design by that of the recording.
     void takeDesign();
-    /// Asks before it stops a run in progress. True when there is none any more.
+    /// Asks before it stops a run in progress, and keeps what is recorded. True when there is none any more.
     bool mayStopRun();
 
 Q_SIGNALS:
@@ -93,7 +93,7 @@ Q_SIGNALS:
     void messageShown(const QString& sentence, int ms);
     /// There is something to see here: a run or a recording.
     void wanted();
-    /// A recording outside the window's own folder was opened or saved.
+    /// A recording that is no run of the project was opened or saved.
     void recordingUsed(const QString& path);
     void pictureChanged();
     void designRequested();
@@ -109,28 +109,24 @@ private:
     void connectRun();
     void connectPlayback();
     void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
-    void read(const QString& recording);
+    void stopRun();
     void takeOpened(const QString& path);
     void keepRun();
-    void makeRoom();
-    bool isOwn(const QString& recording) const;
+    bool mayTakeDesign() const;
     void saveRecordingAs();
     void copyRecording(const QString& from, const QString& to);
 
     Document& document_;
     RunHistory& history_;
+    ProjectRuns& runs_;
     Viewport& viewport_;
     QMainWindow& window_;
-    QTemporaryDir recordings_; // outlives the parts that read and write in it
     Playback playback_;
     SimulationRun run_;
     NewestJob copier_;
-    int runs_ = 0;
     QString run_path_;
-    QElapsedTimer run_clock_;
-    double run_elapsed_ = 0; ///< s, of the run at run_path_ once it has ended
-    QString opening_;        ///< the recording whose design is to be taken with it
-    QString next_;           ///< the recording to open once the cancelled run has ended
+    bool stopping_ = false; ///< to leave; nothing is offered instead
+    QString opening_;       ///< the recording whose design is to be taken with it
     bool shown_ = false;
     bool stale_ = false;
 

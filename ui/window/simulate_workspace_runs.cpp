@@ -4,27 +4,30 @@
 #include "core/project/atomic_file.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
+#include "ui/document/run_folder.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/viewport.h"
+#include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
 #include "ui/results/simulation_panel.h"
-#include "ui/window/confirm.h"
 #include "ui/window/file_names.h"
 #include "ui/window/simulate_workspace.h"
 
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScopedValueRollback>
 
-#include <utility>
+#include <algorithm>
 
 namespace hygroloom {
 
 namespace {
-
-constexpr double most_recorded = 2e9; // bytes, of runs that are not saved
 
 /// An older file at to stays until the copy is complete. The reason it could not be made, or nothing.
 QString copyOver(const QString& from, const QString& to)
@@ -46,15 +49,14 @@ QString copyOver(const QString& from, const QString& to)
 
 void SimulateWorkspace::connectRun()
 {
-    connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) {
-        run_clock_.start();
-        playback_.begin(run, run_path_);
-        makeRoom();
-    });
+    connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) { playback_.begin(run, run_path_); });
     connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
     connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
     connect(&run_, &SimulationRun::pausedChanged, this, &SimulateWorkspace::refreshActions);
     connect(&run_, &SimulationRun::ended, this, &SimulateWorkspace::showRunEnd);
+    connect(&runs_, &ProjectRuns::moved, &playback_, &Playback::move);
+    connect(&runs_, &ProjectRuns::failed, this, &SimulateWorkspace::problemFound);
+    connect(&runs_, &ProjectRuns::messageShown, this, &SimulateWorkspace::messageShown);
 }
 
 void SimulateWorkspace::connectPlayback()
@@ -86,8 +88,12 @@ void SimulateWorkspace::startRun()
     options.may_go_on_on_cpu = true;
     options.textile = std::make_shared<const Textile>(
         textile_of_run(*document_.design(), *document_.fabric(), *document_.experiment(), document_.fitted().get()));
-    run_elapsed_ = 0;
-    run_path_ = recordings_.filePath(QString("run-%1.hygrorec").arg(++runs_));
+    try {
+        run_path_ = runs_.reserve();
+    } catch (const Error& error) {
+        Q_EMIT problemFound(QString::fromStdString(error.what()));
+        return;
+    }
     options.recording = run_path_.toStdString();
     run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_->backend());
     refreshActions();
@@ -95,13 +101,10 @@ void SimulateWorkspace::startRun()
 
 void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString& sentence)
 {
-    run_elapsed_ = run_clock_.isValid() ? 1e-3 * static_cast<double>(run_clock_.elapsed()) : 0;
-    run_clock_.invalidate();
+    run_path_ = runs_.settle(run_path_);
     playback_.end();
     refreshActions();
-    const bool another = !next_.isEmpty();
-    if (another) { playback_.open(std::exchange(next_, {})); }
-    if (!another && outcome == SimulationRun::Outcome::device_failed && simulation_->backend() != "cpu") {
+    if (!stopping_ && outcome == SimulationRun::Outcome::device_failed && simulation_->backend() != "cpu") {
         QMessageBox box(QMessageBox::Question, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence),
                         QMessageBox::Yes | QMessageBox::No, &window_);
         box.setTextFormat(Qt::PlainText);
@@ -116,14 +119,31 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
 
 bool SimulateWorkspace::mayStopRun()
 {
-    if (run_.running()) {
-        if (!confirm(&window_, tr("A run is in progress"), tr("Stop the run?"),
-                     tr("Its results up to now are lost on closing unless you save the recording."), tr("Stop the Run"))) {
-            return false;
-        }
-        run_.cancel();
-    }
+    if (!run_.running()) { return true; }
+    const QString what =
+        playback_.live() ? QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) : tr("the experiment");
+    QMessageBox box(QMessageBox::Question, tr("A run is in progress"), tr("Stop the run of “%1”?").arg(what), QMessageBox::NoButton,
+                    &window_);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("What is recorded up to now is kept with the project's runs."));
+    QPushButton* stop = box.addButton(tr("&Stop and Keep What Is Recorded"), QMessageBox::AcceptRole);
+    QPushButton* go_on = box.addButton(tr("&Let It Run"), QMessageBox::RejectRole);
+    box.setDefaultButton(go_on);
+    box.setEscapeButton(go_on);
+    box.exec();
+    if (box.clickedButton() != stop) { return false; }
+    stopRun();
     return true;
+}
+
+/// Until the run has ended, 0.2 s or so, the window is drawn, but takes no input.
+void SimulateWorkspace::stopRun()
+{
+    const QScopedValueRollback stopping(stopping_, true);
+    QEventLoop end;
+    connect(&run_, &SimulationRun::ended, &end, &QEventLoop::quit);
+    run_.cancel();
+    if (run_.running()) { end.exec(QEventLoop::ExcludeUserInputEvents); } // it may have ended while the question was open
 }
 
 void SimulateWorkspace::clearResults()
@@ -135,7 +155,7 @@ bool SimulateWorkspace::openRecording(const QString& path)
 {
     if (!mayStopRun()) { return false; }
     opening_ = QFileInfo(path).absoluteFilePath();
-    read(opening_);
+    playback_.open(opening_);
     return true;
 }
 
@@ -143,26 +163,23 @@ void SimulateWorkspace::showEarlierRun(const QString& recording)
 {
     if (!mayStopRun()) { return; }
     opening_.clear();
-    read(recording);
+    playback_.open(recording);
 }
 
-/// A cancelled run ends first, so that it is kept.
-void SimulateWorkspace::read(const QString& recording)
+/// A project with changes or runs stays: nobody asked to close it.
+bool SimulateWorkspace::mayTakeDesign() const
 {
-    if (run_.running()) {
-        next_ = recording;
-    } else {
-        playback_.open(recording);
-    }
+    const auto& runs = history_.runs();
+    return !document_.modified() && std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
 }
 
 void SimulateWorkspace::takeOpened(const QString& path)
 {
-    if (!isOwn(path)) { Q_EMIT recordingUsed(path); }
-    if (path == opening_ && !document_.modified()) {
+    if (!runs_.owns(path)) { Q_EMIT recordingUsed(path); }
+    if (path == opening_ && mayTakeDesign()) {
         document_.take(playback_.run()->design, tr("Design of %1").arg(QFileInfo(path).fileName()));
     }
-    if (path != opening_ || !document_.modified()) { chooseWhatRan(); }
+    if (path != opening_ || mayTakeDesign()) { chooseWhatRan(); }
     Q_EMIT wanted();
 }
 
@@ -170,24 +187,12 @@ void SimulateWorkspace::takeOpened(const QString& path)
 void SimulateWorkspace::keepRun()
 {
     const QString& path = playback_.path();
-    if (!playback_.run() || !playback_.metrics() || !playback_.whole() || path.isEmpty()) { return; }
+    if (!playback_.run() || !playback_.metrics() || !playback_.whole() || !QFileInfo::exists(path)) { return; }
     KeptRun kept{path, playback_.run(), playback_.metrics()};
-    kept.own = isOwn(path);
-    kept.saved = !kept.own;
-    kept.elapsed = path == run_path_ ? run_elapsed_ : 0;
+    kept.own = runs_.owns(path);
+    kept.saved = !kept.own || runs_.isFiled(path);
+    kept.number = kept.own ? runNumber(path) : 0;
     history_.keep(kept);
-}
-
-void SimulateWorkspace::makeRoom()
-{
-    const int lost = history_.dropOldest(most_recorded);
-    if (lost == 1) { Q_EMIT messageShown(tr("The oldest unsaved run was deleted to free disk space."), 10000); }
-    if (lost > 1) { Q_EMIT messageShown(tr("The %1 oldest unsaved runs were deleted to free disk space.").arg(lost), 10000); }
-}
-
-bool SimulateWorkspace::isOwn(const QString& recording) const
-{
-    return recordings_.isValid() && recording.startsWith(recordings_.path() + "/");
 }
 
 void SimulateWorkspace::saveRecordingAs()

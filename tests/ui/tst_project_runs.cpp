@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs belong to their project: found again, taken along, and gone only when the user says so. Needs a display: xvfb-run.
+#include "ui/document/run_folder.h"
+#include "window_test.h"
+
+#include <QPushButton>
+#include <QTreeWidget>
+
+using namespace hygroloom;
+
+class TestProjectRuns : public WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { useOwnSettings(); }
+
+    void init()
+    {
+        project_ = folder_.filePath(QString("p%1/cloth.hygro").arg(++tests_));
+        QVERIFY(QDir().mkpath(QFileInfo(project_).absolutePath()));
+        QVERIFY(QFile::copy(example("one-drop-on-cotton"), project_));
+        openWindow();
+        QVERIFY(window_->openFile(project_));
+    }
+
+    void cleanup()
+    {
+        window_.reset();
+        QDir(Recovery::standardFolder()).removeRecursively();
+    }
+
+    void runsAreFoundAgainBesideTheirProject()
+    {
+        run();
+        run();
+        QCOMPARE(playback().path(), runFolderOf(project_) + "/run-2.hygrorec");
+        trigger("Save");
+        QVERIFY(window_->close());
+        openWindow();
+        QVERIFY(window_->openFile(project_));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{2}, 20000);
+        const KeptRun& first = runs().runs()[0];
+        QCOMPARE(first.path, runFolderOf(project_) + "/run-1.hygrorec");
+        QVERIFY(first.own && first.saved && first.current && first.complete());
+        QVERIFY(first.bytes > 1000 && first.metrics->maximum_wetted_radius_top > 0);
+        QVERIFY(compareView().chosen().contains(runs().runs()[1].path)); // as before
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
+        QVERIFY(!runs().runs()[0].current);
+        QCOMPARE(list()->topLevelItem(0)->text(5), QString("older design"));
+        window_->document().history()->undo();
+        QVERIFY(runs().runs()[0].current);
+        QCOMPARE(list()->topLevelItem(0)->text(5), QString());
+    }
+
+    void anotherProjectHasItsOwnRuns()
+    {
+        run();
+        trigger("Save");
+        const QString other = QFileInfo(project_).absolutePath() + "/other.hygro";
+        QVERIFY(QFile::copy(project_, other));
+        QVERIFY(window_->openFile(other));
+        QVERIFY(runs().runs().empty());
+        QVERIFY(window_->openFile(project_));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{1}, 20000);
+    }
+
+    void theFirstSaveTakesRunsAlong()
+    {
+        openExample();
+        run();
+        const QString before = playback().path();
+        QVERIFY(before.startsWith(Recovery::standardFolder()));
+        QVERIFY(!runs().runs()[0].saved);
+        const QString path = saveAs("first.hygro");
+        QCOMPARE(playback().path(), runFolderOf(path) + "/run-1.hygrorec");
+        QVERIFY(!QFile::exists(before) && QFile::exists(playback().path()));
+        QCOMPARE(runs().runs().size(), std::size_t{1});
+        QVERIFY(runs().runs()[0].saved && runs().runs()[0].path == playback().path());
+        QVERIFY(window_->close()); // nothing to ask about
+        QVERIFY(unsavedWork().isEmpty());
+    }
+
+    void savingAsTakesTheRunsAlongAndLeavesThem()
+    {
+        run();
+        Q_EMIT compareView().markRequested(playback().path(), true);
+        const QString path = saveAs("again.hygro");
+        QCOMPARE(recordingsIn(runFolderOf(project_)).size(), 1);
+        QCOMPARE(recordingsIn(runFolderOf(path)).size(), 1);
+        QVERIFY(runs().runs()[0].marked && isMarked(runFolderOf(path) + "/run-1.hygrorec"));
+    }
+
+    void aRunInProgressFollowsTheProject()
+    {
+        openExample();
+        startLongRun();
+        const QString path = saveAs("follows.hygro");
+        simulation().cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(playback().path(), runFolderOf(path) + "/run-1.hygrorec", 10000);
+        QCOMPARE(runs().runs().size(), std::size_t{1});
+        QVERIFY(runs().runs()[0].saved);
+    }
+
+    void leavingAsksAboutRunsWithoutAProjectFile()
+    {
+        openExample();
+        run();
+        const QString fabric = QString::fromStdString(window_->document().fabric()->name);
+        window_->document().history()->setClean();
+        auto asked = press("Cancel");
+        QVERIFY(!window_->close());
+        QVERIFY2(asked->contains("1: " + fabric), qPrintable(*asked));
+        asked = press("Cancel");
+        QVERIFY(!window_->openFile(project_));
+        QVERIFY(!asked->isEmpty());
+        QCOMPARE(recordingsIn(unsavedRuns()).size(), 1);
+        asked = press("Delete the Run");
+        QVERIFY(window_->openFile(project_));
+        QVERIFY(!asked->isEmpty());
+        QVERIFY(unsavedRuns().isEmpty());
+    }
+
+    void aRunInProgressIsAskedAbout()
+    {
+        startLongRun();
+        trigger("Save");
+        for (const bool closing : {true, false}) {
+            const auto asked = press("Let It Run");
+            QVERIFY(closing ? !window_->close() : !window_->openFile(example("textile-F")));
+            QVERIFY2(asked->contains(QString::fromStdString(window_->document().fabric()->name)), qPrintable(*asked));
+            QVERIFY(simulation().running());
+        }
+        const auto asked = press("Stop and Keep What Is Recorded");
+        QVERIFY(window_->close());
+        QVERIFY(!asked->isEmpty());
+        openWindow();
+        QVERIFY(window_->openFile(project_));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{1}, 20000);
+        QVERIFY(!runs().runs()[0].complete());
+    }
+
+    void runsOfUnsavedWorkOutliveACrash()
+    {
+        openExample();
+        run();
+        QTRY_VERIFY_WITH_TIMEOUT(!unsavedWork().isEmpty(), 5000);
+        // What a crash leaves; a copy under another name, as the lock is this process's.
+        const QDir folder(Recovery::standardFolder());
+        const QString own = folder.filePath(unsavedWork().first()), left = folder.filePath("crashed.hygro");
+        QVERIFY(QFile::copy(own, left) && QFile::copy(own + ".origin", left + ".origin"));
+        QCOMPARE(bringRun(playback().path(), runFolderOf(left), Bring::copy), runFolderOf(left) + "/run-1.hygrorec");
+        deleteRun(playback().path());
+        window_->document().history()->setClean();
+        QVERIFY(window_->close());
+        openWindow();
+        const auto asked = press("Open");
+        window_->offerLeftOver();
+        QVERIFY2(asked->contains("1 run belongs to it"), qPrintable(*asked));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{1}, 20000);
+        QVERIFY(runs().runs()[0].current && !runs().runs()[0].saved);
+        QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(left), 5000);
+    }
+
+    void discardedWorkTakesItsRunsWithIt()
+    {
+        const QString left = Recovery::standardFolder() + "/crashed.hygro";
+        QVERIFY(QDir().mkpath(runFolderOf(left)) && QFile::copy(project_, left));
+        run();
+        bringRun(playback().path(), runFolderOf(left), Bring::copy);
+        press("Discard");
+        window_->offerLeftOver();
+        QVERIFY(!QFile::exists(left) && !QFile::exists(runFolderOf(left)));
+    }
+
+    void forgettingAsksAndNamesTheRun()
+    {
+        run();
+        const QString path = playback().path();
+        window_->setWorkspace(Workspace::compare);
+        list()->setCurrentItem(list()->topLevelItem(0));
+        auto asked = press("Cancel");
+        button("Forget…")->click();
+        QVERIFY2(asked->contains("1: " + QString::fromStdString(window_->document().fabric()->name)), qPrintable(*asked));
+        QVERIFY(QFile::exists(path));
+        asked = press("Forget");
+        button("Forget…")->click();
+        QVERIFY(!QFile::exists(path));
+        QVERIFY(runs().runs().empty());
+    }
+
+    void olderRunsAreForgottenUnlessTheyAreMarked()
+    {
+        run();
+        run();
+        const QString marked = runs().runs()[0].path, older = runs().runs()[1].path;
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
+        run();
+        window_->setWorkspace(Workspace::compare);
+        list()->setCurrentItem(list()->topLevelItem(0));
+        button("Keep")->click();
+        QVERIFY(isMarked(marked));
+        QCOMPARE(list()->topLevelItem(0)->text(5), QString("kept, older design"));
+        const auto asked = press("Forget");
+        button("Forget Older…")->click();
+        QVERIFY2(asked->contains("2: ") && !asked->contains("1: "), qPrintable(*asked));
+        QVERIFY(QFile::exists(marked) && !QFile::exists(older));
+        QCOMPARE(runs().runs().size(), std::size_t{2});
+        QVERIFY(!button("Forget Older…")->isEnabled());
+    }
+
+    void aFolderThatCannotBeWrittenStopsNoRun()
+    {
+        QFile inTheWay(runFolderOf(project_));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        run();
+        QVERIFY(playback().path().startsWith(Recovery::standardFolder()));
+        trigger("Save");
+        const auto asked = press("Delete the Run");
+        QVERIFY(window_->close());
+        QVERIFY(!asked->isEmpty());
+    }
+
+    void aRecordingThatIsOpenedLeavesAProjectWithRunsOpen()
+    {
+        run();
+        trigger("Save");
+        const QString other = folder_.filePath("elsewhere.hygrorec");
+        QFile::remove(other);
+        QVERIFY(QFile::copy(playback().path(), other));
+        QVERIFY(window_->openFile(other));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{2}, 20000);
+        QCOMPARE(window_->document().path(), project_);
+        Q_EMIT compareView().forgetRequested(other);
+        QVERIFY(QFile::exists(other)); // it is not the project's
+        QCOMPARE(runs().runs().size(), std::size_t{1});
+    }
+
+private:
+    void openExample()
+    {
+        window_->openShippedExample();
+        QVERIFY(window_->document().path().isEmpty());
+    }
+
+    void run()
+    {
+        if (window_->document().experiment()->duration_s != 0.1) { shortenExperiment(0.1, 4, 0.5); }
+        simulationPanel().setFidelity(Fidelity::draft);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        window_->simulate().startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
+    }
+
+    void startLongRun()
+    {
+        shortenExperiment(3600, 10, 5);
+        QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
+        window_->simulate().startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 1, 30000);
+        simulation().setPaused(true); // or it ends while the test goes on
+        QVERIFY(simulation().running());
+    }
+
+    QString saveAs(const QString& name)
+    {
+        const QString path = QFileInfo(project_).absolutePath() + "/" + name;
+        chooseFile(path);
+        trigger("Save As…");
+        return path;
+    }
+
+    QTreeWidget* list() { return compareView().findChild<QTreeWidget*>(); }
+    QPushButton* button(const QString& text)
+    {
+        for (QPushButton* each : compareView().findChildren<QPushButton*>()) {
+            if (each->text().remove('&') == text) { return each; }
+        }
+        return nullptr;
+    }
+    static QStringList unsavedWork() { return QDir(Recovery::standardFolder()).entryList({"*.hygro"}, QDir::Files); }
+    static QString unsavedRuns()
+    {
+        const QStringList folders = QDir(Recovery::standardFolder()).entryList({"*-runs"}, QDir::Dirs);
+        return folders.isEmpty() ? QString() : Recovery::standardFolder() + "/" + folders.first();
+    }
+
+    QString project_;
+    int tests_ = 0;
+};
+
+QTEST_MAIN(TestProjectRuns)
+#include "tst_project_runs.moc"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The folder beside a project that holds its runs: one recording each, numbered, and the list of those marked "keep".
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace hygroloom {
+
+/// name.hygro-runs beside name.hygro.
+QString runFolderOf(const QString& project);
+/// Recordings with content, by number.
+QStringList recordingsIn(const QString& folder);
+/// Whether anything lies there, also a recording that is just beginning.
+bool holdsRuns(const QString& folder);
+/// The number in its name; 0 without.
+int runNumber(const QString& recording);
+
+/// Makes the folder, and in it an empty file under the next free number, so that nobody else takes the name. Throws Error.
+QString reserveRun(const QString& folder);
+/// Removes a reserved name that no run took, and the folder when nothing is left in it.
+void releaseRun(const QString& recording);
+
+/// Puts a recording of another folder into this one under the next free number, with its mark. A copy shares its bytes where the file
+/// system can. Returns its path there. Throws Error; nothing is then changed.
+enum class Bring { copy, move };
+QString bringRun(const QString& recording, const QString& folder, Bring how);
+/// Deletes a recording of a project. Throws Error.
+void deleteRun(const QString& recording);
+
+bool isMarked(const QString& recording);
+/// Throws Error.
+void setMarked(const QString& recording, bool marked);
+
+} // namespace hygroloom

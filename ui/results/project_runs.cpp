@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/project_runs.h"
+
+#include "core/base/error.h"
+#include "core/run/recording.h"
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+#include "ui/document/run_folder.h"
+#include "ui/results/run_history.h"
+
+#include <QFileInfo>
+
+namespace hygroloom {
+
+namespace {
+
+QString folderOf(const QString& recording) { return QFileInfo(recording).absolutePath(); }
+
+/// A recording's run with its numbers; without a run when the job is outdated. Throws Error.
+KeptRun readRun(const QString& path, const NewestJob::Turn& turn)
+{
+    Recording recording(path.toStdString());
+    KeptRun kept{path, std::make_shared<const RunRecord>(recording.run()), nullptr};
+    MetricsCollector collector;
+    collector.start(*kept.run);
+    recording.read_frames([&](const Frame& frame) {
+        collector.add(frame);
+        return !turn.outdated();
+    });
+    kept.metrics = std::make_shared<const Metrics>(collector.metrics());
+    if (turn.outdated()) { kept.run.reset(); }
+    return kept;
+}
+
+} // namespace
+
+ProjectRuns::ProjectRuns(Document& document, Recovery& recovery, RunHistory& history, QObject* parent)
+    : QObject(parent), document_(document), recovery_(recovery), history_(history), known_(folder())
+{
+    connect(&document_, &Document::replaced, this, &ProjectRuns::openProject);
+    connect(&document_, &Document::pathChanged, this, &ProjectRuns::followProject);
+    connect(&document_, &Document::designChanged, this, [this] { history_.setDesign(document_.design()); });
+}
+
+QString ProjectRuns::folder() const { return document_.path().isEmpty() ? recovery_.runFolder() : runFolderOf(document_.path()); }
+
+QString ProjectRuns::reserve()
+{
+    may_leave_ = false;
+    try {
+        live_ = reserveRun(folder());
+    } catch (const Error& error) {
+        if (folder() == recovery_.runFolder()) { throw; }
+        live_ = reserveRun(recovery_.runFolder());
+        Q_EMIT messageShown(QString::fromStdString(error.what()), 10000);
+    }
+    recovery_.follow();
+    return live_;
+}
+
+QString ProjectRuns::settle(const QString& recording)
+{
+    may_leave_ = false;
+    live_.clear();
+    QString at = recording;
+    releaseRun(recording);
+    if (!QFileInfo::exists(recording)) {
+        at.clear();
+    } else if (folderOf(recording) != folder()) { // the project was saved elsewhere meanwhile
+        try {
+            at = bringRun(recording, folder(), folderOf(recording) == recovery_.runFolder() ? Bring::move : Bring::copy);
+            Q_EMIT moved(recording, at);
+        } catch (const Error&) { // reserve() said so
+        }
+    }
+    recovery_.follow();
+    return at;
+}
+
+bool ProjectRuns::owns(const QString& recording) const { return isFiled(recording) || folderOf(recording) == recovery_.runFolder(); }
+
+bool ProjectRuns::isFiled(const QString& recording) const
+{
+    return !document_.path().isEmpty() && folderOf(recording) == runFolderOf(document_.path());
+}
+
+QStringList ProjectRuns::unfiled() const
+{
+    QStringList found = recordingsIn(recovery_.runFolder());
+    found.removeIf([this](const QString& path) {
+        const KeptRun* run = history_.find(path);
+        return run && run->saved;
+    });
+    return found;
+}
+
+void ProjectRuns::leave()
+{
+    if (!may_leave_) { return; }
+    may_leave_ = false;
+    for (const QString& recording : recordingsIn(recovery_.runFolder())) { forget(recording); }
+}
+
+void ProjectRuns::openProject()
+{
+    leave();
+    known_ = folder();
+    history_.forgetOwn();
+    read();
+    recovery_.follow();
+}
+
+/// The project was saved elsewhere: its runs go along, and stay with what it was saved as before.
+void ProjectRuns::followProject()
+{
+    const QString before = std::exchange(known_, folder());
+    if (before == known_) { return; }
+    QStringList recordings = recordingsIn(before);
+    if (before != recovery_.runFolder()) { recordings << recordingsIn(recovery_.runFolder()); }
+    recordings.removeAll(live_); // settle() takes it
+    bring(recordings);
+    read();
+}
+
+void ProjectRuns::takeFrom(const QString& folder)
+{
+    bring(recordingsIn(folder));
+    read();
+}
+
+void ProjectRuns::bring(const QStringList& recordings)
+{
+    QStringList problems;
+    for (const QString& from : recordings) {
+        const bool moves = folderOf(folderOf(from)) == folderOf(recovery_.runFolder()); // it lies beside unsaved work
+        try {
+            const QString to = bringRun(from, known_, moves ? Bring::move : Bring::copy);
+            history_.move(from, to, isFiled(to));
+            Q_EMIT moved(from, to);
+        } catch (const Error& error) {
+            problems << QString::fromStdString(error.what());
+        }
+    }
+    recovery_.follow();
+    if (!problems.isEmpty()) { Q_EMIT failed(problems.join('\n')); }
+}
+
+/// In the background, those that are not known yet.
+void ProjectRuns::read()
+{
+    QStringList paths = recordingsIn(known_);
+    if (known_ != recovery_.runFolder()) { paths << recordingsIn(recovery_.runFolder()); }
+    paths.removeIf([this](const QString& path) { return path == live_ || history_.find(path); });
+    if (paths.isEmpty()) {
+        loader_.drop();
+        return;
+    }
+    loader_.run([this, paths](const NewestJob::Turn& turn) {
+        QStringList problems;
+        for (const QString& path : paths) {
+            try {
+                KeptRun kept = readRun(path, turn);
+                if (turn.outdated()) { return; }
+                kept.number = runNumber(path);
+                kept.marked = isMarked(path);
+                kept.own = true;
+                turn.deliver([this, kept]() mutable {
+                    if (!owns(kept.path) || !QFileInfo::exists(kept.path) || history_.find(kept.path)) { return; }
+                    kept.saved = isFiled(kept.path);
+                    history_.keep(kept);
+                });
+            } catch (const Error& error) {
+                problems << QString::fromStdString(error.what());
+            }
+        }
+        if (!problems.isEmpty()) {
+            turn.deliver([this, problems] { Q_EMIT failed(tr("Runs of this project cannot be read.\n\n%1").arg(problems.join('\n'))); });
+        }
+    });
+}
+
+void ProjectRuns::forget(const QString& recording)
+{
+    try {
+        if (owns(recording)) { deleteRun(recording); }
+        history_.forget(recording);
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+    recovery_.follow();
+}
+
+void ProjectRuns::setMarked(const QString& recording, bool marked)
+{
+    try {
+        hygroloom::setMarked(recording, marked);
+        history_.setMarked(recording, marked);
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+}
+
+} // namespace hygroloom

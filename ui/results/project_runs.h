@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Where the runs of the open project lie: in the folder beside its file, until it has one beside the window's unsaved work.
+#pragma once
+
+#include "ui/basics/newest_job.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace hygroloom {
+
+class Document;
+class Recovery;
+class RunHistory;
+
+/// Finds the runs of a project when it is opened, and takes them along when it is saved elsewhere. Deletes none but by forget() and
+/// leave().
+class ProjectRuns : public QObject {
+    Q_OBJECT
+public:
+    ProjectRuns(Document& document, Recovery& recovery, RunHistory& history, QObject* parent = nullptr);
+
+    /// The path for the next run's recording. Where the project's folder cannot be written, messageShown() says so, and it lies beside
+    /// unsaved work. Throws Error when neither can be.
+    QString reserve();
+    /// The run that was recorded there is over. Returns where its recording lies now; empty when nothing was recorded.
+    QString settle(const QString& recording);
+
+    /// Whether a recording is a run of the open project.
+    bool owns(const QString& recording) const;
+    /// Whether it lies with the project's file.
+    bool isFiled(const QString& recording) const;
+    /// Runs that lie nowhere but beside unsaved work.
+    QStringList unfiled() const;
+    /// unfiled() may be deleted with leave(): its deletion was agreed to, or none is the only one.
+    void agreeToLeave() { may_leave_ = true; }
+    /// Another project follows, or the end.
+    void leave();
+
+    /// Adds the runs of work that was recovered.
+    void takeFrom(const QString& folder);
+    /// Deletes a run of the project; a recording that was only opened leaves the list.
+    void forget(const QString& recording);
+    void setMarked(const QString& recording, bool marked);
+    /// Whether runs of the project are still being read.
+    bool reading() const { return loader_.busy(); }
+
+Q_SIGNALS:
+    void moved(const QString& from, const QString& to);
+    void failed(const QString& sentence);
+    /// For the status bar, for a time in ms.
+    void messageShown(const QString& sentence, int ms);
+
+private:
+    QString folder() const;
+    void openProject();
+    void followProject();
+    void bring(const QStringList& recordings);
+    void read();
+
+    Document& document_;
+    Recovery& recovery_;
+    RunHistory& history_;
+    QString known_; ///< the folder of the project as it was last seen
+    QString live_;  ///< what is being recorded
+    bool may_leave_ = false;
+    NewestJob loader_;
+};
+
+} // namespace hygroloom
