@@ -7,12 +7,15 @@
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/weave/weave_editor.h"
+#include "ui/window/design_workspace.h"
 #include "window_test.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QWheelEvent>
 
@@ -82,6 +85,51 @@ private Q_SLOTS:
         QTest::keyClicks(pattern->lineEdit(), "twill 7/1 S");
         QTest::keyClick(pattern, Qt::Key_Tab);
         QCOMPARE(window_->document().fabric()->weave.pattern(), std::string("twill 7/1 S"));
+    }
+
+    void undoWorksInEveryField()
+    {
+        window_->design().docks().draft->show();
+        for (const Workspace workspace : {Workspace::design, Workspace::simulate}) {
+            window_->setWorkspace(workspace);
+            QTest::qWait(50);
+            int tried = 0;
+            for (QWidget* field : window_->findChildren<QWidget*>()) {
+                const bool taken = qobject_cast<QLineEdit*>(field) || qobject_cast<QAbstractSpinBox*>(field);
+                if (!taken || !field->isVisible() || !field->isEnabled() || field->focusPolicy() == Qt::NoFocus) { continue; }
+                ++tried;
+                window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 31; });
+                field->setFocus();
+                QWidget* focused = QApplication::focusWidget();
+                QTest::keyClick(focused, Qt::Key_Z, Qt::ControlModifier);
+                QVERIFY2(window_->document().fabric()->ends_per_cm == 35,
+                         qPrintable(field->accessibleName() + " in " + field->parentWidget()->metaObject()->className()));
+            }
+            QVERIFY(tried > 6);
+        }
+    }
+
+    void theRepeatsBoxesUndoTheirOwnStepAndTheDesigns()
+    {
+        auto* box = window_->findChild<WeaveEditor*>()->findChild<QSpinBox*>();
+        box->setFocus();
+        const std::string before = window_->document().fabric()->weave.pattern();
+        box->selectAll();
+        QTest::keyClicks(box, "7");
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window_->document().fabric()->weave.ends(), 7);
+        QTest::keyClick(box, Qt::Key_Up);
+        QCOMPARE(window_->document().fabric()->weave.ends(), 8);
+        QTest::keyClicks(box, "9"); // typed, not committed: its own
+        QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->document().fabric()->weave.ends(), 8);
+        while (window_->document().modified()) {
+            const int index = window_->document().history()->index();
+            QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY(window_->document().history()->index() < index);
+        }
+        QCOMPARE(window_->document().fabric()->weave.pattern(), before);
+        QCOMPARE(box->value(), window_->document().fabric()->weave.ends());
     }
 
     void aDropFallsWhereTheFabricIsClicked()

@@ -2,6 +2,7 @@
 #include "ui/picture/view_bar.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/design_undo.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -164,6 +165,7 @@ void ViewBar::buildSection()
     slider_->setAccessibleName(tr("Position of the cut"));
     slider_->setToolTip(slider_->accessibleName());
     position_ = new QDoubleSpinBox;
+    new DesignUndo(position_);
     position_->setDecimals(3);
     position_->setSuffix(tr(" mm"));
     position_->setAccessibleName(tr("Distance of the cut from the middle"));

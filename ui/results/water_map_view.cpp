@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/run/recording.h"
+#include "ui/basics/design_undo.h"
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -27,6 +28,7 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
 {
     cells_->setRange(1, 50);
     cells_->setValue(2);
+    new DesignUndo(cells_);
     cells_->setAccessibleName(tr("Map resolution, crossings per cell"));
     cells_->setToolTip("<p>" + tr("Each cell of the maps is the mean over N × N crossings.") + "</p>");
     value_->setAccessibleName(tr("Value under the pointer"));

@@ -2,6 +2,7 @@
 #include "ui/weave/draft_editor.h"
 
 #include "core/design/drawdown.h"
+#include "ui/basics/design_undo.h"
 #include "ui/basics/icon_button.h"
 #include "ui/weave/order_editor.h"
 #include "ui/weave/weave_edits.h"
@@ -92,6 +93,9 @@ QWidget* DraftEditor::buildBar()
     note_->setForegroundRole(QPalette::PlaceholderText);
     note_->setAccessibleName(tr("About the draft"));
     note_->setWordWrap(true);
+    QSizePolicy policy = note_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // the first square that is drawn hides it, and the paper keeps its place
+    note_->setSizePolicy(policy);
     row->addStretch();
     const auto button = [&](const char* icon, const QString& name, auto work) {
         QToolButton* made = iconButton(icon, name);
@@ -110,6 +114,7 @@ QWidget* DraftEditor::buildBar()
 QSpinBox* DraftEditor::addCount(QHBoxLayout* row, const QString& name, void (DraftEditor::*work)(int))
 {
     auto* box = new QSpinBox;
+    new DesignUndo(box);
     box->setRange(1, most_shafts);
     box->setKeyboardTracking(false);
     box->setAccessibleName(name);

@@ -26,6 +26,7 @@ QSpinBox* countBox(const QString& name)
     auto* box = new QSpinBox;
     box->setRange(1, largest_repeat);
     box->setKeyboardTracking(false);
+    new DesignUndo(box);
     box->setAccessibleName(name);
     box->setToolTip(name);
     return box;
@@ -38,7 +39,7 @@ WeaveEditor::WeaveEditor(Document& document, QWidget* parent)
       picks_(countBox(tr("Picks of the repeat"))), paper_(new PointPaper), notes_(new WeaveNotes(document))
 {
     pattern_->setEditable(true);
-    new DesignUndo(pattern_->lineEdit());
+    new DesignUndo(pattern_);
     pattern_->setInsertPolicy(QComboBox::NoInsert);
     pattern_->setAccessibleName(tr("Weave pattern"));
     pattern_->setToolTip(tr("Choose a weave, or type one such as “twill 3/1 S” or “satin 8/3”."));
