@@ -72,6 +72,7 @@ CompareMaps::CompareMaps(QWidget* parent)
     foot->addWidget(face_);
     foot->addWidget(time_, 1);
     foot->addWidget(shown_time_);
+    shown_time_->setMinimumWidth(shown_time_->fontMetrics().horizontalAdvance("0000.00 s")); // the slider keeps its length
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

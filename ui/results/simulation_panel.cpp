@@ -17,7 +17,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -26,6 +25,17 @@ namespace hygroloom {
 namespace {
 
 constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::standard, Fidelity::reference};
+
+/// What a button needs to show another text.
+int widthOf(QPushButton* button, const QString& text)
+{
+    const QString own = button->text();
+    int width = button->sizeHint().width();
+    button->setText(text);
+    width = std::max(width, button->sizeHint().width());
+    button->setText(own);
+    return width;
+}
 
 } // namespace
 
@@ -43,23 +53,17 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     why_->setFlat(true);
     why_->setToolTip(tr("Which physics the next run models, and the reasons."));
     layout->addWidget(why_, 0, Qt::AlignLeft);
-    start_->setMinimumHeight(36);
     QFont font = start_->font();
     font.setBold(true);
     start_->setFont(font);
-    auto* running = new QWidget;
-    auto* line = new QHBoxLayout(running);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(6);
-    for (QPushButton* button : {pause_, stop_}) {
+    auto* buttons = new QHBoxLayout; // each keeps its place: a click meant as Pause starts no run
+    buttons->setSpacing(6);
+    pause_->setMinimumWidth(widthOf(pause_, tr("Resume")));
+    for (QPushButton* button : {start_, pause_, stop_}) {
         button->setMinimumHeight(36);
-        line->addWidget(button);
+        buttons->addWidget(button, button == start_ ? 1 : 0);
     }
-    buttons_ = new QStackedWidget;
-    buttons_->addWidget(start_);
-    buttons_->addWidget(running);
-    buttons_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    layout->addWidget(buttons_);
+    layout->addLayout(buttons);
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
     bar_->setRange(0, 1000);
@@ -107,6 +111,9 @@ void SimulationPanel::addFidelities()
         expected_[i]->setForegroundRole(QPalette::PlaceholderText);
         expected_[i]->setAccessibleName(tr("Expected for %1").arg(button->text()));
         expected_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        // What is expected comes late, and must not widen the panel then: room for it is kept.
+        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, numerical error 14 %")));
+        expected_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         grid->addWidget(button, static_cast<int>(i), 0);
         grid->addWidget(expected_[i], static_cast<int>(i), 1);
     }
@@ -218,7 +225,8 @@ void SimulationPanel::showState()
     QString reason;
     const bool can = canRun(&reason);
     const bool running = run_.running();
-    buttons_->setCurrentIndex(running ? 1 : 0);
+    pause_->setEnabled(running);
+    stop_->setEnabled(running);
     start_->setEnabled(can);
     start_->setToolTip(can ? tr("Run the experiment on the selected fabric (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
     bar_->setVisible(running);

@@ -16,7 +16,6 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QStackedWidget;
 
 namespace hygroloom {
 
@@ -59,7 +58,6 @@ private:
     std::array<QLabel*, 3> expected_{};
     std::array<Expectation, 3> plans_;
     QComboBox* device_;
-    QStackedWidget* buttons_ = nullptr; ///< start, or pause and stop
     QPushButton* start_;
     QPushButton* pause_;
     QPushButton* stop_;

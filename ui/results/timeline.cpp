@@ -51,6 +51,7 @@ Timeline::Timeline(Playback& playback, QWidget* parent)
     time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("0000.00 s / 0000 s"));
     event_->setForegroundRole(QPalette::PlaceholderText);
     event_->setAccessibleName(tr("What has happened"));
+    event_->setMinimumWidth(event_->fontMetrics().horizontalAdvance(tr("absorbed at %1 s").arg("0000.00"))); // the slider keeps its length
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 0);
     layout->setSpacing(4);

@@ -57,9 +57,14 @@ void LimitGauge::paintEvent(QPaintEvent*)
 }
 
 WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), facts_(new QLabel), warnings_(new QLabel)
+    : QScrollArea(parent), document_(document), facts_(new QLabel), warnings_(new QLabel)
 {
-    auto* layout = new QVBoxLayout(this);
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setAccessibleName(tr("Notes about the weave"));
+    auto* all = new QWidget;
+    auto* layout = new QVBoxLayout(all);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     facts_->setAccessibleName(tr("About the weave"));
@@ -71,6 +76,7 @@ WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
         label->setFocusPolicy(Qt::NoFocus);
     }
     facts_->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(warnings_);
     layout->addWidget(facts_);
     for (int system = 0; system < 2; ++system) {
         setts_[system] = new QLabel;
@@ -80,9 +86,26 @@ WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
         layout->addWidget(setts_[system]);
         layout->addWidget(gauges_[system]);
     }
-    layout->addWidget(warnings_);
+    layout->addStretch();
+    setWidget(all);
+    all->setAutoFillBackground(false);
+    viewport()->setAutoFillBackground(false);
+    fixHeight();
     connect(&document_, &Document::designChanged, this, &WeaveNotes::refresh);
     refresh();
+}
+
+/// Room for the facts, the gauges and two lines of warnings.
+void WeaveNotes::fixHeight()
+{
+    constexpr int lines_of_text = 3 + 2 + 2, gaps = 24;
+    setFixedHeight(lines_of_text * fontMetrics().lineSpacing() + gauges_[0]->height() + gauges_[1]->height() + gaps);
+}
+
+void WeaveNotes::changeEvent(QEvent* event)
+{
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) { fixHeight(); }
 }
 
 void WeaveNotes::refresh()

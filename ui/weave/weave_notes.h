@@ -4,7 +4,7 @@
 
 #include "ui/document/document.h"
 
-#include <QWidget>
+#include <QScrollArea>
 
 class QLabel;
 
@@ -28,7 +28,8 @@ private:
     double percent_ = -1;
 };
 
-class WeaveNotes : public QWidget {
+/// Always as high: what lies above keeps its place while it is drawn on. More sentences than fit are scrolled.
+class WeaveNotes : public QScrollArea {
     Q_OBJECT
 public:
     explicit WeaveNotes(Document& document, QWidget* parent = nullptr);
@@ -36,7 +37,11 @@ public:
     /// All sentences, as a reader sees them.
     QString text() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void fixHeight();
     void refresh();
     void refreshGauges();
 

@@ -145,7 +145,7 @@ void MainWindow::arrange(Workspace workspace)
     } else if (simulate) {
         resizeDocks({s.experiment, s.simulation}, {480, 240}, Qt::Vertical);
         resizeDocks({s.experiment}, {310}, Qt::Horizontal);
-        resizeDocks({s.timeline, s.results}, {550, 400}, Qt::Horizontal); // so that results fit without scrolling sideways
+        resizeDocks({s.timeline, s.results}, {530, 420}, Qt::Horizontal); // so that results fit without scrolling sideways
         resizeDocks({s.timeline}, {200}, Qt::Vertical);
     }
 }

@@ -274,7 +274,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!mayStopExport() || !mayLeave()) {
+    if (!mayLeave() || !mayStopExport()) {
         event->ignore();
         return;
     }
