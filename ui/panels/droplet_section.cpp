@@ -148,6 +148,7 @@ void DropletSection::choose(int droplet)
     if (droplet == droplet_) { return; }
     droplet_ = droplet;
     form_.refresh();
+    Q_EMIT dropletChosen();
 }
 
 void DropletSection::addDroplet()
@@ -159,6 +160,31 @@ void DropletSection::addDroplet()
     if (!experiment->droplets.empty()) { drop.time_s += std::min(1.0, std::max(0.0, experiment->duration_s - drop.time_s) / 2); }
     droplet_ = static_cast<int>(experiment->droplets.size());
     edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
+}
+
+void DropletSection::addDropletAt(const QPointF& at)
+{
+    const Experiment* experiment = this->experiment();
+    if (!experiment || !uses_field(experiment->type, "droplets")) { return; }
+    const auto& droplets = experiment->droplets;
+    Droplet drop = droplet_ < static_cast<int>(droplets.size()) ? droplets[static_cast<std::size_t>(droplet_)] : Droplet{};
+    drop.at_mm = {at.x(), at.y()};
+    droplet_ = static_cast<int>(droplets.size());
+    edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
+}
+
+void DropletSection::moveDroplet(int droplet, const QPointF& at)
+{
+    choose(droplet);
+    const Experiment* experiment = this->experiment();
+    if (!experiment || droplet >= static_cast<int>(experiment->droplets.size())) { return; }
+    edit(tr("droplet position"), [&](Experiment& e) { e.droplets[static_cast<std::size_t>(droplet)].at_mm = {at.x(), at.y()}; });
+}
+
+void DropletSection::deleteDroplet(int droplet)
+{
+    choose(droplet);
+    removeDroplet();
 }
 
 void DropletSection::placeDroplet(const QPointF& at)

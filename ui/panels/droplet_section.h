@@ -22,7 +22,11 @@ public:
     void removeDroplet();
     /// Whether a click on the fabric places the droplet.
     bool placing() const;
-    /// Moves it, mm from the sample's middle.
+    /// A droplet like the chosen one. Places are mm from the sample's middle.
+    void addDropletAt(const QPointF& at);
+    void moveDroplet(int droplet, const QPointF& at);
+    void deleteDroplet(int droplet);
+    /// Moves the chosen one.
     void placeDroplet(const QPointF& at);
     void endPlacing();
     QListWidget* list() const { return list_; }

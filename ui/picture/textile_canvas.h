@@ -42,6 +42,13 @@ struct Measurement {
     double length() const { return (to - from).length(); }
 };
 
+/// Where a dragged drop is, and which of its lines it has snapped to.
+struct DropSnap {
+    QPointF at;        ///< mm
+    bool on_x = false; ///< that along the warp
+    bool on_y = false; ///< that along the weft
+};
+
 class TextileCanvas : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -83,6 +90,8 @@ public:
     /// Where drops are to fall, mm from the sample's middle; the chosen one is marked as such.
     void setDrops(std::vector<QPointF> drops, int chosen);
     const std::vector<QPointF>& drops() const { return drops_; }
+    /// Whether markers can be dragged, and drops added with a double-click and deleted with Delete.
+    void setDropsEditable(bool editable);
     /// Clicks then say where a drop is to fall.
     void setPlacing(bool placing);
     void setMeasureOnAxes(bool onAxes) { measure_on_axes_ = onAxes; }
@@ -112,6 +121,10 @@ Q_SIGNALS:
     /// mm from the sample's middle, along the weft and along the warp.
     void placed(const QPointF& at);
     void placingEnded();
+    void dropChosen(int drop);
+    void dropMoved(int drop, const QPointF& to);
+    void dropAdded(const QPointF& at);
+    void dropRemoved(int drop);
     void meshesWanted();
     void failed(const QString& sentence);
 
@@ -140,12 +153,23 @@ private:
     void drawHover(QPainter& painter, const QColor& ink);
     void drawHighlight(QPainter& painter);
     void drawMeasurement(QPainter& painter, const QColor& ink);
+    // textile_drops.cpp
     void drawDrops(QPainter& painter);
+    void drawSnap(QPainter& painter);
+    QPointF markerOf(const QPointF& drop) const;
+    int dropAt(const QPointF& at) const;
+    DropSnap snapped(const QPointF& place, int but) const;
+    bool takeDrop(const QMouseEvent& event);
+    void dragDrop(const QPointF& at);
+    void dropDrop();
+    void putDropBack();
+    // the others
     QString selectionText() const;
     void hover(const QPointF& at);
     Drag dragOf(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) const;
     std::optional<CutPlane> cut() const;
     std::optional<YarnHit> hit(const QPointF& at) const;
+    std::optional<QVector3D> onPlane(const QPointF& at) const;
     std::optional<QVector3D> pointUnder(const QPointF& at) const;
 
     TextileRenderer renderer_;
@@ -172,6 +196,10 @@ private:
     bool placing_ = false;
     std::vector<QPointF> drops_; ///< mm
     int chosen_drop_ = -1;
+    bool drops_editable_ = false;
+    int dragged_drop_ = -1; ///< whose marker is held
+    QPointF drop_before_;   ///< mm, where it was taken
+    DropSnap snap_;
     std::vector<QVector3D> measured_; ///< up to two
     Navigation navigation_ = Navigation::hygroloom;
     QPointF pointer_;

@@ -99,20 +99,6 @@ QString TextileCanvas::selectionText() const
         .arg(selected_.yarn + 1);
 }
 
-void TextileCanvas::drawDrops(QPainter& painter)
-{
-    for (std::size_t i = 0; i < drops_.size(); ++i) {
-        const bool chosen = static_cast<int>(i) == chosen_drop_;
-        const double radius = chosen ? 8 : 6;
-        const QPointF at = camera_.project(
-            {static_cast<float>(drops_[i].x()), static_cast<float>(drops_[i].y()), 0.5F * fabric()->pitch().z()}, QSizeF(size()));
-        painter.setPen(QPen(colors().background, chosen ? 6 : 4));
-        painter.drawEllipse(at, radius, radius);
-        painter.setPen(QPen(palette().color(QPalette::Highlight), chosen ? 3 : 2));
-        painter.drawEllipse(at, radius, radius);
-    }
-}
-
 void TextileCanvas::drawMeasurement(QPainter& painter, const QColor& ink)
 {
     const QColor accent = palette().color(QPalette::Highlight);

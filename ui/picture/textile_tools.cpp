@@ -46,6 +46,7 @@ void TextileCanvas::mousePressEvent(QMouseEvent* event)
     dragged_ = false;
     pressed_at_ = event->position();
     dragged_from_ = event->position();
+    if (takeDrop(*event)) { return; }
     // What was taken hold of stays under the pointer's reach; beside the fabric the middle of the picture does.
     const auto found = hit(event->position());
     pivot_ = found ? millimetres(found->point) : camera_.target();
@@ -59,6 +60,10 @@ void TextileCanvas::mouseMoveEvent(QMouseEvent* event)
     }
     if (!dragged_ && std::hypot(event->position().x() - pressed_at_.x(), event->position().y() - pressed_at_.y()) < click_reach) { return; }
     dragged_ = true;
+    if (dragged_drop_ >= 0) {
+        dragDrop(event->position());
+        return;
+    }
     const QPointF pixels = event->position() - dragged_from_;
     dragged_from_ = event->position();
     drag_ = dragOf(event->buttons(), event->modifiers());
@@ -74,7 +79,11 @@ void TextileCanvas::mouseMoveEvent(QMouseEvent* event)
 
 void TextileCanvas::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (pressed_ && !dragged_ && event->button() == Qt::LeftButton) { click(event->position()); }
+    if (dragged_drop_ >= 0) {
+        if (event->button() == Qt::LeftButton) { dropDrop(); }
+    } else if (pressed_ && !dragged_ && event->button() == Qt::LeftButton) {
+        click(event->position());
+    }
     pressed_ = event->buttons() != Qt::NoButton;
     drag_ = Drag::none;
     if (moving_) { redraw(false); }
@@ -82,6 +91,11 @@ void TextileCanvas::mouseReleaseEvent(QMouseEvent* event)
 
 void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
+    if (drops_editable_ && !measuring_ && !placing_) {
+        const auto point = dropAt(event->position()) < 0 ? pointUnder(event->position()) : std::nullopt;
+        if (point && event->button() == Qt::LeftButton) { Q_EMIT dropAdded(snapped({point->x(), point->y()}, -1).at); }
+        return;
+    }
     const auto found = hit(event->position());
     if (found && !measuring_ && !placing_) {
         camera_.centreOn(millimetres(found->point));
@@ -128,8 +142,14 @@ void TextileCanvas::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Minus: zoomBy(1 / key_zoom); return;
     case Qt::Key_Return:
     case Qt::Key_Enter: click(QPointF(0.5 * width(), 0.5 * height())); return; // what lies in the middle
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        if (drops_editable_ && chosen_drop_ >= 0 && dragged_drop_ < 0) { Q_EMIT dropRemoved(chosen_drop_); }
+        return;
     case Qt::Key_Escape:
-        if (measuring_ && !measured_.empty()) {
+        if (dragged_drop_ >= 0) {
+            putDropBack();
+        } else if (measuring_ && !measured_.empty()) {
             measured_.clear();
             update();
         } else if (measuring_) {
@@ -206,13 +226,6 @@ void TextileCanvas::setPlacing(bool placing)
     setCursor(placing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-void TextileCanvas::setDrops(std::vector<QPointF> drops, int chosen)
-{
-    drops_ = std::move(drops);
-    chosen_drop_ = chosen;
-    update();
-}
-
 std::optional<Measurement> TextileCanvas::measurement() const
 {
     return measured_.size() == 2 ? std::optional(Measurement{measured_[0], measured_[1]}) : std::nullopt;
@@ -261,22 +274,31 @@ void TextileCanvas::zoomToSelection()
     redraw(false);
 }
 
-std::optional<QVector3D> TextileCanvas::pointUnder(const QPointF& at) const
+/// On the plane of the face that is seen, also beside the cloth.
+std::optional<QVector3D> TextileCanvas::onPlane(const QPointF& at) const
 {
-    if (!fabric() || !rect().contains(at.toPoint())) { return std::nullopt; }
+    if (!fabric()) { return std::nullopt; }
     const Ray ray = camera_.ray(at, QSizeF(size()));
     const QVector3D low = fabric()->low(), high = fabric()->high();
     const float surface = 0.5F * (camera_.direction().z() >= 0 ? high.z() : low.z());
     if (std::abs(ray.direction.z()) < 1e-3F) { return std::nullopt; }
     const float along = (surface - ray.from.z()) / ray.direction.z();
-    const QVector3D point = ray.from + along * ray.direction;
-    if (along < 0 || point.x() < low.x() || point.x() > high.x() || point.y() < low.y() || point.y() > high.y()) { return std::nullopt; }
-    return point;
+    return along < 0 ? std::nullopt : std::optional(ray.from + along * ray.direction);
+}
+
+std::optional<QVector3D> TextileCanvas::pointUnder(const QPointF& at) const
+{
+    const auto point = rect().contains(at.toPoint()) ? onPlane(at) : std::nullopt;
+    if (!point) { return std::nullopt; }
+    const QVector3D low = fabric()->low(), high = fabric()->high();
+    const bool on_cloth = point->x() >= low.x() && point->x() <= high.x() && point->y() >= low.y() && point->y() <= high.y();
+    return on_cloth ? point : std::nullopt;
 }
 
 void TextileCanvas::hover(const QPointF& at)
 {
     pointer_ = at;
+    if (drops_editable_ && !measuring_ && !placing_) { setCursor(dropAt(at) >= 0 ? Qt::SizeAllCursor : Qt::ArrowCursor); }
     QPoint found(-1, -1);
     if (const auto point = pointUnder(at)) {
         const QVector3D from_low = *point - fabric()->low();

@@ -65,6 +65,10 @@ void SimulateWorkspace::connectPanels()
     if (TextileCanvas* canvas = viewport_.canvas()) {
         connect(canvas, &TextileCanvas::placed, &droplets, &DropletSection::placeDroplet);
         connect(canvas, &TextileCanvas::placingEnded, &droplets, &DropletSection::endPlacing);
+        connect(canvas, &TextileCanvas::dropChosen, &droplets, &DropletSection::choose);
+        connect(canvas, &TextileCanvas::dropMoved, &droplets, &DropletSection::moveDroplet);
+        connect(canvas, &TextileCanvas::dropAdded, &droplets, &DropletSection::addDropletAt);
+        connect(canvas, &TextileCanvas::dropRemoved, &droplets, &DropletSection::deleteDroplet);
     }
     connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
     connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
@@ -143,11 +147,12 @@ void SimulateWorkspace::refreshDrops()
     const DropletSection& droplets = experiment_->droplets();
     std::vector<QPointF> places;
     const Experiment* experiment = document_.experiment();
-    const bool marked = !playback_.run() || droplets.placing();
-    if (shown_ && marked && experiment && uses_field(experiment->type, "droplets")) {
+    const bool marked = shown_ && experiment && uses_field(experiment->type, "droplets");
+    if (marked) {
         for (const Droplet& drop : experiment->droplets) { places.emplace_back(drop.at_mm[0], drop.at_mm[1]); }
     }
     canvas->setDrops(places, droplets.chosen());
+    canvas->setDropsEditable(marked);
     canvas->setPlacing(shown_ && droplets.placing());
 }
 

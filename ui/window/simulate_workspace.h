@@ -68,7 +68,7 @@ public:
     bool drawRun();
     /// Draws the dry sample of the experiment; false when the project has an error or no experiment.
     bool drawSample();
-    /// Marks where drops fall, unless a run shows where they fell.
+    /// Marks where drops fall; the markers can be dragged.
     void refreshDrops();
     void refreshActions();
     bool resultsAreStale() const { return stale_; }
