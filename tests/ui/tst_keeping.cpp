@@ -90,6 +90,7 @@ private Q_SLOTS:
     void undoWorksInEveryField()
     {
         window_->design().docks().draft->show();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         for (const Workspace workspace : {Workspace::design, Workspace::simulate}) {
             window_->setWorkspace(workspace);
             QTest::qWait(50);

@@ -144,6 +144,18 @@ void Camera::fit(const QVector3D& low, const QVector3D& high, const QSizeF& size
     distance_ = 1.08 * needed;
 }
 
+void Camera::aimAt(const QVector3D& point)
+{
+    if (!parallel_) { distance_ = std::max(0.05, depth(point)); }
+    target_ = point;
+}
+
+void Camera::showFace()
+{
+    constexpr double enough = 36; // degrees; at less the far cloth would have another scale
+    if (looksAlong()) { lift_ = lift_ < 0 ? -enough : enough; }
+}
+
 void Camera::lookFrom(double turn, double lift)
 {
     turn_ = turn;

@@ -7,6 +7,8 @@
 #include <QSizeF>
 #include <QVector3D>
 
+#include <cmath>
+
 namespace hygroloom {
 
 struct Ray {
@@ -46,11 +48,17 @@ public:
     void zoom(double factor, const QPointF& at, const QSizeF& size);
     /// Towards a point, which stays where it is in the picture and is never passed.
     void zoomTo(double factor, const QVector3D& point);
+    /// At a point in the middle of the picture, which stays as it is.
+    void aimAt(const QVector3D& point);
     void centreOn(const QVector3D& point) { target_ = point; }
     /// Shows the whole box, from the same direction.
     void fit(const QVector3D& low, const QVector3D& high, const QSizeF& size);
     /// Degrees: turn 0 looks along +y, lift 90 looks down on the fabric.
     void lookFrom(double turn, double lift);
+    /// Whether the fabric is looked at from its edge, so that a face of it is hardly seen.
+    bool looksAlong() const { return std::abs(direction().z()) < 0.2F; }
+    /// Turns up to where a face is seen, if it is not.
+    void showFace();
 
 private:
     QVector3D up() const;

@@ -13,18 +13,6 @@ constexpr auto delivery_every = std::chrono::milliseconds(30);
 
 } // namespace
 
-Camera framed(Camera camera, const PreviewFabric& fabric, Framing framing, const QSizeF& size)
-{
-    camera.setReach(2.0 * (fabric.high() - fabric.low()).length());
-    if (framing == Framing::few_repeats) {
-        const TextileRegion part = fabric.first_look();
-        camera.fit(fabric.low(part), fabric.high(part), size);
-    } else if (framing == Framing::whole) {
-        camera.fit(fabric.low(), fabric.high(), size);
-    }
-    return camera;
-}
-
 std::shared_ptr<const PreparedView> prepare_view(const PreviewRequest& request, SceneView view, Framing framing,
                                                  const std::function<bool()>& outdated)
 {

@@ -3,19 +3,15 @@
 #pragma once
 
 #include "ui/picture/fabric_scene.h"
+#include "ui/picture/framing.h"
 
 namespace hygroloom {
-
-/// What the picture shall show when it is new.
-enum class Framing { as_it_is, few_repeats, whole };
 
 struct PreparedView {
     std::shared_ptr<const PreviewFabric> fabric;
     std::vector<CellMesh> meshes;
     std::optional<RepeatPicture> picture;
 };
-
-Camera framed(Camera camera, const PreviewFabric& fabric, Framing framing, const QSizeF& size);
 
 /// Meshes nearest first, for as long as an eye hardly notices; where they do not suffice, the flat picture stands in.
 std::shared_ptr<const PreparedView> prepare_view(const PreviewRequest& request, SceneView view, Framing framing,

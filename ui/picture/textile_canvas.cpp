@@ -155,6 +155,12 @@ void TextileCanvas::frameNext(Framing framing)
 
 void TextileCanvas::fit(Framing framing)
 {
+    camera_.showFace();
+    frame(framing);
+}
+
+void TextileCanvas::frame(Framing framing)
+{
     framing_ = framing;
     moved_by_hand_ = false;
     if (fabric()) {
@@ -165,21 +171,12 @@ void TextileCanvas::fit(Framing framing)
 
 void TextileCanvas::lookFrom(double turn, double lift)
 {
-    camera_.lookFrom(turn, lift);
     if (moved_by_hand_ && fabric()) {
-        // Not from within the fabric: looked at from an edge, the edge comes into sight.
-        const QVector3D low = fabric()->low(), high = fabric()->high(), towards = camera_.direction();
-        const QVector3D eye = camera_.target() + static_cast<float>(camera_.depth(camera_.target())) * towards;
-        QVector3D target = camera_.target();
-        for (int axis = 0; axis < 2; ++axis) {
-            if (std::abs(towards[axis]) > 0.99F && eye[axis] > low[axis] && eye[axis] < high[axis]) {
-                target[axis] = towards[axis] > 0 ? high[axis] : low[axis];
-            }
-        }
-        camera_.centreOn(target);
+        camera_ = looking_from(camera_, *fabric(), turn, lift, QSizeF(size()));
         redraw(false);
     } else {
-        fit(framing_);
+        camera_.lookFrom(turn, lift);
+        frame(framing_);
     }
 }
 
@@ -221,7 +218,7 @@ void TextileCanvas::initializeGL()
 void TextileCanvas::resizeGL(int, int)
 {
     scene_changed_ = true;
-    if (!moved_by_hand_ && framing_ != Framing::as_it_is) { fit(framing_); }
+    if (!moved_by_hand_ && framing_ != Framing::as_it_is) { frame(framing_); }
 }
 
 PictureColors TextileCanvas::colors() const

@@ -79,6 +79,7 @@ public:
     /// Crossing of the repeat that is pointed at elsewhere; negative for none.
     void setHighlight(int end, int pick);
 
+    /// From where a face of the fabric is seen.
     void fit(Framing framing);
     void lookFrom(double turn, double lift);
     void setParallel(bool parallel);
@@ -144,6 +145,7 @@ protected:
 private:
     enum class Drag { none, orbit, pan };
     PictureColors colors() const;
+    void frame(Framing framing);
     void redraw(bool moving);
     void takeView();
     void drawScene();

@@ -42,11 +42,13 @@ void TextileCanvas::drawOverlay(QPainter& painter)
     drawHighlight(painter);
     const QFontMetricsF metrics(painter.font());
     drawTitle(painter, ink);
-    drawPlate(painter,
-              QRectF(margin - 8, height() - margin - metrics.height() - 12,
-                     scaleBarLength(camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6) + 16, metrics.height() + 22),
-              palette());
-    drawScaleBar(painter, {margin, height() - margin}, camera_.millimetrePerPixel(QSizeF(size())), width() * 0.6, ink);
+    if (const auto scale = millimetre_per_pixel(camera_, *fabric(), cut(), QSizeF(size()))) {
+        drawPlate(painter,
+                  QRectF(margin - 8, height() - margin - metrics.height() - 12, scaleBarLength(*scale, width() * 0.6) + 16,
+                         metrics.height() + 22),
+                  palette());
+        drawScaleBar(painter, {margin, height() - margin}, *scale, width() * 0.6, ink);
+    }
     drawAxes(painter, ink);
     if (!caption_.legend.isEmpty()) {
         const double width = std::max(90.0, metrics.horizontalAdvance(caption_.legend) + 8);

@@ -269,6 +269,7 @@ void TextileCanvas::zoomToSelection()
     const int first = std::clamp(middle - shown / 2, 0, std::max(0, crossings - shown));
     const TextileRegion part = is_warp ? TextileRegion{selected_.yarn, first, 1, std::min(shown, crossings)}
                                        : TextileRegion{first, selected_.yarn, std::min(shown, crossings), 1};
+    camera_.showFace();
     camera_.fit(fabric()->low(part), fabric()->high(part), QSizeF(size()));
     moved_by_hand_ = true;
     redraw(false);

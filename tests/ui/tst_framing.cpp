@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Scale and camera together: over all standard views, zooms and sizes a scale that is shown holds, and no view ends within the cloth.
+#include "core/project/project_file.h"
+#include "ui/picture/framing.h"
+#include "ui/window/examples.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+namespace {
+
+struct StandardView {
+    const char* name;
+    double turn, lift;
+};
+constexpr StandardView views[] = {{"front", 0, 0}, {"back", 180, 0},   {"right", 90, 0},          {"left", -90, 0},
+                                  {"top", 0, 90},  {"bottom", 0, -90}, {"isometric", -45, 35.264}};
+const QSizeF picture(900, 640);
+
+} // namespace
+
+class TestFraming : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyViewShowsTheClothAndItsScale_data() { sizes(); }
+    void everyViewShowsTheClothAndItsScale()
+    {
+        QFETCH(double, side_mm);
+        const auto fabric = cloth(side_mm);
+        for (const StandardView& view : views) {
+            for (const Framing framing : {Framing::few_repeats, Framing::whole}) {
+                for (const bool parallel : {false, true}) {
+                    Camera camera;
+                    camera.setParallel(parallel);
+                    camera.lookFrom(view.turn, view.lift);
+                    camera = framed(camera, *fabric, framing, picture);
+                    QVERIFY2(isOutside(camera, *fabric), view.name);
+                    QVERIFY2(requireScale(camera, *fabric), view.name);
+                    // Not a hairline: as high as an edge of ten yarns is, or more.
+                    QVERIFY2(heightInPicture(camera, *fabric) > 24,
+                             qPrintable(QString("%1: %2 pixels").arg(view.name).arg(heightInPicture(camera, *fabric))));
+                    camera.showFace();
+                    camera = framed(camera, *fabric, framing, picture);
+                    QVERIFY2(isOutside(camera, *fabric) && !camera.looksAlong() && requireScale(camera, *fabric), view.name);
+                    if (framing == Framing::whole) { QVERIFY2(holdsAll(camera, *fabric), view.name); }
+                }
+            }
+        }
+    }
+
+    void aScaleThatIsShownHolds_data() { sizes(); }
+    void aScaleThatIsShownHolds()
+    {
+        QFETCH(double, side_mm);
+        const auto fabric = cloth(side_mm);
+        int shown = 0, hidden = 0;
+        for (const StandardView& from : views) {
+            for (const double zoom : {0.1, 0.5, 1.0, 4.0, 30.0, 300.0}) {
+                for (const QPointF& at : {QPointF(450, 320), QPointF(120, 90), QPointF(890, 600)}) {
+                    for (const bool parallel : {false, true}) {
+                        Camera camera;
+                        camera.setParallel(parallel);
+                        camera.lookFrom(from.turn, from.lift);
+                        camera = framed(camera, *fabric, Framing::whole, picture);
+                        camera.zoom(zoom, at, picture);
+                        for (const StandardView& to : views) {
+                            const Camera turned = looking_from(camera, *fabric, to.turn, to.lift, picture);
+                            QVERIFY2(isOutside(turned, *fabric),
+                                     qPrintable(QString("%1 to %2, zoom %3").arg(from.name, to.name).arg(zoom)));
+                            const auto scale = millimetre_per_pixel(turned, *fabric, {}, picture);
+                            ++(scale ? shown : hidden);
+                            if (scale) {
+                                QVERIFY2(holds(*scale, turned, *fabric),
+                                         qPrintable(QString("%1 to %2, zoom %3").arg(from.name, to.name).arg(zoom)));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY2(shown > hidden, qPrintable(QString("%1 shown, %2 hidden").arg(shown).arg(hidden)));
+    }
+
+    void turningKeepsTheMiddleAndItsSize()
+    {
+        const auto fabric = cloth(20);
+        Camera camera;
+        camera.lookFrom(0, 90);
+        camera = framed(camera, *fabric, Framing::whole, picture);
+        camera.zoom(8, {300, 250}, picture);
+        const auto before = millimetre_per_pixel(camera, *fabric, {}, picture);
+        const QVector3D middle = camera.target();
+        const Camera turned = looking_from(camera, *fabric, -45, 35.264, picture);
+        const auto after = millimetre_per_pixel(turned, *fabric, {}, picture);
+        QVERIFY(before && after);
+        QVERIFY2(std::abs(*after / *before - 1) < 0.02, qPrintable(QString("%1 %2").arg(*before).arg(*after)));
+        QVERIFY(std::hypot(turned.target().x() - middle.x(), turned.target().y() - middle.y()) < 0.1);
+    }
+
+    /// The fault that was seen: a few repeats framed from the front put the eye into the cloth.
+    void withinTheClothNoScaleIsShown()
+    {
+        const auto fabric = cloth(100);
+        Camera camera;
+        camera.lookFrom(0, 0);
+        const TextileRegion part = fabric->first_look();
+        camera.fit(fabric->low(part), fabric->high(part), picture);
+        QVERIFY(!isOutside(camera, *fabric));
+        QVERIFY(!millimetre_per_pixel(camera, *fabric, {}, picture));
+    }
+
+    void withoutClothInThePictureNoScaleIsShown()
+    {
+        const auto fabric = cloth(5);
+        Camera camera = framed({}, *fabric, Framing::whole, picture);
+        camera.pan({5000, 0}, picture);
+        QVERIFY(!millimetre_per_pixel(camera, *fabric, {}, picture));
+    }
+
+private:
+    static void sizes()
+    {
+        QTest::addColumn<double>("side_mm");
+        for (const double side : {1.0, 5.0, 20.0, 100.0, 500.0}) { QTest::addRow("%g mm", side) << side; }
+    }
+    static std::shared_ptr<const PreviewFabric> cloth(double side_mm)
+    {
+        const auto design = std::make_shared<const Design>(read_project(shippedExample().toStdString()));
+        return prepare_fabric({design, 0, swatch_region(design->fabrics[0], side_mm), nullptr});
+    }
+    static bool isOutside(const Camera& camera, const PreviewFabric& fabric)
+    {
+        const QVector3D eye = camera.eye(), low = fabric.low(), high = fabric.high();
+        return eye.x() < low.x() || eye.x() > high.x() || eye.y() < low.y() || eye.y() > high.y() || eye.z() < low.z() ||
+               eye.z() > high.z();
+    }
+    /// Points of the faces and edges that lie in the picture.
+    static std::vector<QVector3D> seen(const Camera& camera, const PreviewFabric& fabric)
+    {
+        const QVector3D low = fabric.low(), high = fabric.high(), towards = camera.direction();
+        std::vector<QVector3D> points;
+        // Evenly over all of it, and ever closer round what is looked at: the picture may hold very little of a large cloth.
+        const auto places = [&](int axis) {
+            std::vector<float> found;
+            for (int i = 0; i <= 24; ++i) { found.push_back(low[axis] + (high - low)[axis] * static_cast<float>(i) / 24); }
+            for (float away = 0.01F; away < high[axis] - low[axis]; away *= 1.7F) {
+                for (const float at : {camera.target()[axis] - away, camera.target()[axis] + away}) {
+                    if (at > low[axis] && at < high[axis]) { found.push_back(at); }
+                }
+            }
+            return found;
+        };
+        for (int side = 0; side < 3; ++side) { // those that are looked at
+            if (std::abs(towards[side]) < 0.02F) { continue; }
+            for (const float one : places((side + 1) % 3)) {
+                for (const float other : places((side + 2) % 3)) {
+                    QVector3D point;
+                    point[side] = towards[side] > 0 ? high[side] : low[side];
+                    point[(side + 1) % 3] = one;
+                    point[(side + 2) % 3] = other;
+                    if (!camera.parallel() && camera.depth(point) <= 0) { continue; }
+                    if (QRectF({0, 0}, picture).contains(camera.project(point, picture))) { points.push_back(point); }
+                }
+            }
+        }
+        return points;
+    }
+    /// Measured in the picture itself: how long a millimetre across the line of sight is at each place that is seen.
+    static bool holds(double scale, const Camera& camera, const PreviewFabric& fabric)
+    {
+        const QVector3D across = QVector3D::crossProduct(camera.direction(), QVector3D(0.31F, 0.42F, 0.85F)).normalized();
+        constexpr float length = 0.01F; // mm
+        for (const QVector3D& point : seen(camera, fabric)) {
+            const QPointF way = camera.project(point + length * across, picture) - camera.project(point - length * across, picture);
+            const double error = std::hypot(way.x(), way.y()) * scale / (2 * length);
+            if (error > 1.1 * scale_holds_within || error < 0.9 / scale_holds_within) { return false; }
+        }
+        return true;
+    }
+    static bool requireScale(const Camera& camera, const PreviewFabric& fabric)
+    {
+        const auto scale = millimetre_per_pixel(camera, fabric, {}, picture);
+        return scale && holds(*scale, camera, fabric);
+    }
+    static double heightInPicture(const Camera& camera, const PreviewFabric& fabric)
+    {
+        double low = picture.height(), high = 0;
+        for (const QVector3D& point : seen(camera, fabric)) {
+            low = std::min(low, camera.project(point, picture).y());
+            high = std::max(high, camera.project(point, picture).y());
+        }
+        return high - low;
+    }
+    static bool holdsAll(const Camera& camera, const PreviewFabric& fabric)
+    {
+        const QVector3D low = fabric.low(), high = fabric.high();
+        for (int corner = 0; corner < 8; ++corner) {
+            const QVector3D at(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z());
+            if (!QRectF({0, 0}, picture).contains(camera.project(at, picture))) { return false; }
+        }
+        return true;
+    }
+};
+
+QTEST_MAIN(TestFraming)
+#include "tst_framing.moc"
