@@ -220,6 +220,26 @@ private Q_SLOTS:
         QVERIFY(!asked->isEmpty());
     }
 
+    void thePictureOfAComparisonIsWhatIsSeen()
+    {
+        run();
+        window_->setWorkspace(Workspace::compare);
+        QSignalSpy mapped(&compareView(), &CompareView::mapsChanged);
+        QTRY_VERIFY_WITH_TIMEOUT(compareView().maps().size() == 1 && compareView().maps()[0]->map().maximum() > 0, 10000);
+        const QString path = QFileInfo(project_).absolutePath() + "/seen.png";
+        chooseFile(path);
+        trigger("Save Picture");
+        const QImage saved(path);
+        const QImage seen = compareView().picture();
+        QVERIFY(!saved.isNull());
+        QCOMPARE(saved.convertToFormat(QImage::Format_RGB32), seen.convertToFormat(QImage::Format_RGB32));
+        QVERIFY(saved.size() != window_->viewport().picture().size());
+        compareView().choose(playback().path(), false);
+        const auto asked = answer(QMessageBox::Ok);
+        trigger("Save Picture");
+        QTRY_VERIFY(*asked); // nothing is compared
+    }
+
     void aRecordingThatIsOpenedLeavesAProjectWithRunsOpen()
     {
         run();

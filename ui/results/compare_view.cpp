@@ -196,6 +196,8 @@ void CompareView::setWaterColors(WaterColors colors) { maps_->setWaterColors(col
 
 const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
 
+QImage CompareView::picture() const { return maps_->maps().empty() ? QImage() : maps_->grab().toImage(); }
+
 /// The newest run of each fabric that goes with the newest of all.
 void CompareView::propose()
 {

@@ -5,6 +5,7 @@
 #include "ui/results/run_history.h"
 #include "ui/results/water_map.h"
 
+#include <QImage>
 #include <QWidget>
 
 class QLabel;
@@ -31,6 +32,8 @@ public:
     void choose(const QString& path, bool on);
     const std::vector<WaterMap*>& maps() const;
     const QTableWidget* table() const { return table_; }
+    /// The maps as they are seen; null while nothing is compared.
+    QImage picture() const;
     void setWaterColors(WaterColors colors);
     /// The numbers as a CSV file, the best run first.
     std::string tableCsv() const;

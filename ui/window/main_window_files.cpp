@@ -5,6 +5,7 @@
 #include "ui/document/run_folder.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/candidates_panel.h"
+#include "ui/results/compare_view.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/confirm.h"
 #include "ui/window/design_workspace.h"
@@ -134,13 +135,16 @@ bool MainWindow::saveAs()
 
 void MainWindow::saveScreenshot()
 {
-    const QImage picture = viewport_->picture();
+    const bool compares = workspace_ == Workspace::compare;
+    const QImage picture = compares ? compare_->view().picture() : viewport_->picture();
     if (picture.isNull()) {
-        showProblem(tr("This display cannot draw the fabric, so there is no picture to save."));
+        showProblem(compares ? tr("No runs are compared, so there is no picture to save. Tick the runs in the list.")
+                             : tr("This display cannot draw the fabric, so there is no picture to save."));
         return;
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString name = (document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric")) + ".png";
+    const QString fabric = document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric");
+    const QString name = (compares ? tr("comparison") : fabric) + ".png";
     const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Picture"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
     if (chosen.isEmpty()) { return; }
     const QString path = withEnding(chosen, ".png");
