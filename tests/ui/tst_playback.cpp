@@ -46,8 +46,14 @@ private Q_SLOTS:
         QVERIFY(playback.firstFrame());
         QCOMPARE(playback.firstFrame()->time, frame == 0 ? 0.1 : 0.0);
         QCOMPARE(playback.metrics()->series.time.size(), std::size_t(2));
-        playback.show(frame == 2 ? 1 : 2);
-        QTRY_VERIFY(playback.frame() && playback.frame()->time == (frame == 2 ? 0.1 : 0.2));
+        QTRY_COMPARE(playback.frames(), 2); // the damaged one is no time to go to
+        const double times[2] = {frame == 0 ? 0.1 : 0.0, frame == 2 ? 0.1 : 0.2};
+        for (int index = 0; index < 2; ++index) {
+            QCOMPARE(playback.timeOf(index), times[index]);
+            playback.show(index);
+            QTRY_VERIFY(playback.frame() && playback.frame()->time == times[index]);
+        }
+        QCOMPARE(failed.count(), 1);
     }
     void whatIsNoRecordingIsRefusedWithASentence()
     {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
 namespace hygroloom {
 
@@ -72,6 +73,7 @@ void Playback::reset()
     whole_ = false;
     follow_ = true;
     times_.clear();
+    places_.clear();
     kept_.clear();
     kept_bytes_ = 0;
     first_.reset();
@@ -112,6 +114,7 @@ void Playback::append(const std::shared_ptr<const Frame>& frame, const std::shar
     if (!live_) { return; }
     const int index = frames();
     times_.push_back(frame->time);
+    places_.push_back(index);
     metrics_ = metrics;
     maximum_saturation_ = std::max(maximum_saturation_, maximum_of(*frame));
     if (!first_) { first_ = frame; }
@@ -160,20 +163,21 @@ void Playback::show(int index)
     if (index < 0 || index >= frames()) { return; }
     follow_ = live_ && index == frames() - 1;
     current_ = index;
-    if (const auto found = kept_.find(index); found != kept_.end()) {
+    if (const auto found = kept_.find(places_[static_cast<std::size_t>(index)]); found != kept_.end()) {
         present(index, found->second);
     } else {
         read(index);
     }
 }
 
-void Playback::remember(int index, const std::shared_ptr<const Frame>& frame)
+void Playback::remember(int place, const std::shared_ptr<const Frame>& frame)
 {
-    if (kept_.emplace(index, frame).second) { kept_bytes_ += bytes_of(*frame); }
+    if (kept_.emplace(place, frame).second) { kept_bytes_ += bytes_of(*frame); }
+    const int shown = current_ >= 0 ? places_[static_cast<std::size_t>(current_)] : -1;
     // Frames farthest in time from the one shown are dropped first.
     while (kept_bytes_ > most_bytes && kept_.size() > 2) {
         auto farthest = kept_.begin();
-        if (std::abs(kept_.rbegin()->first - current_) > std::abs(farthest->first - current_) && kept_.rbegin()->first != index) {
+        if (std::abs(kept_.rbegin()->first - shown) > std::abs(farthest->first - shown) && kept_.rbegin()->first != place) {
             farthest = std::prev(kept_.end());
         }
         kept_bytes_ -= bytes_of(*farthest->second);
@@ -198,23 +202,40 @@ void Playback::read(int index)
         return;
     }
     const std::string path = path_.toStdString();
-    reader_.run([this, index, path, of = generation_, recording = recording_](const NewestJob::Turn& turn) mutable {
+    const int place = places_[static_cast<std::size_t>(index)];
+    reader_.run([this, place, path, of = generation_, recording = recording_](const NewestJob::Turn& turn) mutable {
         try {
             if (!recording) { recording = std::make_shared<Recording>(path); }
-            auto frame = std::make_shared<const Frame>(recording->frame(index));
-            turn.deliver([this, index, of, frame, recording] {
+            auto frame = std::make_shared<const Frame>(recording->frame(place));
+            turn.deliver([this, place, of, frame, recording] {
                 if (of != generation_) { return; }
                 recording_ = recording;
-                remember(index, frame);
-                if (index == current_) { present(index, frame); }
+                remember(place, frame);
+                if (current_ >= 0 && places_[static_cast<std::size_t>(current_)] == place) { present(current_, frame); }
             });
         } catch (const std::exception& error) {
             const QString sentence = QString::fromStdString(error.what());
-            turn.deliver([this, of, sentence] {
-                if (of == generation_) { Q_EMIT failed(sentence); }
+            turn.deliver([this, of, place, sentence] {
+                if (of != generation_) { return; }
+                if (leaveOut(place) && whole_) { Q_EMIT failed(sentence); } // else the scan names it
             });
         }
     });
+}
+
+/// A frame that cannot be read is no time to go to.
+bool Playback::leaveOut(int place)
+{
+    const auto found = std::find(places_.begin(), places_.end(), place);
+    if (found == places_.end()) { return false; }
+    const auto index = found - places_.begin();
+    times_.erase(times_.begin() + index);
+    places_.erase(found);
+    const bool was_shown = current_ == index;
+    if (current_ > index || current_ >= frames()) { --current_; }
+    Q_EMIT framesChanged();
+    if (was_shown) { show(current_); }
+    return true;
 }
 
 void Playback::open(const QString& path) { scan(path); }
@@ -229,16 +250,21 @@ void Playback::scan(const QString& path)
             std::vector<double> times;
             for (const Ledger& ledger : recording.ledgers()) { times.push_back(ledger.time); }
             times.resize(static_cast<std::size_t>(recording.frames()));
+            std::vector<int> places(times.size());
+            std::iota(places.begin(), places.end(), 0);
             int firstIndex = 0;
             auto first = reading.next(firstIndex);
+            times.erase(times.begin(), times.begin() + firstIndex); // those before it cannot be read
+            places.erase(places.begin(), places.begin() + firstIndex);
             // reset() outdates this job; from here on only another run may stop it.
             auto generation = std::make_shared<long>(-1);
-            turn.deliver([this, run, times, first, firstIndex, path, generation] {
+            turn.deliver([this, run, times, places, first, firstIndex, path, generation] {
                 reset();
                 *generation = generation_;
                 run_ = run;
                 path_ = path;
                 times_ = times;
+                places_ = places;
                 first_ = first;
                 if (first) { remember(firstIndex, first); }
                 Q_EMIT runChanged();
@@ -252,9 +278,15 @@ void Playback::scan(const QString& path)
             double maximum = 0;
             const int frames = recording.frames();
             for (int index = firstIndex; index < frames; ++index) {
+                const int wanted = index;
                 if (const auto frame = index == firstIndex ? first : reading.next(index)) {
                     collector.add(*frame);
                     maximum = std::max(maximum, maximum_of(*frame));
+                }
+                for (int bad = wanted; bad < std::min(index, frames); ++bad) {
+                    turn.deliver([this, generation, bad] {
+                        if (*generation == generation_) { leaveOut(bad); }
+                    });
                 }
                 const bool whole = index >= frames - 1;
                 if (index % 25 != 24 && !whole) { continue; }

@@ -69,10 +69,12 @@ Q_SIGNALS:
 
 private:
     void reset();
-    void remember(int index, const std::shared_ptr<const Frame>& frame);
+    void remember(int place, const std::shared_ptr<const Frame>& frame);
     void present(int index, const std::shared_ptr<const Frame>& frame);
     void read(int index);
     void scan(const QString& path);
+    /// False where it is left out already.
+    bool leaveOut(int place);
 
     std::shared_ptr<const RunRecord> run_;
     QString path_;
@@ -80,7 +82,8 @@ private:
     bool whole_ = false;
     bool follow_ = true;
     std::vector<double> times_;
-    std::map<int, std::shared_ptr<const Frame>> kept_;
+    std::vector<int> places_;                          ///< of the frames in the recording; those that cannot be read are left out
+    std::map<int, std::shared_ptr<const Frame>> kept_; ///< by place
     std::size_t kept_bytes_ = 0;
     std::shared_ptr<const Frame> first_;
     std::shared_ptr<const Frame> frame_;
