@@ -90,7 +90,7 @@ private Q_SLOTS:
     void undoWorksInEveryField()
     {
         window_->design().docks().draft->show();
-        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        QTRY_VERIFY((QApplication::setActiveWindow(window_.get()), window_->isActiveWindow())); // there may be no window manager to do it
         for (const Workspace workspace : {Workspace::design, Workspace::simulate}) {
             window_->setWorkspace(workspace);
             QTest::qWait(50);
@@ -289,6 +289,38 @@ private Q_SLOTS:
         const auto stopped = std::find_if(kept.begin(), kept.end(), [&](const KeptRun& run) { return run.path == second; });
         QVERIFY(stopped != kept.end());
         QVERIFY(!stopped->complete() && stopped->own && stopped->saved);
+    }
+
+    void aJobThatFailsInTheBackgroundIsShownOnce()
+    {
+        NewestJob job;
+        for (int times = 0; times < 3; ++times) {
+            job.run([](const NewestJob::Turn&) { throw std::runtime_error("the yarns are tangled"); });
+            QTRY_VERIFY(!job.busy());
+        }
+        QTest::qWait(50);
+        const auto boxes = window_->findChildren<QMessageBox*>();
+        QCOMPARE(boxes.size(), 1);
+        QVERIFY2(boxes.first()->isVisible() && boxes.first()->text().contains("the yarns are tangled"), qPrintable(boxes.first()->text()));
+        boxes.first()->close();
+    }
+
+    void workThatCannotBeKeptIsSaidOnce()
+    {
+        QTemporaryDir folder;
+        const QString gone = folder.filePath("gone");
+        Document document;
+        Recovery recovery(document, gone);
+        QVERIFY(document.open(project()));
+        QSignalSpy failed(&recovery, &Recovery::failed), kept(&recovery, &Recovery::kept);
+        document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
+        QVERIFY(kept.wait(5000));
+        QVERIFY(QDir(gone).removeRecursively());
+        for (const double ends : {28.0, 29.0}) {
+            document.edit("ends", {}, [=](Design& d) { d.fabrics[0].ends_per_cm = ends; });
+            QTest::qWait(1300);
+        }
+        QCOMPARE(failed.count(), 1);
     }
 
     void discardedWorkIsNotRecovered()

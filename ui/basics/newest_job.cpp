@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/basics/newest_job.h"
 
+#include <new>
+
 namespace hygroloom {
+
+namespace {
+
+std::function<void(const QString&)>& reporter()
+{
+    static std::function<void(const QString&)> who;
+    return who;
+}
+
+} // namespace
 
 void NewestJob::Turn::deliver(std::function<void()> delivery) const
 {
@@ -45,6 +57,23 @@ bool NewestJob::busy() const
     return working_ || waiting_;
 }
 
+void NewestJob::reportTo(std::function<void(const QString&)> report) { reporter() = std::move(report); }
+
+void NewestJob::report(const QString& why)
+{
+    const QString sentence = tr("Work in the background ended early: %1").arg(why);
+    QMetaObject::invokeMethod(
+        this,
+        [sentence] {
+            if (reporter()) {
+                reporter()(sentence);
+            } else {
+                qWarning("%s", qPrintable(sentence));
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 void NewestJob::work(const std::stop_token& stop)
 {
     while (true) {
@@ -62,8 +91,10 @@ void NewestJob::work(const std::stop_token& stop)
         }
         try {
             job(turn);
-        } catch (const std::exception& error) { // the job's own errors are its own to show; this keeps the window and its edits alive
-            qWarning("Work in the background ended early: %s", error.what());
+        } catch (const std::bad_alloc&) { // this keeps the window and its edits alive
+            report(tr("the memory did not suffice"));
+        } catch (const std::exception& error) {
+            report(QString::fromUtf8(error.what()));
         }
     }
 }

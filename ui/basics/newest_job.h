@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 #include <atomic>
 #include <condition_variable>
@@ -39,7 +40,11 @@ public:
     void drop();
     bool busy() const;
 
+    /// Who shows what ended a job early: called in the thread of the job's owner, with a sentence. Jobs that know more catch it themselves.
+    static void reportTo(std::function<void(const QString&)> report);
+
 private:
+    void report(const QString& why);
     void work(const std::stop_token& stop);
 
     mutable std::mutex mutex_;

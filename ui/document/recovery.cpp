@@ -12,6 +12,7 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -86,9 +87,15 @@ void Recovery::keep()
         try {
             write_file(originOf(file).toStdString(), origin.toStdString());
             write_file(file.toStdString(), format_project(*design));
-            turn.deliver([this] { Q_EMIT kept(); });
+            turn.deliver([this] {
+                has_failed_ = false;
+                Q_EMIT kept();
+            });
         } catch (const Error& error) { // a full disk must not get in the way of the work itself
-            qWarning("Unsaved work cannot be kept: %s", error.what());
+            const QString sentence = tr("Unsaved work cannot be kept for recovery: %1").arg(QString::fromStdString(error.what()));
+            turn.deliver([this, sentence] {
+                if (!std::exchange(has_failed_, true)) { Q_EMIT failed(sentence); }
+            });
         }
     });
 }

@@ -49,6 +49,8 @@ public:
 
 Q_SIGNALS:
     void kept();
+    /// Said once, until a copy can be written again.
+    void failed(const QString& sentence);
 
 private:
     static void remove(const LeftOver& left);
@@ -60,6 +62,7 @@ private:
     const QString folder_;
     const QString file_; ///< this window's
     std::unique_ptr<QLockFile> lock_;
+    bool has_failed_ = false;
     QTimer wait_;
     std::unique_ptr<NewestJob> writer_;
 };

@@ -43,10 +43,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
     refreshPicture();
     refreshIssueCount();
     simulate_->refreshActions();
+    NewestJob::reportTo([this](const QString& sentence) { showProblem(sentence); });
 }
 
 MainWindow::~MainWindow()
 {
+    NewestJob::reportTo({});
     hide(); // the field that has the focus commits its value while there is a document
     // The parts report their end, when this window is half gone.
     simulate_->disconnect(this);
@@ -182,6 +184,7 @@ void MainWindow::connectParts()
     connect(&document_, &Document::pathChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::failed, this, &MainWindow::showProblem);
+    connect(&recovery_, &Recovery::failed, this, &MainWindow::showProblem);
     connect(design_.get(), &DesignWorkspace::problemFound, this, &MainWindow::showProblem);
     connect(design_.get(), &DesignWorkspace::messageShown, this, &MainWindow::showMessage);
     connect(simulate_.get(), &SimulateWorkspace::problemFound, this, &MainWindow::showProblem);
@@ -271,6 +274,9 @@ void MainWindow::showIssue(const QString& where)
 
 void MainWindow::showProblem(const QString& sentence)
 {
+    for (const QMessageBox* open : findChildren<QMessageBox*>()) {
+        if (open->text() == sentence) { return; } // what fails at each edit is said once
+    }
     auto* box = new QMessageBox(QMessageBox::Warning, tr("Hygroloom"), sentence, QMessageBox::Ok, this);
     box->setTextFormat(Qt::PlainText); // names of files and fabrics
     box->setAttribute(Qt::WA_DeleteOnClose);
