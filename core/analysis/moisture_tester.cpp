@@ -42,8 +42,9 @@ Samples sampled(const std::vector<double>& time, const std::vector<TesterReading
     return samples;
 }
 
-/// Slope of the straight rise that leaves the same area above it, from a sample until that share of the largest content within the feed is
-/// first reached, %/s; 0 when the feed ended before. Unlike the time of a level it changes little where a content lingers near that level.
+/// Slope of the straight rise that leaves the same area above it, from a sample until half of the further rise within the feed is first
+/// reached, %/s; 0 when the feed ended before or nothing rises. Unlike the time of a level it changes little where a content lingers near
+/// that level.
 double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
 {
     std::size_t end = wetting; // the first sample past the feed
@@ -51,7 +52,7 @@ double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
     if (end < wetting + 2) return 0;
     const double start = face.content[wetting];
     const auto from = face.content.begin() + static_cast<std::ptrdiff_t>(wetting);
-    const double rise = share_of_largest * *std::max_element(from, face.content.begin() + static_cast<std::ptrdiff_t>(end)) - start;
+    const double rise = share_of_largest * (*std::max_element(from, face.content.begin() + static_cast<std::ptrdiff_t>(end)) - start);
     double above = 0, missing = rise, reached = start;
     for (std::size_t i = wetting + 1; i < end && missing > 0; ++i) {
         reached = std::max(reached, face.content[i]);
@@ -60,7 +61,7 @@ double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
         above += tester_interval * until * 0.5 * (missing + std::max(next, 0.0));
         missing = next;
     }
-    return 0.5 * rise * rise / above;
+    return rise > 0 ? 0.5 * rise * rise / above : 0.0;
 }
 
 FaceIndices face_indices(const Samples& face, double feed_end)
@@ -171,7 +172,7 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
         fmt::format("The tester samples every {:g} s; frames lie up to {:.3g} s apart during the feed and are joined by straight lines.",
                     tester_interval, frame_interval),
         fmt::format("The absorption rate is the mean slope from wetting until {:g} % of the largest content within the feed are first "
-                    "reached: that of a straight rise with the same area above it.",
+                    "reached, both over the content at wetting: that of a straight rise with the same area above it.",
                     100 * share_of_largest),
         drop_ul > 0
             ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "

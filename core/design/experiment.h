@@ -65,7 +65,7 @@ struct Experiment {
     std::vector<ClimateMoment> climates; ///< later ones, in order of time
     std::string liquid = "water";
     Closure closure = Closure::pores;
-    bool swelling = false;                   ///< fibres that take up water narrow the pores between them
+    bool swelling = false;                   ///< fibres that take up water grow, into the room between yarns and into the pores
     std::array<double, 2> sample_mm{20, 20}; ///< along the weft, along the warp; of vertical_wicking across and along the strip
     double duration_s = 10;
     std::vector<Droplet> droplets{Droplet{}};

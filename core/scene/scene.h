@@ -106,7 +106,7 @@ struct Cloth {
     std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
     bool by_suction = false;                  ///< liquid flows by suctions, in yarns and between them, instead of by saturation in yarns
     bool face_only = false;                   ///< the sample's edge is closed to vapour and heat
-    double swelling = 0;                      ///< m3 of pore lost per kg of water that fibres bind
+    double swelling = 0;                      ///< m3 by which fibres grow per kg of water that they bind
     double gravity_along_warp = 0;            ///< m/s2 towards pick 0
     double gravity_along_weft = 0;            ///< m/s2 towards end 0
     ClothStart start;

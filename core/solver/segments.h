@@ -119,7 +119,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<const float> warp_up_share{};  ///< of the crossings that each stands for
     Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
     Array<const double> touching{};      ///< see Cloth
-    Array<double> pores{};               ///< volume; swelling narrows them
+    Array<double> pores{};               ///< volume; changes as fibres swell
     Array<const double> dry_pores{};     ///< volume before any swelling, of uneven yarns
     Array<double> supplied{};            ///< liquid since the start by hanging in it
     Array<double> liquid{};

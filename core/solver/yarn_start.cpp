@@ -35,7 +35,7 @@ double pore_vapour(const Scene& scene)
     return begins * saturation_concentration(climate.temperature + scene.cloth.start.warmth);
 }
 
-/// The segments as far as their swelling asks for them.
+/// The segments with what their swelling depends on.
 Segments swelling_segments(const Scene& scene, YarnStart& start, std::vector<double>& bound)
 {
     Segments s;

@@ -141,6 +141,14 @@ private Q_SLOTS:
         QVERIFY(rate(30) < 0.5 * rate(50));
         QVERIFY(near(rate(99), 99, 1e-9));
     }
+    void aFaceThatIsHalfFullAsItBeginsToWetHasARateToo()
+    {
+        // Below tan 15 degrees for 19 s, then 0.4 %/s for 1 s; and a content that rises faster and faster.
+        const Run slow = run_of(0.1, 60, [](double t) { return TesterReading{all(ramp(t, 0, 19, 0.25) + ramp(t, 19, 20, 0.4)), {}}; });
+        QVERIFY(near(slow.indices().top.absorption_rate, 0.4, 1e-9));
+        const Run late = run_of(0.1, 60, [](double t) { return TesterReading{all(0.009 * std::min(t, 20.0) * std::min(t, 20.0)), {}}; });
+        QVERIFY(late.indices().top.absorption_rate > 0.26 && late.indices().top.absorption_rate < 0.36);
+    }
     void evenFillingHasItsSlopeAndTheSamplersSpeeds()
     {
         const Run run = run_of(0.1, 120, [](double t) { return TesterReading{all(ramp(t, 2, 20, 30)), all(ramp(t, 4, 12, 50))}; });

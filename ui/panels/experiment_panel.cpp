@@ -222,7 +222,7 @@ void ExperimentPanel::addModel()
     form_->addRow(tr("Wicking model"), closure_);
     connect(closure_, &QComboBox::activated, this,
             [this](int chosen) { edit(tr("wicking model"), [&](Experiment& e) { e.closure = static_cast<Closure>(chosen); }); });
-    swelling_ = new QCheckBox(tr("Swelling of wet fibres narrows the pores"));
+    swelling_ = new QCheckBox(tr("Wet fibres swell"));
     form_->addWide(swelling_);
     connect(swelling_, &QCheckBox::clicked, this, [this](bool on) { edit(tr("swelling"), [&](Experiment& e) { e.swelling = on; }); });
     liquids_->addOwnLiquids();

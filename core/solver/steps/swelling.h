@@ -25,7 +25,8 @@ struct Swell {
     }
 };
 
-/// What the yarns of a crossing leave of the room between them; never less than the liquid in it.
+/// What the yarns of a crossing leave of the room between them; never less than the liquid in it, which then lies where the yarns have
+/// grown: its volume counts twice until it leaves.
 struct NarrowRoom {
     Segments s;
     double density;
