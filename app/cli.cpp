@@ -25,7 +25,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options)
 
 void add_project_options(CLI::App& verb, ProjectOptions& options, bool with_experiment)
 {
-    verb.add_option("project", options.project, "Project file (.hygro)")->required();
+    verb.add_option("project", options.project, "Project file (.hygro)")->required()->type_name("FILE");
     verb.add_option("--fabric", options.fabric, "Fabric by name; needed when the project has several");
     if (with_experiment) verb.add_option("--experiment", options.experiment, "Experiment by name; needed when the project has several");
     verb.add_option("--set", options.sets, "Change a value for this call, e.g. fabrics[0].contact_angle_deg=60. May be given several times")

@@ -158,7 +158,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);
-    verb.add_option("-o,--output", options->output, "Folder for the table and the maps");
+    verb.add_option("-o,--output", options->output, "Folder for the table and the maps")->type_name("FOLDER");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }
 

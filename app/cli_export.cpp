@@ -218,7 +218,7 @@ void add_export(CLI::App& app, Verb& verb)
                        "Meshes: .obj .ply .stl .3mf in mm; .glb .gltf .dae .x3d in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
                        "Ctrl-C leaves no file.");
     add_project_options(export_verb, *options, false);
-    export_verb.add_option("--detail", options->detail, "centreline, yarn or fibre");
+    export_verb.add_option("--detail", options->detail, "What is drawn")->type_name("{centreline,yarn,fibre}");
     export_verb.add_option("--size-mm", options->size, "Width along the weft x height along the warp, mm; 5x5 when left out");
     export_verb.add_option("--repeats", options->repeats, "Repeats along the weft x along the warp, instead of a size");
     export_verb
@@ -232,12 +232,13 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_flag("--open-ends", options->open_ends, "Leave the ends of yarns or fibres open");
     export_verb.add_flag("--no-flyaways", options->no_flyaways, "Leave out loops and hairs");
     export_verb.add_option("--seed", options->seed, "Seed of the random numbers of the fibres")->check(seed_validator());
-    export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours its own piece of cloth");
+    export_verb.add_option("--water", options->water, "Recording (.hygrorec) whose water colours its own piece of cloth")
+        ->type_name("FILE");
     export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")
         ->default_str("")
         ->check(time_validator());
     export_verb.add_flag("--estimate", options->estimate, "Print the size and write nothing");
-    export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format")->required();
+    export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format")->required()->type_name("FILE");
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });
 }
 

@@ -38,7 +38,8 @@ try {
 
 void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose)
 {
-    verb.add_option("--fidelity", options.fidelity, "Resolution: draft, standard or reference, or auto with --error or --time");
+    verb.add_option("--fidelity", options.fidelity, "Resolution; auto with --error or --time")
+        ->type_name("{draft,standard,reference,auto}");
     verb.add_option("--error", options.error, "With --fidelity auto: the fastest fidelity within this error, e.g. 5%" + whose);
     verb.add_option("--time", options.time, "With --fidelity auto: the finest fidelity within this time, e.g. 10s or 2min" + whose);
 }

@@ -115,8 +115,8 @@ void add_import(CLI::App& app, Verb& verb)
         *app.add_subcommand("import", "Read a weaving draft (WIF), a drawing of 0 and 1, or a picture (PNG, BMP) as a fabric");
     import_verb.footer("Example: hygroloom-cli import draft.wif -o cloth.hygro\n"
                        "Prints what was understood and what was repaired. The fabric is added to an existing project.");
-    import_verb.add_option("draft", options->draft, "File to read")->required();
-    import_verb.add_option("-o,--output", options->output, "Project to write or to add to");
+    import_verb.add_option("draft", options->draft, "File to read")->required()->type_name("FILE");
+    import_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");
     import_verb.add_option("--name", options->name, "Name of the fabric; the draft's title when left out");
     import_verb.add_flag("--no-suggestions", options->no_suggestions,
                          "Ignore the sett and the yarn thickness of the draft, which are used where plausible");

@@ -221,18 +221,21 @@ void add_measure(CLI::App& app, Verb& verb)
     auto options = std::make_shared<MeasureOptions>();
     CLI::App& measure_verb = *app.add_subcommand("measure", "Print the metrics of a recording; write maps, reports and ParaView files");
     measure_verb.footer("Example: hygroloom-cli measure cloth.hygrorec --map top --cells 2 -o top.png");
-    measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required();
-    measure_verb.add_option("--map", options->map, "Write a water map of this side: top, bottom or total");
+    measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required()->type_name("FILE");
+    measure_verb.add_option("--map", options->map, "Write a water map of this side")->type_name("{top,bottom,total}");
     measure_verb.add_option("--cells", options->cells, "Map resolution: N x N crossings per cell")->check(CLI::Range(1, 1000));
     measure_verb.add_option("--time", options->time, "Time of the maps, s; the end when left out")
         ->default_str("")
         ->check(time_validator());
-    measure_verb.add_option("-o,--output", options->output, "File of the map (.csv or .png)");
+    measure_verb.add_option("-o,--output", options->output, "File of the map (.csv or .png)")->type_name("FILE");
     const CLI::Validator given([](const std::string& text) { return text.empty() ? "the file name is empty" : ""; }, "");
-    measure_verb.add_option("--report", options->report, "Write a report (.html) with results, maps, charts and inputs")->check(given);
+    measure_verb.add_option("--report", options->report, "Write a report (.html) with results, maps, charts and inputs")
+        ->type_name("FILE")
+        ->check(given);
     CLI::Option* vtk =
         measure_verb
             .add_option("--vtk", options->vtk, "Write the yarns and the liquid of all frames to this folder for ParaView (.vtp, .pvd)")
+            ->type_name("FOLDER")
             ->check(given);
     measure_verb.add_option("--every", options->every, "With --vtk: write every Nth frame")->check(CLI::Range(1, 1000000))->needs(vtk);
     add_common_options(measure_verb, *options);

@@ -112,8 +112,8 @@ void add_presets(CLI::App& app, Verb& verb)
     presets_verb.footer("Example: hygroloom-cli presets \"Denim\" \"Textile F\" -o cloth.hygro");
     add_common_options(presets_verb, *options);
     presets_verb.add_option("NAMES", options->names, "Fabrics to add to the project");
-    presets_verb.add_option("-o,--output", options->output, "Project to write or to add to");
-    presets_verb.add_option("--library", options->library, "Your own library (.hygrolib) instead of the shipped one");
+    presets_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");
+    presets_verb.add_option("--library", options->library, "Your own library (.hygrolib) instead of the shipped one")->type_name("FILE");
     presets_verb.add_flag("--finishes", options->finishes, "List the finishes and their contact angles");
     presets_verb.callback([&verb, options] { verb = [options] { return presets(*options); }; });
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// reference: every verb and option as Markdown, from the option table itself, for the user's guide.
+// reference: every verb and option as Markdown for the user's guide, as a man page and as completion of shells, from the option table
+// itself.
+#include "app/cli_reference.h"
+
 #include "app/cli.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,33 +14,20 @@
 namespace hygroloom {
 namespace {
 
-/// A cell of a Markdown table.
-std::string cell(const std::string& text)
+/// "-o", "--output"; a positional argument is in capitals, as in the usage line.
+std::vector<std::string> names_of(const CLI::Option& option)
 {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '|') escaped += '\\';
-        escaped += c == '\n' ? ' ' : c;
-    }
-    return escaped;
-}
-
-/// "`-o`, `--output`"; a positional argument is in capitals, as in the usage line.
-std::string names_of(const CLI::Option& option)
-{
-    if (option.get_positional() || option.nonpositional()) {
-        std::string names;
-        for (const std::string& name : option.get_snames()) names += (names.empty() ? "`-" : ", `-") + name + "`";
-        for (const std::string& name : option.get_lnames()) names += (names.empty() ? "`--" : ", `--") + name + "`";
-        if (!names.empty()) return names;
-    }
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    if (!names.empty()) return names;
     std::string name = option.get_name(true);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return "`" + name + "`";
+    return {name};
 }
 
 /// "TEXT:{auto,cpu}" is "auto, cpu", "INT:INT in [1 - 9]" is "1 to 9", "FLOAT:SECONDS" is "seconds".
-std::string values_of(const CLI::Option& option)
+std::string value_of(const CLI::Option& option)
 {
     std::string type = option.get_type_name();
     type.erase(0, type.find(':') + 1);
@@ -52,30 +43,46 @@ std::string values_of(const CLI::Option& option)
     return words || type.find('=') != std::string::npos ? type : CLI::detail::to_lower(type);
 }
 
-std::string options_table(const CLI::App& verb)
+std::vector<std::string> choices_of(const CLI::Option& option)
 {
-    std::string text = "| Option | Value | Default | Meaning |\n| --- | --- | --- | --- |\n";
-    for (const CLI::Option* option : verb.get_options()) {
-        if (option->get_group().empty()) continue;
-        const bool flag = option->get_expected_max() == 0;
-        const std::string preset = option->get_default_str();
-        const std::string usual = option->get_required() ? "required" : flag || preset == "[]" ? "" : preset;
-        text += fmt::format("| {} | {} | {} | {} |\n", names_of(*option), flag ? "" : cell(values_of(*option)), cell(usual),
-                            cell(option->get_description()));
-    }
-    return text;
+    const std::string type = option.get_type_name();
+    const std::size_t opens = type.find('{'), closes = type.find('}');
+    return opens == std::string::npos ? std::vector<std::string>() : CLI::detail::split(type.substr(opens + 1, closes - opens - 1), ',');
 }
 
-/// The first paragraph of a verb's footer: its example and its notes.
-std::string notes_of(const CLI::App& verb)
+DescribedOption described(const CLI::Option& option)
 {
-    const std::string footer = verb.get_footer();
-    const std::string first = footer.substr(0, footer.find("\n\n"));
-    const std::size_t line = first.find('\n');
-    const std::string example = "Example: ";
-    if (!first.starts_with(example)) return first.empty() ? "" : first + "\n\n";
-    std::string text = "```sh\n" + first.substr(example.size(), line - example.size()) + "\n```\n\n";
-    if (line != std::string::npos) text += first.substr(line + 1) + "\n\n";
+    DescribedOption said;
+    const bool flag = option.get_expected_max() == 0;
+    said.names = names_of(option);
+    said.positional = option.get_positional();
+    said.required = option.get_required();
+    said.meaning = option.get_description();
+    if (flag) return said;
+    said.value = value_of(option);
+    said.choices = choices_of(option);
+    said.takes_path = said.value == "file" || said.value == "folder";
+    if (!said.required && option.get_default_str() != "[]") said.usual = option.get_default_str();
+    return said;
+}
+
+/// A cell of a Markdown table.
+std::string cell(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '|') escaped += '\\';
+        escaped += c == '\n' ? ' ' : c;
+    }
+    return escaped;
+}
+
+std::string options_table(const DescribedVerb& verb)
+{
+    std::string text = "| Option | Value | Default | Meaning |\n| --- | --- | --- | --- |\n";
+    for (const DescribedOption& option : verb.options)
+        text += fmt::format("| `{}` | {} | {} | {} |\n", fmt::join(option.names, "`, `"), cell(option.value),
+                            option.required ? "required" : cell(option.usual), cell(option.meaning));
     return text;
 }
 
@@ -83,8 +90,12 @@ std::string reference(const CLI::App& app)
 {
     std::string text =
         fmt::format("# Command-line reference\n\n{} `hygroloom-cli VERB --help` prints the same for one verb.\n\n", app.get_description());
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App* of) { return !of->get_group().empty(); }))
-        text += fmt::format("## {}\n\n{}.\n\n{}{}\n", verb->get_name(), verb->get_description(), notes_of(*verb), options_table(*verb));
+    for (const DescribedVerb& verb : described_verbs(app)) {
+        text += fmt::format("## {}\n\n{}.\n\n", verb.name, verb.meaning);
+        if (!verb.example.empty()) text += "```sh\n" + verb.example + "\n```\n\n";
+        if (!verb.notes.empty()) text += verb.notes + "\n\n";
+        text += options_table(verb) + "\n";
+    }
     text += "## Knobs\n\n`--set fidelity.<knob>=value` changes one of the numbers that `--fidelity` sets together.\n\n"
             "| Knob | draft | standard | reference | Unit | Meaning |\n| --- | --- | --- | --- | --- | --- |\n";
     const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), finest = knobs_of(Fidelity::reference);
@@ -94,15 +105,53 @@ std::string reference(const CLI::App& app)
     return text;
 }
 
+struct Form {
+    const char* name;
+    std::string (*written)(const CLI::App&);
+};
+constexpr Form forms[] = {
+    {"markdown", reference}, {"man", manual_page}, {"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
+
 } // namespace
+
+std::vector<DescribedOption> described_options(const CLI::App& app)
+{
+    std::vector<DescribedOption> options;
+    for (const CLI::Option* option : app.get_options())
+        if (!option->get_group().empty()) options.push_back(described(*option));
+    return options;
+}
+
+std::vector<DescribedVerb> described_verbs(const CLI::App& app)
+{
+    std::vector<DescribedVerb> verbs;
+    for (const CLI::App* of : app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); })) {
+        DescribedVerb verb{of->get_name(), of->get_description(), "", "", described_options(*of)};
+        // The footer's first paragraph: an example and notes. Tables may follow it.
+        const std::string footer = of->get_footer(), example = "Example: ";
+        verb.notes = footer.substr(0, footer.find("\n\n"));
+        if (verb.notes.starts_with(example)) {
+            const std::size_t line = std::min(verb.notes.find('\n'), verb.notes.size());
+            verb.example = verb.notes.substr(example.size(), line - example.size());
+            verb.notes.erase(0, line + 1);
+        }
+        verbs.push_back(std::move(verb));
+    }
+    return verbs;
+}
 
 void add_reference(CLI::App& app, Verb& chosen)
 {
-    CLI::App& verb = *app.add_subcommand("reference", "Every verb and option as Markdown");
-    verb.group(""); // not in the list of verbs: it is for the guide
-    verb.callback([&chosen, &app] {
-        chosen = [&app] {
-            print_result("{}", reference(app));
+    CLI::App& verb = *app.add_subcommand("reference", "Every verb and option, as Markdown, as a man page or as completion of a shell");
+    verb.group(""); // not in the list of verbs: it is for the guide and for packages
+    auto form = std::make_shared<std::string>("markdown");
+    std::vector<std::string> names;
+    for (const Form& known : forms) names.emplace_back(known.name);
+    verb.add_option("--as", *form, "What is written")->check(CLI::IsMember(names));
+    verb.callback([&chosen, &app, form] {
+        chosen = [&app, form] {
+            for (const Form& known : forms)
+                if (*form == known.name) print_result("{}", known.written(app));
             return int{exit_ok};
         };
     });

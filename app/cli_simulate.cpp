@@ -278,7 +278,7 @@ void add_simulate(CLI::App& app, Verb& verb)
         .add_option("--fabrics", options->fabrics, "Several fabrics, separated by commas, that run side by side; --json then prints a list")
         ->allow_extra_args(false);
     add_at_once_option(simulate_verb, options->at_once);
-    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder");
+    simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder")->type_name("FILE");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
 }
 

@@ -179,7 +179,7 @@ void add_verify(CLI::App& app, Verb& chosen)
     verb.add_option("--set", options->sets, "Change a parameter of the case, e.g. radius_um=20")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    verb.add_option("--backend", options->backend, "Backend: auto, cpu or cuda");
+    verb.add_option("--backend", options->backend, "Backend: auto, cpu or cuda")->type_name("{auto,cpu,cuda}");
     verb.add_option("--threads", options->threads, "CPU threads; 0: all")->check(CLI::Range(0, 1024));
     add_common_options(verb, *options);
     verb.callback([&chosen, options] { chosen = [options] { return verify(*options); }; });
