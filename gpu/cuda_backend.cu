@@ -3,6 +3,7 @@
 #include "core/solver/solver.h"
 #include "gpu/cuda_backend.h"
 #include "gpu/cuda_executor.cuh"
+#include "gpu/missing_gpu.h"
 
 namespace hygroloom {
 namespace {
@@ -61,13 +62,24 @@ private:
     std::unique_ptr<Solver<CudaExecutor>> solver_; ///< on that GPU
 };
 
+/// A sentence that CUDA gives, and the cause that the system shows.
+std::string no_gpu(const std::string& sentence)
+{
+    int driver = 0, runtime = 0;
+    cudaDriverGetVersion(&driver);
+    cudaRuntimeGetVersion(&runtime);
+    const std::string cause = missing_gpu_cause(gpu_surroundings("/"), driver, runtime);
+    return cause.empty() ? sentence : sentence + " " + cause;
+}
+
 } // namespace
 
 std::vector<BackendInfo> find_cuda_devices()
 {
     int count = 0;
     const cudaError_t result = cudaGetDeviceCount(&count);
-    if (result != cudaSuccess) return {{"cuda", "", false, std::string("No GPU can be reached: ") + cudaGetErrorString(result) + "."}};
+    if (result != cudaSuccess)
+        return {{"cuda", "", false, no_gpu(std::string("No GPU can be reached: ") + cudaGetErrorString(result) + ".")}};
     std::vector<BackendInfo> found;
     for (int i = 0; i < count; ++i) {
         cudaDeviceProp properties;
@@ -80,7 +92,7 @@ std::vector<BackendInfo> find_cuda_devices()
         if (!info.usable) info.reason = "It is older than compute capability 7.5.";
         found.push_back(std::move(info));
     }
-    if (found.empty()) found.push_back({"cuda", "", false, "No GPU was found."});
+    if (found.empty()) found.push_back({"cuda", "", false, no_gpu("No GPU was found.")});
     return found;
 }
 
