@@ -1,17 +1,48 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-# A command line that runs on any Linux with glibc as new as the one it was built on: every other library travels in lib/, with its licence.
-# The libraries have no search path of their own, so the program's must also hold for them: DT_RPATH, not the DT_RUNPATH that is usual now.
+# Programs that run on any Linux with glibc as new as the one they were built on: every other library travels in lib/, with its licence.
+# The libraries have no search path of their own, so the programs' must also hold for them: DT_RPATH, not the DT_RUNPATH that is usual now.
 target_link_options(hygroloom-cli PRIVATE -Wl,--disable-new-dtags)
-set_target_properties(hygroloom-cli PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
-
+set_target_properties(hygroloom-cli PROPERTIES INSTALL_RPATH "$ORIGIN/../lib:$ORIGIN/../lib/c++")
 install(TARGETS hygroloom-cli RUNTIME_DEPENDENCY_SET bundled RUNTIME)
+
+# A desktop's own: what talks to its graphics driver and its fonts must be as new as they are.
+set(desktops_own "")
+if(HYGROLOOM_UI)
+  set(desktops_own "^lib(GL|EGL|GLX|GLdispatch|OpenGL|GLESv2|drm|gbm|X11|X11-xcb|xcb|fontconfig|freetype)\\.so")
+  find_package(Qt6 REQUIRED COMPONENTS Gui)
+  target_link_options(hygroloom PRIVATE -Wl,--disable-new-dtags)
+  set_target_properties(hygroloom PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
+  install(TARGETS hygroloom RUNTIME_DEPENDENCY_SET bundled RUNTIME)
+  install(PROGRAMS ${CMAKE_CURRENT_SOURCE_DIR}/hygroloom.sh DESTINATION . RENAME hygroloom)
+  install(FILES ${CMAKE_CURRENT_SOURCE_DIR}/desktop/qt.conf DESTINATION bin)
+  set(plugins platforms/QXcbIntegration platforms/QOffscreenIntegration xcbglintegrations/QXcbGlxIntegration xcbglintegrations/QXcbEglIntegration
+    platforminputcontexts/QComposePlatformInputContext iconengines/QSvgIcon imageformats/QSvg)
+  foreach(plugin IN LISTS plugins)
+    cmake_path(GET plugin PARENT_PATH folder)
+    cmake_path(GET plugin FILENAME name)
+    find_package(Qt6${name}Plugin REQUIRED PATHS ${Qt6Gui_DIR})
+    install(IMPORTED_RUNTIME_ARTIFACTS Qt6::${name}Plugin RUNTIME_DEPENDENCY_SET bundled LIBRARY DESTINATION plugins/${folder})
+  endforeach()
+endif()
 install(RUNTIME_DEPENDENCY_SET bundled
-  PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|util|anl|mvec|cuda|nvidia-.*)\\.so"
+  PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|util|anl|mvec|cuda|nvidia-.*)\\.so" ${desktops_own}
   LIBRARY DESTINATION lib)
+# Graphics drivers need the newer libstdc++, the desktop's or ours: it lies apart, and the window's starter looks.
+install(CODE [[
+  set(tree "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
+  if(EXISTS ${tree}/bin/hygroloom)
+    file(MAKE_DIRECTORY ${tree}/lib/c++)
+    file(GLOB own "${tree}/lib/libstdc++.so*" "${tree}/lib/libgcc_s.so*")
+    foreach(library IN LISTS own)
+      get_filename_component(name ${library} NAME)
+      file(RENAME ${library} ${tree}/lib/c++/${name})
+    endforeach()
+  endif()
+]])
 
 # Debian keeps the licence of each library with its package.
 install(CODE [[
-  file(GLOB libraries "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/*.so*")
+  file(GLOB libraries "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/*.so*" "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/lib/c++/*.so*")
   foreach(library IN LISTS libraries)
     get_filename_component(name ${library} NAME)
     execute_process(COMMAND dpkg-query -S "*-linux-gnu/${name}" OUTPUT_VARIABLE owner ERROR_QUIET RESULT_VARIABLE failed)

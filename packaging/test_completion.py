@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 """Man pages and completion know every verb and option that the programs' own help names, and no other; shells that are here complete them.
-Run by ctest: test_completion.py <hygroloom-cli> <folder of the written files> [<hygroloom> <its man page>]"""
+Run by ctest: test_completion.py <hygroloom-cli> <folder of the written files> [<hygroloom>]"""
 import os
 import pathlib
 import re
@@ -77,9 +77,9 @@ if shutil.which("man"):
     if warned.stderr:
         faults.append("man: " + warned.stderr)
 
-if len(sys.argv) > 4:
+if len(sys.argv) > 3:
     told = output(sys.argv[3], "--help", env=os.environ | {"QT_QPA_PLATFORM": "offscreen"})
-    compare("man page of the window", options_in(told), in_roff(pathlib.Path(sys.argv[4]).read_text()))
+    compare("man page of the window", options_in(told), in_roff(pathlib.Path(__file__).with_name("desktop").joinpath("hygroloom.1").read_text()))
 
 if faults:
     sys.exit("\n".join(faults))
