@@ -192,14 +192,14 @@ inline Quads load(const Quad* at)
     const Quad* const rows[lanes] = {at, at + 1, at + 2, at + 3, at + 4, at + 5, at + 6, at + 7};
     return transposed(rows);
 }
-using LoosePack = Real __attribute__((vector_size(lanes * sizeof(Real)), aligned(sizeof(Real)), may_alias));
-inline Pack load(const Real* at) { return *reinterpret_cast<const LoosePack*>(at); }
-inline void store(Real* at, const Pack& pack) { *reinterpret_cast<LoosePack*>(at) = pack; }
+/// At any address. A packed struct is so for every compiler; clang takes no smaller alignment for the vector itself.
+template <typename Vector> struct [[gnu::packed, gnu::may_alias]] Loose { Vector value; };
+inline Pack load(const Real* at) { return reinterpret_cast<const Loose<Pack>*>(at)->value; }
+inline void store(Real* at, const Pack& pack) { reinterpret_cast<Loose<Pack>*>(at)->value = pack; }
 
 /// Which lanes are meant: all bits of a lane set, or none.
 using Mask = decltype(Pack{} < Pack{});
 using Slots = int __attribute__((vector_size(lanes * sizeof(int))));
-using LooseSlots = int __attribute__((vector_size(lanes * sizeof(int)), aligned(sizeof(int)), may_alias));
 constexpr Mask lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
 inline Mask lanes_below(int count) { return lane_numbers < count; }
 inline Mask lanes_but(int lane) { return lane_numbers != lane; }
@@ -260,7 +260,7 @@ inline void list_lanes(const Mask& wanted, int first, SlotList& list)
 {
     if (!list.has_room()) return;
     const unsigned set = bits_of(wanted);
-    *reinterpret_cast<LooseSlots*>(list.slots + list.count) = slot_of(first) + lane_table.slots[set];
+    reinterpret_cast<Loose<Slots>*>(list.slots + list.count)->value = slot_of(first) + lane_table.slots[set];
     list.count += lane_table.count[set];
 }
 inline void list_lanes(const Mask& for_a, const Mask& for_b, int first, SlotList& a, SlotList& b)

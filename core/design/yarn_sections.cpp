@@ -92,7 +92,8 @@ struct Loom {
         // Level faces jam last of all, so each may rise at least as far.
         const double warp_most = std::max(0.5 * b.height, rise_before_jam(weft_pitch, a, b));
         const double weft_most = std::max(0.5 * a.height, rise_before_jam(warp_pitch, b, a));
-        const double warp_rise = std::clamp(sum * warp_gives / (warp_gives + weft_gives), sum - weft_most, warp_most);
+        const double warp_rise =
+            std::min(std::max(sum * warp_gives / (warp_gives + weft_gives), sum - weft_most), warp_most); // where all jams, warp_most
         return {warp_rise, sum - warp_rise};
     }
 

@@ -86,7 +86,8 @@ public:
             const double wanted = 0.8 * scene_->rules.saturation_change / std::max(1e-9, change);
             grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
         }
-        network_dt_ = std::clamp(network_dt_ * grow, std::min(1e-4, scene_->rules.network_step), step_limit(drops_about));
+        // The limit may be shorter than the shortest: in a run of a microsecond.
+        network_dt_ = std::min(std::max(network_dt_ * grow, std::min(1e-4, scene_->rules.network_step)), step_limit(drops_about));
     }
 
     /// After an exchange over dt, from its error.
@@ -98,8 +99,8 @@ public:
         const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake(delivered);
         const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, at_stake_.heat);
         exchange_ = {dt, true};
-        exchange_dt_ = std::clamp(std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat)),
-                                  std::min(1e-4, scene_->rules.network_step), exchange_limit(drops_about));
+        const double wanted = std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat));
+        exchange_dt_ = std::min(std::max(wanted, std::min(1e-4, scene_->rules.network_step)), exchange_limit(drops_about));
     }
 
     template <typename Archive> void pass_state(Archive& archive)
