@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // hygroloom-cli: one verb per task. Results go to stdout, everything else to stderr.
 #include "app/cli.h"
+#include "app/cli_interrupt.h"
 
 #include "core/base/words.h"
 #include "core/project/project_file.h"
@@ -155,6 +156,12 @@ void print_in_short(const std::string& file, const std::vector<Issue>& issues, b
     if (warnings > 1 && !quiet) print_note("{} warnings; see hygroloom-cli check {}.\n", warnings, file);
 }
 
+LastWords failure_words(bool json, ExitCode code, const std::string& sentence)
+{
+    const nlohmann::ordered_json object{{"error", sentence}, {"exit_code", int(code)}};
+    return {sentence + "\n", json ? object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : std::string()};
+}
+
 FittedFabrics require_valid(const Design& design, const ProjectOptions& options)
 {
     Validation found = validate_and_fit(design);
@@ -216,10 +223,9 @@ std::vector<std::string> arguments(int count, char** values)
 
 int report_failure(bool json, ExitCode code, const std::string& sentence)
 {
-    print_note("{}\n", sentence);
-    if (json)
-        print_result("{}\n", nlohmann::ordered_json{{"error", sentence}, {"exit_code", int(code)}}.dump(
-                                 2, ' ', false, nlohmann::json::error_handler_t::replace));
+    const LastWords words = failure_words(json, code, sentence);
+    write_note(words.note);
+    if (json) write_result(words.result);
     return code;
 }
 

@@ -18,6 +18,7 @@
 namespace hygroloom {
 
 class Recording;
+struct LastWords;
 
 enum ExitCode { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_invalid = 3, exit_no_device = 4, exit_cancelled = 130 };
 
@@ -59,6 +60,8 @@ void print_issue(const std::string& file, const Issue& issue);
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet);
 /// Each fabric as its check fitted it, in the design's order.
 using FittedFabrics = std::vector<std::shared_ptr<const FittedFabric>>;
+/// What a failure is reported with.
+LastWords failure_words(bool json, ExitCode code, const std::string& sentence);
 /// Prints the design's issues in short. Throws Stop when one is an error.
 FittedFabrics require_valid(const Design& design, const ProjectOptions& options);
 

@@ -4,11 +4,14 @@
 
 #include "core/base/words.h"
 #include "core/design/draft.h"
+#include "core/project/atomic_file.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <optional>
 
 namespace hygroloom {
 namespace {
@@ -53,6 +56,8 @@ Json import_json(const ImportOptions& options, const DraftImport& draft, bool ta
 int import_file(const ImportOptions& options)
 {
     Design design;
+    std::optional<ChangeLock> lock;
+    if (!options.output.empty()) lock.emplace(options.output);
     const bool existing = !options.output.empty() && std::filesystem::exists(options.output);
     if (!options.output.empty() && std::filesystem::path(options.output).extension() != ".hygro")
         throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");

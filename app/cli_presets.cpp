@@ -3,6 +3,7 @@
 #include "app/cli.h"
 
 #include "core/design/fitted_fabric.h"
+#include "core/project/atomic_file.h"
 #include "core/project/library.h"
 #include "core/project/project_file.h"
 
@@ -80,6 +81,7 @@ int presets(const PresetOptions& options)
         throw Stop(exit_usage, "Give both fabrics and a project (-o), or neither to list them.");
     if (std::filesystem::path(options.output).extension() != ".hygro")
         throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
+    const ChangeLock lock(options.output);
     Design design;
     if (std::filesystem::exists(options.output)) design = read_project(options.output);
     std::vector<std::string> added;

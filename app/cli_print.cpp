@@ -40,9 +40,14 @@ void write_result(const std::string& text)
     if (failure_of_results != 0) throw ResultsLost();
 }
 
-bool results_are_written()
+void flush_results()
 {
     if (failure_of_results == 0 && std::fflush(stdout) != 0) failure_of_results = errno != 0 ? errno : EIO;
+}
+
+bool results_are_written()
+{
+    flush_results();
     if (failure_of_results == 0) return true;
     write_note(fmt::format("The results cannot be written to the standard output: {}.\n", std::strerror(failure_of_results)));
     return false;

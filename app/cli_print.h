@@ -19,6 +19,8 @@ struct ResultsLost {};
 
 /// On stdout. Throws ResultsLost.
 void write_result(const std::string& text);
+/// What was written so far is to be seen now.
+void flush_results();
 /// Whether stdout took all of the results. Says on stderr when not.
 bool results_are_written();
 

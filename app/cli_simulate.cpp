@@ -153,15 +153,21 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
     RunControl control;
-    const InterruptCancels cancels(control.cancel);
+    const LastWords nothing = failure_words(options.json, exit_cancelled, "Cancelled.");
+    const LastWords with_recording = failure_words(options.json, exit_cancelled, "Cancelled. The recording so far: " + options.output);
+    const InterruptCancels cancels(control.cancel, &nothing);
     FinishedRun finished;
-    std::atomic<bool> recorded{false};
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0,
-                                [&](const std::shared_ptr<const Frame>&) { recorded = !options.output.empty(); });
+        finished =
+            run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, [&](const std::shared_ptr<const Frame>&) {
+                if (!options.output.empty()) last_words = &with_recording;
+            });
     } catch (const Cancelled&) {
-        throw Stop(exit_cancelled, recorded ? "Cancelled. The recording so far: " + options.output : "Cancelled.");
+        const LastWords* words = last_words.exchange(nullptr);
+        write_note(words->note);
+        write_result(words->result);
+        return exit_cancelled;
     }
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);

@@ -154,7 +154,7 @@ int verify(const VerifyOptions& options)
             throw Stop(exit_usage, error.what());
         }
         if (!options.json) print_report(reports.back());
-        std::fflush(stdout);
+        flush_results();
     }
     if (options.json) {
         Json all = Json::array();

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -173,6 +174,18 @@ std::string read_file(const std::filesystem::path& path, std::size_t most)
     }
     bytes.resize(done);
     return bytes;
+}
+
+ChangeLock::ChangeLock(const std::filesystem::path& path)
+{
+    const std::filesystem::path folder = behind_links(path).parent_path();
+    folder_ = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (folder_ >= 0 && ::flock(folder_, LOCK_EX) != 0 && errno == EINTR) continue;
+}
+
+ChangeLock::~ChangeLock()
+{
+    if (folder_ >= 0) ::close(folder_);
 }
 
 } // namespace hygroloom

@@ -29,6 +29,19 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
                       const std::function<void(const std::vector<std::filesystem::path>& temporaries)>& writer,
                       Previous previous = Previous::replace);
 
+/// For a file that is read, changed and written again: while it lives, others that take the same wait. It locks the file's folder, for the
+/// file itself is replaced; where that cannot be locked, nobody waits.
+class ChangeLock {
+public:
+    explicit ChangeLock(const std::filesystem::path& path);
+    ~ChangeLock();
+    ChangeLock(const ChangeLock&) = delete;
+    ChangeLock& operator=(const ChangeLock&) = delete;
+
+private:
+    int folder_ = -1;
+};
+
 /// The whole file. Throws FileError when it is missing, a folder, not readable, empty, or larger than most bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most);
 

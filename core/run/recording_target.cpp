@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/run/byte_lock.h"
+#include "core/run/unfinished.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,7 @@ RecordingTarget::RecordingTarget(const std::filesystem::path& path) : given_(pat
     try {
         take_place();
         check_target();
+        note_unfinished(part_.c_str());
     } catch (...) {
         if (file_ >= 0) {
             ::unlink(part_.c_str());
@@ -64,6 +66,7 @@ RecordingTarget::RecordingTarget(const std::filesystem::path& path) : given_(pat
 
 RecordingTarget::~RecordingTarget()
 {
+    forget_unfinished(part_.c_str());
     if (!part_.empty() && is_at(file_, part_)) ::unlink(part_.c_str());
     ::close(file_);
 }
@@ -204,6 +207,7 @@ void RecordingTarget::publish()
     sync();
     if (::rename(part_.c_str(), target_.c_str()) != 0)
         throw FileError(std::string("the recording cannot be put in place: ") + std::strerror(errno));
+    forget_unfinished(part_.c_str());
     part_.clear();
 }
 

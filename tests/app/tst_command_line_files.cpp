@@ -61,6 +61,42 @@ class TestCommandLineFiles : public QObject {
     }
 
 private Q_SLOTS:
+    void aLargeRunEndsAtOnceWhereverItIs()
+    {
+        QTemporaryDir folder;
+        std::vector<qint64> took; // ms
+        for (const int after : {300, 900, 1800}) {
+            QProcess process;
+            process.start(HYGROLOOM_CLI,
+                          {"simulate", example("laboratory.hygro"), "--experiment", "drying", "--fidelity", "reference", "-q", "--set",
+                           "experiments.drying.sample_mm=[500,500]", "-o", folder.filePath("large.hygrorec")});
+            QVERIFY(process.waitForStarted());
+            QTest::qWait(after);
+            QElapsedTimer timer;
+            timer.start();
+            ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+            QVERIFY(process.waitForFinished(30000));
+            took.push_back(timer.elapsed());
+            QVERIFY2(process.exitStatus() == QProcess::CrashExit || process.exitCode() == 130, process.readAllStandardError());
+        }
+        std::sort(took.begin(), took.end());
+        qInfo("%lld, %lld and %lld ms", took[0], took[1], took[2]);
+        QVERIFY(took[1] <= 300); // another program may be in the way once
+        QVERIFY(QDir(folder.path()).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+    void importsAtOnceLoseNoFabric()
+    {
+        const QString project = at("together.hygro");
+        write(at("drawing.txt"), "10\n01\n");
+        constexpr int count = 8;
+        QProcess imports[count];
+        for (QProcess& each : imports) each.start(HYGROLOOM_CLI, {"import", at("drawing.txt"), "-o", project, "-q"});
+        for (QProcess& each : imports) {
+            QVERIFY(each.waitForFinished(60'000));
+            QVERIFY2(each.exitCode() == 0, each.readAllStandardError());
+        }
+        QCOMPARE(QJsonDocument::fromJson(contents(project)).object()["fabrics"].toArray().size(), count);
+    }
     void streamsThatTakeNothing_data()
     {
         QTest::addColumn<QString>("redirection");

@@ -119,6 +119,21 @@ private Q_SLOTS:
             QVERIFY2(has(message, "The key \"" + key + "\" is missing.") == needed && message.empty() != needed, key.c_str());
         }
     }
+    void theSchemaPromisesNoClimateThatATypeDoesNotHave()
+    {
+        const ProjectJson schema =
+            ProjectJson::parse(bytes_of(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/schema/hygroloom-project-1.schema.json"));
+        const ProjectJson& moment =
+            schema.at("$defs").at("experiment").at("properties").at("climate").at("oneOf").at(1).at("items").at("properties");
+        for (int type = 0; type < experiment_types; ++type) {
+            const Climate usual = standard_experiment(static_cast<ExperimentType>(type)).climate;
+            for (const ProjectJson& keys : {schema.at("$defs").at("climate").at("properties"), moment}) {
+                QCOMPARE(keys.at("temperature_c").value("default", usual.temperature_c), usual.temperature_c);
+                QCOMPARE(keys.at("relative_humidity").value("default", usual.relative_humidity), usual.relative_humidity);
+                QCOMPARE(keys.at("air_speed_m_s").value("default", usual.air_speed_m_s), usual.air_speed_m_s);
+            }
+        }
+    }
     void theSchemasLimitsAreThoseOfTheReader_data()
     {
         QTest::addColumn<QString>("schema");
