@@ -3,6 +3,7 @@
 // cannot change a result.
 #pragma once
 
+#include "core/base/fork_join.h"
 #include "core/solver/order.h"
 #include "core/solver/stage_clock.h"
 #include "core/solver/team.h"
@@ -75,10 +76,7 @@ public:
         if (count <= grain)
             run_range(stage, 0, count);
         else
-            arena_->execute([&] {
-                tbb::parallel_for(tbb::blocked_range<int>(0, count, grain),
-                                  [&](const tbb::blocked_range<int>& range) { run_range(stage, range.begin(), range.end()); });
-            });
+            in_ranges(count, grain, [&](int begin, int end) { run_range(stage, begin, end); });
         next(0);
     }
     template <typename Stage, typename Next = Nothing>
@@ -92,13 +90,11 @@ public:
     {
         const StageLap lap(stage_clock_.get(), name);
         constexpr int grain = 4;
-        arena_->execute([&] {
-            tbb::parallel_for(tbb::blocked_range<int>(0, lines, grain), [&](const tbb::blocked_range<int>& range) {
-                const std::unique_ptr<double[]> room(
-                    new double[static_cast<std::size_t>(Alone::per_place<Stage>) * static_cast<std::size_t>(longest)]);
-                const Alone alone(room.get(), longest);
-                for (int line = range.begin(); line < range.end(); ++line) stage(alone, line);
-            });
+        in_ranges(lines, grain, [&](int begin, int end) {
+            const std::unique_ptr<double[]> room(
+                new double[static_cast<std::size_t>(Alone::per_place<Stage>) * static_cast<std::size_t>(longest)]);
+            const Alone alone(room.get(), longest);
+            for (int line = begin; line < end; ++line) stage(alone, line);
         });
     }
 
@@ -138,6 +134,17 @@ public:
     }
 
 private:
+    /// body(begin, end) for parts of 0 <= i < count on all threads.
+    template <typename Body> void in_ranges(int count, int grain, const Body& body)
+    {
+        ForkJoin loop;
+        arena_->execute([&] {
+            tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& range) {
+                const ForkJoin::Task task(loop);
+                body(range.begin(), range.end());
+            });
+        });
+    }
     template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
     {
         if constexpr (std::is_void_v<decltype(stage(0))>)
