@@ -24,5 +24,9 @@ DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} parallel=${JOBS:-2}" dpkg-buildpackage
 }
 cd ..
 rm -rf "$source"
-ls ./*.deb
+for package in ./*.deb; do
+  case $package in *-dbgsym_*) continue ;; esac
+  dpkg-deb --fsys-tarfile "$package" | grep -qaF "$folder" && { echo "$package names the folder that it was built in." >&2; exit 1; }
+  echo "$package"
+done
 lintian --allow-root --fail-on error,warning ./*.changes
