@@ -138,6 +138,15 @@ struct GiveBack {
 };
 
 struct ForgetContact {
+    /// Only the particle that is noted writes. Others may read meanwhile: before or after, it is not them.
+    HL_FN static void forget(int& note, int i)
+    {
+#ifdef __CUDA_ARCH__
+        if (notes(note, i)) note = no_particle;
+#else
+        if (notes(__atomic_load_n(&note, __ATOMIC_RELAXED), i)) __atomic_store_n(&note, no_particle, __ATOMIC_RELAXED);
+#endif
+    }
     Particles p;
     TextileShape textile;
     int* contact;
@@ -146,9 +155,7 @@ struct ForgetContact {
     {
         if (p.alive[i]) atomic_max(left, 1);
         if (p.wall_distance[i] <= p.spacing)
-            for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) {
-                if (notes(contact[segment], i)) contact[segment] = no_particle;
-            });
+            for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { forget(contact[segment], i); });
     }
 };
 
