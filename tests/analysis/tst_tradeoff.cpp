@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(half.fibre_shells, 8.0);
         QCOMPARE(half.crossings_per_cell, 2.0);
         QCOMPARE(quarter.crossings_per_cell, 4.0);
-        QCOMPARE(half.network_step_limit, 0.25e-3);
+        QCOMPARE(half.network_step_limit, 0.5e-3);
         QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
         QCOMPARE(quarter.steps_between_absorption, 4.0);
         QCOMPARE(quarter.liquid_step_factor, 1.0); // a longer step would not be stable

@@ -203,7 +203,7 @@ private Q_SLOTS:
         const QStringList plan{"plan", example("textile-F.hygro"), "--set", "fidelity.fibre_shells=12"};
         const Answer answer = run_cli(plan);
         QCOMPARE(answer.code, 0);
-        QVERIFY2(answer.out.contains("network_step_limit_s    0.0005 s"), answer.out);
+        QVERIFY2(answer.out.contains("network_step_limit_s    0.001 s"), answer.out);
         QVERIFY2(answer.out.contains("(set by the user; standard has 8)"), answer.out);
         const QJsonObject knobs = run_cli(plan + QStringList{"--json"}).json()["knobs"].toObject();
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);

@@ -235,7 +235,7 @@ private Q_SLOTS:
             const Metrics m = run(design, Fidelity::standard, liquid_only, {{"saturation_change", saturation_change}}).metrics;
             return std::array{m.wetted_area_ellipse_warp, m.wetted_area_ellipse_weft};
         };
-        const auto usual = axes(0.05), finer = axes(0.025);
+        const auto usual = axes(0.1), finer = axes(0.05);
         const double warp = usual[0] / finer[0], weft = usual[1] / finer[1];
         QVERIFY2(std::abs(std::sqrt(warp * weft) - 1) < 0.03, qPrintable(QString::number(warp * weft)));
         QVERIFY2(std::abs(warp - 1) < 0.08 && std::abs(weft - 1) < 0.08, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
