@@ -172,6 +172,27 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(left) && !QFile::exists(runFolderOf(left)));
     }
 
+    void aRecordingThatWasOpenedBeforeItsProjectIsItsRun()
+    {
+        run();
+        trigger("Save");
+        const QString path = playback().path();
+        QVERIFY(window_->close());
+        openWindow();
+        QVERIFY(window_->openFile(path));
+        QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{1}, 20000);
+        QVERIFY(!runs().runs()[0].own);
+        window_->document().history()->setClean();
+        QVERIFY(window_->openFile(project_));
+        QTRY_VERIFY_WITH_TIMEOUT(runs().runs().size() == 1 && runs().runs()[0].own, 20000);
+        window_->setWorkspace(Workspace::compare);
+        list()->setCurrentItem(list()->topLevelItem(0));
+        const auto asked = press("Cancel");
+        button("Forget…")->click();
+        QVERIFY(!asked->isEmpty());
+        QVERIFY(QFile::exists(path));
+    }
+
     void forgettingAsksAndNamesTheRun()
     {
         run();

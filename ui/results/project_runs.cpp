@@ -145,9 +145,12 @@ void ProjectRuns::bring(const QStringList& recordings)
     if (!problems.isEmpty()) { Q_EMIT failed(problems.join('\n')); }
 }
 
-/// In the background, those that are not known yet.
+/// In the background, those that are not known yet as runs of the project.
 void ProjectRuns::read()
 {
+    for (const KeptRun& run : std::vector(history_.runs())) { // opened alone before its project
+        if (!run.own && owns(run.path)) { history_.forget(run.path); }
+    }
     QStringList paths = recordingsIn(known_);
     if (known_ != recovery_.runFolder()) { paths << recordingsIn(recovery_.runFolder()); }
     paths.removeIf([this](const QString& path) { return path == live_ || history_.find(path); });
@@ -182,7 +185,8 @@ void ProjectRuns::read()
 void ProjectRuns::forget(const QString& recording)
 {
     try {
-        if (owns(recording)) { deleteRun(recording); }
+        const KeptRun* run = history_.find(recording);
+        if (owns(recording) && (!run || run->own)) { deleteRun(recording); }
         history_.forget(recording);
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));

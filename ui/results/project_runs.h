@@ -39,7 +39,7 @@ public:
 
     /// Adds the runs of work that was recovered.
     void takeFrom(const QString& folder);
-    /// Deletes a run of the project; a recording that was only opened leaves the list.
+    /// Deletes a run of the project; a recording that the list has as opened only leaves the list, as nobody was asked about its deletion.
     void forget(const QString& recording);
     void setMarked(const QString& recording, bool marked);
     /// Whether runs of the project are still being read.
