@@ -130,11 +130,20 @@ private Q_SLOTS:
     {
         RunHistory history;
         history.keep(thick_);
-        QVERIFY(!history.runs().front().saved);
-        history.markSaved(thick_.path);
+        history.keep(thin_);
+        const auto saved = [&history](const KeptRun& run) { return isSaved(*history.find(run.path)); };
+        QVERIFY(!saved(thick_));
+        const QString copy = thick_.path + " copy";
+        QVERIFY(QFile::copy(thick_.path, copy));
+        history.markCopied(thick_.path, copy);
         history.keep(thick_);
-        QCOMPARE(history.runs().size(), std::size_t{1});
-        QVERIFY(history.runs().front().saved);
+        QCOMPARE(history.runs().size(), std::size_t{2});
+        QVERIFY(saved(thick_) && !saved(thin_));
+        QVERIFY(QFile::remove(copy) && QFile::copy(thin_.path, copy));
+        history.markCopied(thin_.path, copy);
+        QVERIFY(!saved(thick_) && saved(thin_));
+        QVERIFY(QFile::remove(copy));
+        QVERIFY(!saved(thin_));
     }
 
     void theTableIsWrittenBestFirst()

@@ -120,6 +120,22 @@ private Q_SLOTS:
         QVERIFY(unsavedRuns().isEmpty());
     }
 
+    void aRunWhoseCopyIsGoneIsAskedAbout()
+    {
+        openExample();
+        run();
+        window_->document().history()->setClean();
+        const QString copy = QFileInfo(project_).absolutePath() + "/copy.hygrorec";
+        chooseFile(copy);
+        trigger("Save Recording");
+        QTRY_VERIFY_WITH_TIMEOUT(window_->compare().project().unfiled().isEmpty(), 10000);
+        QVERIFY(QFile::remove(copy));
+        const auto asked = press("Cancel");
+        QVERIFY(!window_->close());
+        QVERIFY(!asked->isEmpty());
+        QCOMPARE(recordingsIn(unsavedRuns()).size(), 1);
+    }
+
     void aRunInProgressIsAskedAbout()
     {
         startLongRun();

@@ -38,7 +38,7 @@ QString stateOf(const KeptRun& run)
     QStringList words;
     if (run.marked) { words << CompareView::tr("kept"); }
     if (!run.current) { words << (run.own ? CompareView::tr("older design") : CompareView::tr("other design")); }
-    if (!run.saved) { words << CompareView::tr("not saved"); }
+    if (!isSaved(run)) { words << CompareView::tr("not saved"); }
     return words.join(", ");
 }
 

@@ -89,7 +89,7 @@ QStringList ProjectRuns::unfiled() const
     QStringList found = recordingsIn(recovery_.runFolder());
     found.removeIf([this](const QString& path) {
         const KeptRun* run = history_.find(path);
-        return run && run->saved;
+        return run && isSaved(*run);
     });
     return found;
 }

@@ -41,6 +41,7 @@ void RunHistory::keep(const KeptRun& run)
     if (const KeptRun* known = find(run.path)) {
         kept.number = known->number;
         kept.saved = known->saved || run.saved;
+        kept.copy = known->copy;
         kept.marked = known->marked || run.marked;
         runs_.erase(runs_.begin() + (known - runs_.data()));
     }
@@ -56,9 +57,15 @@ void RunHistory::keep(const KeptRun& run)
     Q_EMIT changed();
 }
 
-void RunHistory::markSaved(const QString& path)
+void RunHistory::markCopied(const QString& path, const QString& copy)
 {
-    for (KeptRun& run : runs_) { run.saved = run.saved || run.path == path; }
+    for (KeptRun& run : runs_) {
+        if (run.path == path) {
+            run.copy = copy;
+        } else if (QFileInfo(run.copy) == QFileInfo(copy)) {
+            run.copy.clear();
+        }
+    }
     Q_EMIT changed();
 }
 
@@ -109,6 +116,11 @@ bool holdsFor(const RunRecord& run, const Design& design)
     const auto liquids = [&](const Design& of) { return find_liquid(of, experiment->liquid); };
     return areEqual(liquids(design), liquids(run.design)) && design.materials == run.design.materials &&
            areEqual(find_fabric(design, run.fabric), find_fabric(run.design, run.fabric));
+}
+
+bool isSaved(const KeptRun& run)
+{
+    return run.saved || (!run.copy.isEmpty() && QFileInfo::exists(run.copy) && QFileInfo(run.copy).size() == QFileInfo(run.path).size());
 }
 
 QString runInWords(const KeptRun& run)

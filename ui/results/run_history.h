@@ -17,11 +17,12 @@ struct KeptRun {
     std::shared_ptr<const RunRecord> run;
     std::shared_ptr<const Metrics> metrics;
     bool own = false;     ///< a run of the open project
-    bool saved = false;   ///< in a file that outlives the window
+    bool saved = false;   ///< it lies in a file that outlives the window
     bool marked = false;  ///< with "keep"
     bool current = false; ///< of the design as it is now; the history finds out
     double bytes = 0;     ///< of its file; the history finds out
     int number = 0;       ///< the history counts those without
+    QString copy;         ///< where it was saved; that file may have changed since
 
     bool complete() const { return run->wall > 0; }
 };
@@ -37,7 +38,8 @@ public:
     const KeptRun* find(const QString& path) const;
     /// Adds it, or renews what is known of the recording at its path.
     void keep(const KeptRun& run);
-    void markSaved(const QString& path);
+    /// The recording at path was saved to another file, in place of what was saved there.
+    void markCopied(const QString& path, const QString& copy);
     void setMarked(const QString& path, bool marked);
     /// The recording lies at another path from now on, with the project or not.
     void move(const QString& from, const QString& to, bool saved);
@@ -58,6 +60,9 @@ private:
 
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
 bool holdsFor(const RunRecord& run, const Design& design);
+
+/// Whether it lies in a file that outlives the window, or its copy does: still there and of its size.
+bool isSaved(const KeptRun& run);
 
 /// A run in a few words, for questions and lists: its number, fabric, experiment and size.
 QString runInWords(const KeptRun& run);

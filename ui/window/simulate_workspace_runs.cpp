@@ -217,7 +217,7 @@ void SimulateWorkspace::copyRecording(const QString& from, const QString& to)
         const QString why = copyOver(from, to);
         turn.deliver([this, from, to, why] {
             if (why.isEmpty()) {
-                history_.markSaved(from);
+                history_.markCopied(from, to);
                 history_.forget(to); // an older recording at that place
                 Q_EMIT recordingUsed(to);
                 Q_EMIT messageShown(tr("Saved %1.").arg(to), 4000);
