@@ -155,6 +155,21 @@ private Q_SLOTS:
         QVERIFY(!runs().runs()[0].complete());
     }
 
+    void aRunGoesOnWhenALaterQuestionIsCancelled()
+    {
+        openExample();
+        startLongRun(); // which changes the experiment
+        auto asked = stopAndThenPress("Cancel");
+        QVERIFY(!window_->close());
+        QVERIFY((*asked)->contains("Save the changes"));
+        QVERIFY(simulation().running());
+        window_->document().history()->setClean();
+        asked = stopAndThenPress("Delete the Run");
+        QVERIFY(window_->close());
+        QVERIFY((*asked)->contains("run-1"));
+        QVERIFY(unsavedRuns().isEmpty());
+    }
+
     void runsOfUnsavedWorkOutliveACrash()
     {
         openExample();
@@ -316,6 +331,19 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 1, 30000);
         simulation().setPaused(true); // or it ends while the test goes on
         QVERIFY(simulation().running());
+    }
+
+    /// Agrees to stop the run, and answers the question after that. Returns what that one asked.
+    std::shared_ptr<std::shared_ptr<QString>> stopAndThenPress(const QString& text)
+    {
+        auto next = std::make_shared<std::shared_ptr<QString>>(std::make_shared<QString>());
+        meet<QMessageBox>([this, next, text](QMessageBox* stop) {
+            *next = press(text);
+            for (QAbstractButton* button : stop->buttons()) {
+                if (button->text().contains("Stop")) { button->click(); }
+            }
+        });
+        return next;
     }
 
     QString saveAs(const QString& name)

@@ -46,7 +46,7 @@ QString ProjectRuns::folder() const { return document_.path().isEmpty() ? recove
 
 QString ProjectRuns::reserve()
 {
-    may_leave_ = false;
+    stay();
     try {
         live_ = reserveRun(folder());
     } catch (const Error& error) {
@@ -60,7 +60,6 @@ QString ProjectRuns::reserve()
 
 QString ProjectRuns::settle(const QString& recording)
 {
-    may_leave_ = false;
     live_.clear();
     QString at = recording;
     releaseRun(recording);
@@ -84,9 +83,18 @@ bool ProjectRuns::isFiled(const QString& recording) const
     return !document_.path().isEmpty() && folderOf(recording) == runFolderOf(document_.path());
 }
 
-QStringList ProjectRuns::unfiled() const
+/// All beside unsaved work but what settle() takes to the project.
+QStringList ProjectRuns::unsaved() const
 {
     QStringList found = recordingsIn(recovery_.runFolder());
+    found.removeAll(live_);
+    if (!live_.isEmpty() && folder() == recovery_.runFolder()) { found << live_; }
+    return found;
+}
+
+QStringList ProjectRuns::unfiled() const
+{
+    QStringList found = unsaved();
     found.removeIf([this](const QString& path) {
         const KeptRun* run = history_.find(path);
         return run && isSaved(*run);
@@ -94,11 +102,11 @@ QStringList ProjectRuns::unfiled() const
     return found;
 }
 
+void ProjectRuns::agreeToLeave() { agreed_ = unsaved(); }
+
 void ProjectRuns::leave()
 {
-    if (!may_leave_) { return; }
-    may_leave_ = false;
-    for (const QString& recording : recordingsIn(recovery_.runFolder())) { forget(recording); }
+    for (const QString& recording : std::exchange(agreed_, {})) { forget(recording); }
 }
 
 void ProjectRuns::openProject()

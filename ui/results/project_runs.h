@@ -30,10 +30,12 @@ public:
     bool owns(const QString& recording) const;
     /// Whether it lies with the project's file.
     bool isFiled(const QString& recording) const;
-    /// Runs that lie nowhere but beside unsaved work.
+    /// Runs that lie nowhere but beside unsaved work, with the one in progress where it will stay there.
     QStringList unfiled() const;
     /// unfiled() may be deleted with leave(): its deletion was agreed to, or none is the only one.
-    void agreeToLeave() { may_leave_ = true; }
+    void agreeToLeave();
+    /// Nobody leaves after all.
+    void stay() { agreed_.clear(); }
     /// Another project follows, or the end.
     void leave();
 
@@ -53,6 +55,7 @@ Q_SIGNALS:
 
 private:
     QString folder() const;
+    QStringList unsaved() const;
     void openProject();
     void followProject();
     void bring(const QStringList& recordings);
@@ -61,9 +64,9 @@ private:
     Document& document_;
     Recovery& recovery_;
     RunHistory& history_;
-    QString known_; ///< the folder of the project as it was last seen
-    QString live_;  ///< what is being recorded
-    bool may_leave_ = false;
+    QString known_;      ///< the folder of the project as it was last seen
+    QString live_;       ///< what is being recorded
+    QStringList agreed_; ///< what leave() deletes
     NewestJob loader_;
 };
 

@@ -98,10 +98,13 @@ private:
     void exportDraft();
     void exportMesh();
     /// Asks about everything that would be lost with the project: a run in progress, changes, runs without a place of their own.
+    /// A run in progress is then stopped.
     bool mayLeave();
+    bool agreesToLeave();
     bool mayDiscard();
     bool mayDropRuns();
-    bool mayStopExport();
+    bool agreesToStopExport();
+    void stopExport();
 
     Document document_;
     Recovery recovery_{document_};

@@ -52,7 +52,10 @@ bool MainWindow::openFile(const QString& path)
 {
     if (isDraft(path)) { return importDraft(path); }
     if (isRecording(path)) { return simulate_->openRecording(path); }
-    if (!mayLeave() || !document_.open(path)) { return false; }
+    if (!mayLeave() || !document_.open(path)) {
+        compare_->project().stay();
+        return false;
+    }
     simulate_->clearResults();
     recent_->add(document_.path());
     return true;
@@ -90,6 +93,7 @@ void MainWindow::offer(const LeftOver& left)
     } else if (box.clickedButton() == discard) {
         Recovery::discard(left);
     }
+    compare_->project().stay();
 }
 
 void MainWindow::newProject()
@@ -211,7 +215,19 @@ void MainWindow::exportMesh()
     export_->activateWindow();
 }
 
-bool MainWindow::mayLeave() { return simulate_->mayStopRun() && mayDiscard() && mayDropRuns(); }
+bool MainWindow::mayLeave()
+{
+    if (!agreesToLeave()) { return false; }
+    simulate_->stopRun();
+    return true;
+}
+
+/// Nothing is stopped before every question is answered.
+bool MainWindow::agreesToLeave()
+{
+    compare_->project().stay();
+    return simulate_->agreesToStopRun() && mayDiscard() && mayDropRuns();
+}
 
 /// Runs of a project that has a file stay with it.
 bool MainWindow::mayDropRuns()
@@ -254,21 +270,20 @@ bool MainWindow::mayDiscard()
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
-bool MainWindow::mayStopExport()
+bool MainWindow::agreesToStopExport()
 {
-    if (export_ && export_->writing()) {
-        if (!confirm(this, tr("An export is in progress"), tr("Stop the export?"), tr("No file will be written."), tr("Stop the Export"))) {
-            return false;
-        }
-        if (export_ && export_->writing()) { // it may have ended meanwhile
-            export_->cancel();
-            // Some formats are written in one call that takes seconds. Until it returns the window is drawn, but takes no input.
-            QEventLoop end;
-            connect(export_, &ExportDialog::ended, &end, &QEventLoop::quit);
-            end.exec(QEventLoop::ExcludeUserInputEvents);
-        }
-    }
-    return true;
+    if (!export_ || !export_->writing()) { return true; }
+    return confirm(this, tr("An export is in progress"), tr("Stop the export?"), tr("No file will be written."), tr("Stop the Export"));
+}
+
+void MainWindow::stopExport()
+{
+    if (!export_ || !export_->writing()) { return; } // it may have ended meanwhile
+    export_->cancel();
+    // Some formats are written in one call that takes seconds. Until it returns the window is drawn, but takes no input.
+    QEventLoop end;
+    connect(export_, &ExportDialog::ended, &end, &QEventLoop::quit);
+    end.exec(QEventLoop::ExcludeUserInputEvents);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -278,10 +293,13 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!mayLeave() || !mayStopExport()) {
+    if (!agreesToLeave() || !agreesToStopExport()) {
+        compare_->project().stay();
         event->ignore();
         return;
     }
+    stopExport();
+    simulate_->stopRun();
     compare_->project().leave();
     if (export_) {
         export_->close(); // keeps its choice

@@ -84,8 +84,10 @@ public:
     void clearResults();
     /// Replaces the project's design by that of the recording.
     void takeDesign();
-    /// Asks before it stops a run in progress, and keeps what is recorded. True when there is none any more.
-    bool mayStopRun();
+    /// Asks before a run in progress is stopped. True when it may be, or there is none.
+    bool agreesToStopRun();
+    /// Stops a run in progress, and keeps what is recorded.
+    void stopRun();
 
 Q_SIGNALS:
     void problemFound(const QString& sentence);
@@ -109,7 +111,7 @@ private:
     void connectRun();
     void connectPlayback();
     void showRunEnd(SimulationRun::Outcome outcome, const QString& sentence);
-    void stopRun();
+    bool mayStopRun();
     void takeOpened(const QString& path);
     void keepRun();
     bool mayTakeDesign() const;

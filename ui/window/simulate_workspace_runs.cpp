@@ -119,6 +119,13 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
 
 bool SimulateWorkspace::mayStopRun()
 {
+    if (!agreesToStopRun()) { return false; }
+    stopRun();
+    return true;
+}
+
+bool SimulateWorkspace::agreesToStopRun()
+{
     if (!run_.running()) { return true; }
     const QString what =
         playback_.live() ? QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) : tr("the experiment");
@@ -131,19 +138,18 @@ bool SimulateWorkspace::mayStopRun()
     box.setDefaultButton(go_on);
     box.setEscapeButton(go_on);
     box.exec();
-    if (box.clickedButton() != stop) { return false; }
-    stopRun();
-    return true;
+    return box.clickedButton() == stop;
 }
 
 /// Until the run has ended, 0.2 s or so, the window is drawn, but takes no input.
 void SimulateWorkspace::stopRun()
 {
+    if (!run_.running()) { return; } // it may have ended while questions were open
     const QScopedValueRollback stopping(stopping_, true);
     QEventLoop end;
     connect(&run_, &SimulationRun::ended, &end, &QEventLoop::quit);
     run_.cancel();
-    if (run_.running()) { end.exec(QEventLoop::ExcludeUserInputEvents); } // it may have ended while the question was open
+    if (run_.running()) { end.exec(QEventLoop::ExcludeUserInputEvents); }
 }
 
 void SimulateWorkspace::clearResults()
