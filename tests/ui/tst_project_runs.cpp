@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs belong to their project: found again, taken along, and gone only when the user says so. Needs a display: xvfb-run.
+#include "core/base/error.h"
 #include "ui/document/run_folder.h"
 #include "window_test.h"
 
@@ -238,6 +239,39 @@ private Q_SLOTS:
         button("Forget…")->click();
         QVERIFY(!QFile::exists(path));
         QVERIFY(runs().runs().empty());
+    }
+
+    void whatAnotherWindowDidIsNotDeleted()
+    {
+        run();
+        window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
+        const QString path = playback().path();
+        setMarked(path, true); // the list does not know
+        window_->setWorkspace(Workspace::compare);
+        auto asked = press("Forget");
+        button("Forget Older…")->click();
+        QVERIFY(!asked->isEmpty() && QFile::exists(path));
+        setMarked(path, false);
+        QVERIFY(QFile::remove(path)); // forgotten there, and its number taken by another run
+        QFile other(path);
+        QVERIFY(other.open(QIODevice::WriteOnly) && other.write("another run") > 0);
+        other.close();
+        asked = press("OK");
+        Q_EMIT compareView().forgetRequested(path);
+        QTRY_VERIFY(asked->contains("no more the run"));
+        QVERIFY(QFile::exists(path));
+    }
+
+    void aRunThatIsBeingWrittenIsNotDeleted()
+    {
+        startLongRun();
+        const QString path = playback().path();
+        QVERIFY_EXCEPTION_THROWN(deleteRun(path), Error);
+        QVERIFY(QFile::exists(path));
+        simulation().cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation().running(), 10000);
+        deleteRun(path);
+        QVERIFY(!QFile::exists(path));
     }
 
     void olderRunsAreForgottenUnlessTheyAreMarked()

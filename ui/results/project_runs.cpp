@@ -72,6 +72,7 @@ QString ProjectRuns::settle(const QString& recording)
         } catch (const Error&) { // reserve() said so
         }
     }
+    if (!at.isEmpty()) { history_.move(recording, at, isFiled(at)); }
     recovery_.follow();
     return at;
 }
@@ -194,6 +195,10 @@ void ProjectRuns::forget(const QString& recording)
 {
     try {
         const KeptRun* run = history_.find(recording);
+        if (run && run->own && isAnotherNow(*run)) {
+            throw Error(
+                tr("%1 is not deleted: it is no more the run that was listed. Open the project again.").arg(recording).toStdString());
+        }
         if (owns(recording) && (!run || run->own)) { deleteRun(recording); }
         history_.forget(recording);
     } catch (const Error& error) {

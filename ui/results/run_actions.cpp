@@ -2,6 +2,7 @@
 #include "ui/results/run_actions.h"
 
 #include "ui/basics/quantity.h"
+#include "ui/document/run_folder.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -99,7 +100,9 @@ void RunActions::forgetOlder()
 {
     const std::vector<KeptRun> runs = older();
     if (!runs.empty() && mayDelete(runs)) {
-        for (const KeptRun& run : runs) { Q_EMIT forgetRequested(run.path); }
+        for (const KeptRun& run : runs) {
+            if (!isMarked(run.path)) { Q_EMIT forgetRequested(run.path); } // another window may have marked it
+        }
     }
 }
 

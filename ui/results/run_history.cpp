@@ -23,6 +23,13 @@ Design conditionsOf(const RunRecord& run)
     return part;
 }
 
+void lookAtFile(KeptRun& run)
+{
+    const QFileInfo info(run.path);
+    run.bytes = static_cast<double>(info.size());
+    run.written = info.lastModified();
+}
+
 template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
 
 } // namespace
@@ -50,7 +57,7 @@ void RunHistory::keep(const KeptRun& run)
         kept.number = 1;
         for (const KeptRun& other : runs_) { kept.number = std::max(kept.number, other.number + 1); }
     }
-    kept.bytes = static_cast<double>(QFileInfo(kept.path).size());
+    lookAtFile(kept);
     kept.current = holdsFor(*kept.run, *design_);
     const auto after = std::find_if(runs_.begin(), runs_.end(), [&kept](const KeptRun& other) { return other.number > kept.number; });
     runs_.insert(after, kept);
@@ -83,6 +90,7 @@ void RunHistory::move(const QString& from, const QString& to, bool saved)
         if (run.path != from) { continue; }
         run.path = to;
         run.saved = run.saved || saved;
+        lookAtFile(run);
     }
     Q_EMIT changed();
 }
@@ -121,6 +129,13 @@ bool holdsFor(const RunRecord& run, const Design& design)
 bool isSaved(const KeptRun& run)
 {
     return run.saved || (!run.copy.isEmpty() && QFileInfo::exists(run.copy) && QFileInfo(run.copy).size() == QFileInfo(run.path).size());
+}
+
+bool isAnotherNow(const KeptRun& run)
+{
+    KeptRun now = run;
+    lookAtFile(now);
+    return QFileInfo::exists(run.path) && (now.bytes != run.bytes || now.written != run.written);
 }
 
 QString runInWords(const KeptRun& run)

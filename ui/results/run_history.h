@@ -4,6 +4,7 @@
 
 #include "core/analysis/metrics.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 
@@ -21,6 +22,7 @@ struct KeptRun {
     bool marked = false;  ///< with "keep"
     bool current = false; ///< of the design as it is now; the history finds out
     double bytes = 0;     ///< of its file; the history finds out
+    QDateTime written;    ///< its file, last; the history finds out
     int number = 0;       ///< the history counts those without
     QString copy;         ///< where it was saved; that file may have changed since
 
@@ -63,6 +65,9 @@ bool holdsFor(const RunRecord& run, const Design& design);
 
 /// Whether it lies in a file that outlives the window, or its copy does: still there and of its size.
 bool isSaved(const KeptRun& run);
+
+/// Whether the file at its path is no more the one that was listed.
+bool isAnotherNow(const KeptRun& run);
 
 /// A run in a few words, for questions and lists: its number, fabric, experiment and size.
 QString runInWords(const KeptRun& run);
