@@ -298,7 +298,9 @@ private Q_SLOTS:
     {
         QFile inTheWay(runFolderOf(project_));
         QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        QSignalSpy failed(&window_->compare().project(), &ProjectRuns::failed);
         run();
+        QCOMPARE(failed.count(), 1);
         QVERIFY(playback().path().startsWith(Recovery::standardFolder()));
         trigger("Save");
         const auto asked = press("Delete the Run");

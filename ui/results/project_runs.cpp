@@ -69,7 +69,8 @@ QString ProjectRuns::settle(const QString& recording)
         try {
             at = bringRun(recording, folder(), folderOf(recording) == recovery_.runFolder() ? Bring::move : Bring::copy);
             Q_EMIT moved(recording, at);
-        } catch (const Error&) { // reserve() said so
+        } catch (const Error& error) {
+            Q_EMIT failed(QString::fromStdString(error.what()));
         }
     }
     if (!at.isEmpty()) { history_.move(recording, at, isFiled(at)); }
