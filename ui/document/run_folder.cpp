@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
-#include "core/run/recording.h"
 
 #include <QDir>
 #include <QFile>
@@ -54,15 +53,6 @@ void copyOver(const QString& from, const QString& to)
         fs::copy_file(from.toStdString(), temporary, fs::copy_options::overwrite_existing, error);
         if (error) { throw Error(error.message()); }
     });
-}
-
-bool isBeingWritten(const QString& recording)
-{
-    try {
-        return Recording(recording.toStdString()).is_being_written();
-    } catch (const FileError&) { // none, or a damaged one
-        return false;
-    }
 }
 
 void removeIfEmpty(const QString& folder)
@@ -140,9 +130,6 @@ QString bringRun(const QString& recording, const QString& folder, Bring how)
 
 void deleteRun(const QString& recording)
 {
-    if (isBeingWritten(recording)) {
-        throw Error(QObject::tr("%1 is not deleted: a run is writing it. Stop that run first.").arg(recording).toStdString());
-    }
     QFile file(recording);
     if (file.exists() && !file.remove()) {
         throw Error(QObject::tr("%1 cannot be deleted: %2.").arg(recording, file.errorString()).toStdString());

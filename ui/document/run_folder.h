@@ -25,7 +25,7 @@ void releaseRun(const QString& recording);
 /// system can. Returns its path there. Throws Error; nothing is then changed.
 enum class Bring { copy, move };
 QString bringRun(const QString& recording, const QString& folder, Bring how);
-/// Deletes a recording of a project. Throws Error, also while a run writes it.
+/// Deletes a recording of a project. Throws Error.
 void deleteRun(const QString& recording);
 
 bool isMarked(const QString& recording);

@@ -32,6 +32,15 @@ KeptRun readRun(const QString& path, const NewestJob::Turn& turn)
     return kept;
 }
 
+bool isBeingWritten(const QString& recording)
+{
+    try {
+        return Recording(recording.toStdString()).is_being_written();
+    } catch (const FileError&) { // none, or a damaged one
+        return false;
+    }
+}
+
 } // namespace
 
 ProjectRuns::ProjectRuns(Document& document, Recovery& recovery, RunHistory& history, QObject* parent)
@@ -200,7 +209,12 @@ void ProjectRuns::forget(const QString& recording)
             throw Error(
                 tr("%1 is not deleted: it is no more the run that was listed. Open the project again.").arg(recording).toStdString());
         }
-        if (owns(recording) && (!run || run->own)) { deleteRun(recording); }
+        if (owns(recording) && (!run || run->own)) {
+            if (isBeingWritten(recording)) {
+                throw Error(tr("%1 is not deleted: a run is writing it. Stop that run first.").arg(recording).toStdString());
+            }
+            deleteRun(recording);
+        }
         history_.forget(recording);
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));
