@@ -10,7 +10,7 @@ namespace hygroloom {
 /// Of one face.
 struct FaceIndices {
     std::optional<double> wetting_time; ///< s, when the water content first rises by more than tan 15 degrees per s
-    double absorption_rate = 0;         ///< %/s, mean slope from there until half of the largest content within the feed
+    double absorption_rate = 0;         ///< %/s, mean slope from there over half of the further rise within the feed
     double maximum_wetted_radius = 0;   ///< mm, of rings 5 mm apart, 30 at most
     double spreading_speed = 0;         ///< mm/s, mean over the wetted rings
 };

@@ -17,7 +17,7 @@ constexpr double ring_step = 5e-3;       ///< m
 constexpr double ring_band = 1e-3;       ///< m, width of what a ring reads, inwards from it; an assumption
 constexpr double wet_content = 5;        ///< % of the dry mass, above which a ring reads wet; an assumption
 constexpr double tester_interval = 0.1;  ///< s, from sample to sample
-constexpr double share_of_largest = 0.5; ///< of the largest content within the feed, up to which absorption is initial; an assumption
+constexpr double share_of_largest = 0.5; ///< of the rise within the feed, over which absorption is initial; an assumption
 
 /// Water beyond that at the start in the band of each ring, % of the dry mass there of that face's yarns.
 using RingContents = std::array<double, tester_rings>;

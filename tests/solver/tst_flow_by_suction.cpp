@@ -257,6 +257,7 @@ private Q_SLOTS:
         const std::unique_ptr<Backend> backend = make_cpu_backend();
         Scene scene = wet_patch("Viscose challis", 3, true);
         const Frame frame = frames_at(*backend, scene, {30}).front();
+        QVERIFY(std::abs(frame.ledger.water_imbalance()) < 1e-12 * frame.ledger.water_initial);
         int seen = 0, larger = 0;
         for (std::size_t i = 0; i < frame.saturation.size(); ++i) {
             const double own = static_cast<double>(frame.liquid[i] - frame.between[i]), filled = static_cast<double>(frame.saturation[i]);

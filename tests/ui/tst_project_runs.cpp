@@ -257,7 +257,7 @@ private Q_SLOTS:
         other.close();
         asked = press("OK");
         Q_EMIT compareView().forgetRequested(path);
-        QTRY_VERIFY(asked->contains("no more the run"));
+        QTRY_VERIFY(asked->contains("no longer the run"));
         QVERIFY(QFile::exists(path));
     }
 

@@ -207,7 +207,7 @@ void ProjectRuns::forget(const QString& recording)
         const KeptRun* run = history_.find(recording);
         if (run && run->own && isAnotherNow(*run)) {
             throw Error(
-                tr("%1 is not deleted: it is no more the run that was listed. Open the project again.").arg(recording).toStdString());
+                tr("%1 is not deleted: it is no longer the run that was listed. Open the project again.").arg(recording).toStdString());
         }
         if (owns(recording) && (!run || run->own)) {
             if (isBeingWritten(recording)) {

@@ -33,7 +33,7 @@ struct FindPores {
         const YarnParameters& yarn = s.yarn_of(i);
         double share_of_room = 0;
         if (s.room != nullptr) {
-            constexpr double each = 0.25; // both yarns together take up to half of it
+            constexpr double each = 0.25; // both yarns together take up to half of it; an assumption
             const int crossing = s.crossing_of(i);
             share_of_room = each * s.crossing_at(crossing / s.picks, crossing % s.picks).between.volume;
         }
@@ -53,6 +53,7 @@ struct FindPores {
     /// Permeability of that room over that between dry yarns: as the cube of its volume (Kozeny and Carman, skin unchanged).
     HL_FN double permeability_of_room(int crossing, const BetweenParameters& at) const
     {
+        if (s.swelling <= 0) return 1.0;
         const double wide = plain_inverse(narrowness(crossing, at));
         return wide * wide * wide;
     }
