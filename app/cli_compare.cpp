@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
+#include "core/analysis/comparison_report.h"
 #include "core/analysis/sweep.h"
 #include "core/project/atomic_file.h"
 #include "gpu/backends.h"
@@ -20,6 +21,10 @@ struct CompareOptions : FidelityOptions {
     std::vector<std::string> fabrics; ///< as given
     std::string by;
     std::string output;
+    std::string baseline;
+    std::string report;
+    std::string measured; ///< file
+    int replicates = 1;
     int at_once = 0;
 };
 
@@ -30,6 +35,13 @@ struct CandidateMaps {
 
 constexpr int crossings_per_cell = 2;
 
+/// A run of the comparison: a fabric's replicate.
+struct Job {
+    Drawn drawn;
+    std::string fabric;
+    RunOptions how;
+};
+
 /// Rewrites the tables after every run.
 void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
 {
@@ -39,39 +51,62 @@ void write_numbers(const Comparison& comparison, const std::filesystem::path& fo
 }
 
 /// All on one colour scale, so that they can be compared.
-void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
-                    const std::filesystem::path& folder)
+void share_range(std::vector<std::optional<CandidateMaps>>& maps)
 {
     double most = 0;
     for (const auto& m : maps)
         if (m) most = std::max({most, m->top.map.maximum(), m->bottom.map.maximum()});
+    for (auto& m : maps)
+        if (m) m->top.image.most = m->bottom.image.most = most;
+}
+
+void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
+                    const std::filesystem::path& folder)
+{
+    share_range(maps);
     const std::vector<std::string> stems = file_stems(fabrics);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         if (!maps[i]) continue;
         auto& [top, bottom] = *maps[i];
-        top.image.most = bottom.image.most = most;
         write_picture(top, folder / (stems[i] + "-top.png"));
         write_picture(bottom, folder / (stems[i] + "-bottom.png"));
     }
 }
 
-/// Each fabric as its RunOptions say. The numbers are written after every run, the maps kept where there is an output folder. Throws what
-/// writing threw.
-void run_candidates(const Design& design, const std::vector<std::string>& fabrics, std::vector<RunOptions> how,
-                    const CompareOptions& options, RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends,
-                    Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps)
+/// All replicates of the first fabric, the second, and so on, replicate by replicate: see run_comparison(). Precondition: the fabrics fit.
+std::vector<Job> jobs_of(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment,
+                         const std::vector<Textile>& textiles, const RunOptions& how, int replicates)
+{
+    std::vector<Job> jobs;
+    for (int number = 0; number < replicates; ++number)
+        for (std::size_t f = 0; f < fabrics.size(); ++f) {
+            Job job{drawn(design, fabrics[f], experiment, {how.seed, number, replicates}), fabrics[f], how};
+            job.how.seed = job.drawn.seed;
+            if (replicates == 1) job.how.textile = std::make_shared<const Textile>(textiles[f]);
+            jobs.push_back(std::move(job));
+        }
+    return jobs;
+}
+
+/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates kept where there is an output
+/// folder. Throws what writing threw.
+void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>& fabrics, const CompareOptions& options,
+                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
+                    std::vector<std::optional<CandidateMaps>>& maps)
 {
     std::mutex one_on_cpu;
-    for (RunOptions& one : how) one.one_on_cpu = &one_on_cpu;
-    RunBar bar(options.quiet, fabrics.size());
+    RunBar bar(options.quiet, jobs.size());
     const auto run = [&](std::size_t i, Backend& backend) {
+        const Job& job = jobs[i];
+        RunOptions how = job.how;
+        how.one_on_cpu = &one_on_cpu;
         std::shared_ptr<const Frame> first, last;
-        FinishedRun finished = run_with_bar(design, fabrics[i], comparison.experiment, how[i], backend, control, bar, i,
+        FinishedRun finished = run_with_bar(job.drawn.design, job.fabric, comparison.experiment, how, backend, control, bar, i,
                                             [&](const std::shared_ptr<const Frame>& frame) {
                                                 if (!first) first = frame;
                                                 last = frame;
                                             });
-        if (!options.output.empty()) {
+        if ((!options.output.empty() || !options.report.empty()) && i < fabrics.size()) {
             const Frame start = start_of_maps(finished.run, *first);
             maps[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
@@ -80,6 +115,8 @@ void run_candidates(const Design& design, const std::vector<std::string>& fabric
         CandidateRun candidate{candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
                                             std::make_shared<const Metrics>(std::move(finished.metrics))),
                                !finished.device_failure.empty()};
+        candidate.candidate.replicates.front()->places = job.drawn.places;
+        candidate.candidate.unknowns = job.drawn.names;
         if (candidate.device_failed) candidate.candidate.notes.push_back(finished.device_failure);
         return candidate;
     };
@@ -89,9 +126,48 @@ void run_candidates(const Design& design, const std::vector<std::string>& fabric
     });
 }
 
+/// On one page, with the maps that there are.
+void write_report(const Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
+                  const std::string& file)
+{
+    share_range(maps);
+    std::vector<ReportPicture> pictures;
+    for (const Candidate& candidate : comparison.candidates) {
+        const auto at = static_cast<std::size_t>(std::find(fabrics.begin(), fabrics.end(), candidate.fabric) - fabrics.begin());
+        if (!maps[at]) continue;
+        for (const auto& [side, map] : {std::pair{"top", &maps[at]->top}, std::pair{"bottom", &maps[at]->bottom}})
+            pictures.push_back(
+                {fmt::format("{}, {}, {} x {} crossings a cell", candidate.fabric, side, crossings_per_cell, crossings_per_cell),
+                 draw_map(map->map, map->width, map->height, map->image)});
+    }
+    write_file(file, comparison_report_html(comparison, pictures));
+}
+
+/// Without runs: what is compared, and how.
+Comparison comparison_of(const CompareOptions& options, const Experiment& experiment, const std::vector<std::string>& fabrics)
+{
+    Comparison comparison;
+    comparison.experiment = experiment.name;
+    comparison.criteria = compared_by(experiment.type);
+    comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
+    comparison.replicates = options.replicates;
+    comparison.baseline = options.baseline.empty() ? fabrics.front() : options.baseline;
+    if (std::find(fabrics.begin(), fabrics.end(), comparison.baseline) == fabrics.end())
+        throw Stop(exit_usage, fmt::format("--baseline: \"{}\" is not among the compared fabrics.", comparison.baseline));
+    if (!options.measured.empty()) {
+        std::vector<std::pair<std::string, std::string>> metrics;
+        for (const OutcomeInfo& criterion : comparison.criteria) metrics.emplace_back(criterion.key, criterion.unit);
+        comparison.measured =
+            read_laboratory_table(read_file(options.measured, std::size_t{16} << 20U), options.measured, fabrics, metrics);
+    }
+    return comparison;
+}
+
 int compare(const CompareOptions& options)
 {
     check_fidelity(options);
+    if (!options.report.empty() && CLI::detail::to_lower(std::filesystem::path(options.report).extension().string()) != ".html")
+        throw Stop(exit_usage, "A report is an .html file, which browsers print as PDF; given is \"" + options.report + "\".");
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
@@ -99,26 +175,22 @@ int compare(const CompareOptions& options)
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two or more fabrics; use simulate for one.");
-    announce_scenes(options.at_once, static_cast<int>(fabrics.size()));
+    const int runs = static_cast<int>(fabrics.size()) * options.replicates;
+    announce_scenes(options.at_once, runs);
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
     const FidelityChoice choice = chosen_fidelity(options, design, textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
-    Comparison comparison;
-    comparison.experiment = experiment.name;
-    comparison.criteria = compared_by(experiment.type);
-    comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
+    Comparison comparison = comparison_of(options, experiment, fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
-    const auto backends =
-        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, textiles, how));
+    const auto backends = open_backends(options, options.at_once, runs, bytes_of_largest(design, experiment, textiles, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
-    std::vector<RunOptions> each(fabrics.size(), how);
-    for (std::size_t i = 0; i < each.size(); ++i) each[i].textile = std::make_shared<const Textile>(textiles[i]);
-    run_candidates(design, fabrics, each, options, control, backends, comparison, maps);
+    const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
+    run_candidates(jobs, fabrics, options, control, backends, comparison, maps);
     const bool some = !comparison.candidates.empty();
     if (options.json)
         print_result("{}", comparison_json(comparison));
@@ -128,8 +200,16 @@ int compare(const CompareOptions& options)
         write_pictures(maps, fabrics, options.output);
         if (!options.quiet) print_note("Table and maps: {}\n", options.output);
     }
+    if (!options.report.empty() && some) {
+        write_report(comparison, maps, fabrics, options.report);
+        if (!options.quiet) print_note("Report: {}\n", options.report);
+    }
     if (!comparison.complete) {
-        print_note("Cancelled after {} of {} fabrics.\n", comparison.candidates.size(), fabrics.size());
+        std::size_t ended = 0;
+        for (const Candidate& candidate : comparison.candidates)
+            ended += candidate.replicates.size() -
+                     static_cast<std::size_t>(std::count(candidate.replicates.begin(), candidate.replicates.end(), std::nullopt));
+        print_note("Cancelled after {} of {} runs.\n", ended, runs);
         return exit_cancelled;
     }
     const bool failed = std::any_of(comparison.candidates.begin(), comparison.candidates.end(),
@@ -154,10 +234,18 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.add_option("--fabrics", options->fabrics, "Two or more fabrics, separated by commas; all of the project when left out")
         ->allow_extra_args(false);
     verb.add_option("--by", options->by, "Metric to rank by, such as absorbency_time_s; the first of the table when left out");
+    verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
+    verb.add_option("--replicates", options->replicates,
+                    "Runs of each fabric: the first as given, the others with inputs drawn within what is not known of them")
+        ->check(CLI::Range(1, 1000));
+    verb.add_option("--measured", options->measured, "Numbers of a laboratory beside: CSV with fabric, metric, value, unit and spread")
+        ->type_name("FILE");
     add_fidelity_options(verb, *options, ", for all runs together");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);
+    verb.add_option("--report", options->report, "Write a report (.html) with verdicts, intervals, maps, curves and what is not known")
+        ->type_name("FILE");
     verb.add_option("-o,--output", options->output, "Folder for the table and the maps")->type_name("FOLDER");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

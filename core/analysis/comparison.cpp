@@ -1,41 +1,118 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison.h"
 
-#include "core/analysis/metrics_json.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace hygroloom {
-
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// Where both have the number, in the order of the replicates.
+struct Pairs {
+    std::vector<double> values, baseline;
+    std::vector<std::vector<double>> places; ///< of both's unknowns
+};
 
-std::string one_line(std::string text)
+const double* number_of(const Candidate& candidate, std::size_t replicate, const std::string& key)
 {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return text;
+    if (replicate >= candidate.replicates.size() || !candidate.replicates[replicate]) return nullptr;
+    const auto& numbers = candidate.replicates[replicate]->numbers;
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? nullptr : &found->second;
 }
 
-/// A CSV field.
-std::string csv_field(const std::string& text)
+/// What both have in common counts once.
+std::vector<double> both_places(const Candidate& candidate, const Candidate& baseline, std::size_t replicate)
 {
-    std::string inside;
-    for (const char c : one_line(text)) inside += c == '"' ? "\"\"" : std::string(1, c);
-    return '"' + inside + '"';
+    std::vector<double> places = candidate.replicates[replicate]->places;
+    for (std::size_t i = 0; i < baseline.unknowns.size(); ++i)
+        if (std::find(candidate.unknowns.begin(), candidate.unknowns.end(), baseline.unknowns[i]) == candidate.unknowns.end())
+            places.push_back(baseline.replicates[replicate]->places[i]);
+    return places;
 }
 
-bool most_first(const OutcomeInfo& criterion) { return criterion.better != Better::less; }
-const char* order_words(const OutcomeInfo& criterion) { return most_first(criterion) ? "largest first" : "smallest first"; }
+Pairs pairs_of(const Candidate& candidate, const Candidate& baseline, const std::string& key)
+{
+    Pairs pairs;
+    for (std::size_t i = 0; i < candidate.replicates.size(); ++i) {
+        const double *a = number_of(candidate, i, key), *b = number_of(baseline, i, key);
+        if (!a || !b) continue;
+        pairs.values.push_back(*a);
+        pairs.baseline.push_back(*b);
+        pairs.places.push_back(both_places(candidate, baseline, i));
+    }
+    return pairs;
+}
+
+std::optional<double> numerical_of(const Candidate& candidate, const std::string& key)
+{
+    const auto found = candidate.numerical.find(key);
+    return found == candidate.numerical.end() ? std::nullopt : std::optional(found->second);
+}
+
+void find_intervals(Candidate& candidate)
+{
+    candidate.intervals.clear();
+    std::set<std::string> keys;
+    for (const auto& run : candidate.replicates)
+        if (run)
+            for (const auto& [key, value] : run->numbers) keys.insert(key);
+    for (const std::string& key : keys) {
+        std::vector<double> values;
+        std::vector<std::vector<double>> places;
+        for (std::size_t i = 0; i < candidate.replicates.size(); ++i)
+            if (const double* value = number_of(candidate, i, key)) {
+                values.push_back(*value);
+                places.push_back(candidate.replicates[i]->places);
+            }
+        candidate.intervals[key] = interval_of(values, places, numerical_of(candidate, key));
+    }
+}
+
+bool shows_better(const std::optional<Compared>& found)
+{
+    return found && (found->verdict == Verdict::better || found->verdict == Verdict::probably_better);
+}
+
+bool has_number(const Candidate& candidate, const std::string& key)
+{
+    return candidate.failure.empty() && candidate.intervals.contains(key);
+}
+
+/// The lower, the earlier; where ranks are equal.
+double place(const Candidate& candidate, const OutcomeInfo& by)
+{
+    if (!candidate.failure.empty()) return std::numeric_limits<double>::infinity();
+    const auto found = candidate.intervals.find(by.key);
+    if (found == candidate.intervals.end()) return std::numeric_limits<double>::max();
+    return by.better == Better::less ? found->second.centre : -found->second.centre;
+}
+
+void rank(Comparison& comparison)
+{
+    const OutcomeInfo& by = comparison.ranked_by;
+    std::vector<Candidate>& all = comparison.candidates;
+    for (Candidate& candidate : all) {
+        candidate.rank = has_number(candidate, by.key) ? 1 : 0;
+        if (candidate.rank > 0)
+            for (const Candidate& other : all)
+                if (&other != &candidate && shows_better(compared(other, candidate, by, comparison.replicates))) ++candidate.rank;
+    }
+    for (Candidate& candidate : all)
+        candidate.tied = candidate.rank > 0 &&
+                         std::count_if(all.begin(), all.end(), [&](const Candidate& other) { return other.rank == candidate.rank; }) > 1;
+    std::stable_sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
+        const int last = std::numeric_limits<int>::max();
+        return std::pair(a.rank > 0 ? a.rank : last, place(a, by)) < std::pair(b.rank > 0 ? b.rank : last, place(b, by));
+    });
+}
 
 } // namespace
 
@@ -55,104 +132,71 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
     candidate.fabric = run->fabric;
     candidate.notes = metrics->notes;
     candidate.wall = run->wall;
-    for (const Outcome& outcome : outcomes_of(*run, *metrics))
-        if (outcome.rank > 0 && outcome.value) candidate.numbers[outcome.key] = *outcome.value;
+    ReplicateRun first;
+    for (const Outcome& outcome : outcomes_of(*run, *metrics)) {
+        if (!outcome.value) continue;
+        first.numbers[outcome.key] = *outcome.value;
+        if (outcome.rank > 0) candidate.numbers[outcome.key] = *outcome.value;
+        if (const auto error = numerical_error(*run, outcome.key, *outcome.value)) candidate.numerical[outcome.key] = *error;
+    }
+    candidate.replicates.emplace_back(std::move(first));
     for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
-    if (const std::optional<double>& error = run->plan.expected_error; error && *error > 0)
-        candidate.notes.push_back(fmt::format("The largest numerical error is {} %.", rounded_text(100 * *error, 2)));
     candidate.run = std::move(run);
     candidate.metrics = std::move(metrics);
+    find_intervals(candidate);
     return candidate;
 }
 
-void rank(Comparison& comparison)
+void add_replicate(Candidate& candidate, const Candidate& run, int number)
 {
-    const OutcomeInfo& by = comparison.ranked_by;
-    const auto place = [&](const Candidate& candidate) { // the lower, the better
-        if (!candidate.failure.empty()) return std::numeric_limits<double>::infinity();
-        const auto found = candidate.numbers.find(by.key);
-        if (found == candidate.numbers.end()) return std::numeric_limits<double>::max();
-        return most_first(by) ? -found->second : found->second;
-    };
-    std::stable_sort(comparison.candidates.begin(), comparison.candidates.end(),
-                     [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
+    const auto at = static_cast<std::size_t>(number);
+    std::vector<std::optional<ReplicateRun>> replicates = std::move(candidate.replicates);
+    const double wall = candidate.wall + run.wall;
+    std::vector<std::string> notes = std::move(candidate.notes);
+    if (number == 0) {
+        candidate = run;
+        notes.insert(notes.begin(), run.notes.begin(), run.notes.end());
+    } else if (!run.failure.empty()) {
+        notes.push_back(fmt::format("Replicate {} is missing: {}", number + 1, run.failure));
+    }
+    candidate.fabric = run.fabric;
+    candidate.notes = std::move(notes);
+    candidate.wall = wall;
+    if (run.failure.empty()) candidate.unknowns = run.unknowns;
+    candidate.replicates = std::move(replicates);
+    candidate.replicates.resize(std::max(candidate.replicates.size(), at + 1));
+    if (run.failure.empty()) candidate.replicates[at] = run.replicates.front();
 }
 
-std::string comparison_table(const Comparison& comparison)
+std::optional<Compared> compared(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates)
 {
-    std::string text =
-        fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
-    std::size_t widest = 6;
-    for (const Candidate& c : comparison.candidates) widest = std::max(widest, c.fabric.size());
-    std::vector<std::size_t> widths;
-    for (const OutcomeInfo& criterion : comparison.criteria) widths.push_back(std::max(full_title(criterion).size(), std::size_t{9}));
-    const auto row = [&](const std::string& rank, const std::string& fabric, const auto& cell, const std::string& run_time) {
-        text += fmt::format("{:>2}  {:<{}}", rank, fabric, widest);
-        for (std::size_t i = 0; i < widths.size(); ++i) text += fmt::format("  {:>{}}", cell(comparison.criteria[i]), widths[i]);
-        text += fmt::format("  {:>8}\n", run_time);
-    };
-    row(
-        "", "fabric", [](const OutcomeInfo& criterion) { return full_title(criterion); }, "run time");
-    row(
-        "", "", [](const OutcomeInfo& criterion) { return shown(criterion, 0).unit; }, "s");
-    int rank = 0;
-    for (const Candidate& c : comparison.candidates) {
-        ++rank;
-        if (!c.failure.empty()) {
-            text += fmt::format("{:>2}  {:<{}}  {}\n", rank, c.fabric, widest, c.failure);
-            continue;
-        }
-        const auto number = [&](const OutcomeInfo& criterion) {
-            const auto found = c.numbers.find(criterion.key);
-            return found == c.numbers.end() ? std::string("-") : fmt::format("{:.4g}", shown(criterion, found->second).value);
-        };
-        row(std::to_string(rank), c.fabric, number, fmt::format("{:.3g}", c.wall));
-    }
-    for (const Candidate& c : comparison.candidates)
-        for (const std::string& note : c.notes) text += fmt::format("  {}: {}\n", c.fabric, note);
-    return text;
+    const Pairs pairs = pairs_of(candidate, baseline, criterion.key);
+    if (pairs.values.empty() || 2 * static_cast<int>(pairs.values.size()) < replicates) return {};
+    const bool known = candidate.numerical.contains(criterion.key) && baseline.numerical.contains(criterion.key);
+    if (pairs.values.size() == 1 && !known) return {};
+    // The errors of runs that are alike have the same direction; what they do not share is at most the larger of both.
+    const double numerical =
+        std::max(numerical_of(candidate, criterion.key).value_or(0), numerical_of(baseline, criterion.key).value_or(0));
+    Compared found = compare_pairs(pairs.values, pairs.baseline, pairs.places, numerical, criterion.better);
+    found.metric = criterion.key;
+    found.fabric = candidate.fabric;
+    found.baseline = baseline.fabric;
+    return found;
 }
 
-std::string comparison_json(const Comparison& comparison)
+void judge(Comparison& comparison)
 {
-    Json candidates = Json::array();
-    for (const Candidate& c : comparison.candidates) {
-        Json candidate{{"rank", candidates.size() + 1}, {"fabric", c.fabric}};
-        if (c.run && c.metrics)
-            candidate["run"] = metrics_value(*c.run, *c.metrics);
-        else
-            candidate["failure"] = c.failure;
-        candidates.push_back(std::move(candidate));
-    }
-    return Json{{"format", "hygroloom-comparison"},
-                {"version", 1},
-                {"experiment", comparison.experiment},
-                {"ranked_by", comparison.ranked_by.key},
-                {"first", most_first(comparison.ranked_by) ? "most" : "least"},
-                {"complete", comparison.complete},
-                {"candidates", candidates}}
-               .dump(2) +
-           "\n";
-}
-
-std::string comparison_csv(const Comparison& comparison)
-{
-    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# complete={}\nrank,fabric", one_line(comparison.experiment),
-                                   comparison.ranked_by.key + ", " + order_words(comparison.ranked_by), comparison.complete ? "yes" : "no");
-    for (const OutcomeInfo& criterion : comparison.criteria) text += "," + criterion.key;
-    text += ",wall_s,notes\n";
-    int rank = 0;
-    for (const Candidate& c : comparison.candidates) {
-        text += fmt::format("{},{}", ++rank, csv_field(c.fabric));
-        for (const OutcomeInfo& criterion : comparison.criteria) {
-            const auto found = c.numbers.find(criterion.key);
-            text += found == c.numbers.end() ? "," : fmt::format(",{:.6g}", found->second);
-        }
-        std::string notes = c.failure;
-        for (const std::string& note : c.notes) notes += (notes.empty() ? "" : " ") + note;
-        text += fmt::format(",{:.4g},{}\n", c.wall, csv_field(notes));
-    }
-    return text;
+    for (Candidate& candidate : comparison.candidates) find_intervals(candidate);
+    rank(comparison);
+    comparison.verdicts.clear();
+    const auto base = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
+                                   [&](const Candidate& c) { return c.fabric == comparison.baseline; });
+    if (base == comparison.candidates.end()) return;
+    for (const OutcomeInfo& criterion : comparison.criteria)
+        for (const Candidate& candidate : comparison.candidates)
+            if (&candidate != &*base)
+                if (auto found = compared(candidate, *base, criterion, comparison.replicates))
+                    comparison.verdicts.push_back(std::move(*found));
 }
 
 } // namespace hygroloom

@@ -1,47 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Fabrics on the same experiment, ranked by one of the numbers that its type reports.
+// Fabrics on the same experiment: how sure their numbers are, which differences are real, and a ranking in which what does not differ ties.
 #pragma once
 
-#include "core/analysis/outcomes.h"
+#include "core/analysis/intervals.h"
+#include "core/analysis/laboratory_table.h"
+#include "core/design/unknowns.h"
 
 #include <map>
 #include <memory>
 
 namespace hygroloom {
 
-/// A fabric and what its run gave.
+/// One run of a candidate. The first has all inputs as given; the others are drawn, see drawn().
+struct ReplicateRun {
+    std::map<std::string, double> numbers; ///< by key, of all outcomes that could be determined
+    std::vector<double> places;            ///< of each of the candidate's unknowns, see place_in_range()
+};
+
+/// A fabric and what its runs gave.
 struct Candidate {
     std::string fabric;
-    std::shared_ptr<const RunRecord> run; ///< none: the run failed
+    std::shared_ptr<const RunRecord> run; ///< the first replicate's; none: it failed
     std::shared_ptr<const Metrics> metrics;
-    std::string failure;                   ///< why, in a sentence
-    std::map<std::string, double> numbers; ///< by key; those that could not be determined are absent
-    std::vector<std::string> notes;        ///< what limits them, in sentences
-    double wall = 0;                       ///< s
+    std::string failure;                                 ///< why, in a sentence
+    std::map<std::string, double> numbers;               ///< by key, of the first replicate; those that could not be determined are absent
+    std::map<std::string, double> numerical;             ///< half width of the numerical error, by key; absent: not known
+    std::vector<std::optional<ReplicateRun>> replicates; ///< by number; none: it failed or is missing
+    std::vector<std::string> unknowns;                   ///< names of the inputs that were drawn
+    std::map<std::string, Interval> intervals;           ///< by key
+    std::vector<std::string> notes;                      ///< what limits the numbers, in sentences
+    double wall = 0;                                     ///< s, of all runs
+    int rank = 0;                                        ///< from 1; the same where nothing shows which is better; 0: no number to rank by
+    bool tied = false;
 };
 
 struct Comparison {
     std::string experiment;
     std::vector<OutcomeInfo> criteria; ///< see compared_by()
     OutcomeInfo ranked_by;
+    std::string baseline; ///< fabric that the verdicts are against
+    int replicates = 1;
     std::vector<Candidate> candidates;
-    bool complete = false; ///< whether all fabrics of the comparison are among them
+    std::vector<Compared> verdicts; ///< each candidate against the baseline, by each criterion
+    LaboratoryTable measured;       ///< of a laboratory, beside the simulated
+    bool complete = false;          ///< whether all runs of all fabrics are among them
 };
 
 /// The criterion of that key, the first for an empty key. Throws Error naming those there are.
 OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& key);
 
-/// What a finished run gave.
+/// What a finished run gave, as the first replicate.
 Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<const Metrics> metrics);
 
-/// Best first; those without the number after them, those that failed last, equal ones in their order.
-void rank(Comparison& comparison);
+/// Takes up one more run of the candidate, replicate number's; the first, whichever number it has, brings the record.
+void add_replicate(Candidate& candidate, const Candidate& run, int number);
 
-/// A table for people: a line for each candidate below the titles and the units.
+/// One fabric against another by one criterion, over the replicates that both have; none: fewer than half of them have the
+/// number, or there is one pair and its numerical error is not known.
+std::optional<Compared> compared(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
+
+/// Intervals, ranks and verdicts from the runs that there are. A candidate's rank is one more than the number of candidates that are better
+/// or probably better; the order is by rank, then by number; those without the number come after them, those that failed last.
+void judge(Comparison& comparison);
+
+/// nullptr: there is none.
+const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
+const LaboratoryValue* measured_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
+
+/// "3.25 ± 0.04", in the unit that people read.
+std::string with_interval(const OutcomeInfo& criterion, const Interval& interval);
+
+/// A table for people: numbers with intervals below titles and units, then the verdicts in words.
 std::string comparison_table(const Comparison& comparison);
 /// With the metrics file of each.
 std::string comparison_json(const Comparison& comparison);
 /// UTF-8, comma, dot decimals; first lines "# key=value", then a header. Numbers that could not be determined are empty.
 std::string comparison_csv(const Comparison& comparison);
+
+/// What the intervals rest on, in a sentence.
+std::string basis_text(const Comparison& comparison);
 
 } // namespace hygroloom

@@ -60,7 +60,8 @@ WickingResult wicking_result(const std::vector<double>& time, const std::vector<
     if (time.empty()) return result;
     result.height = height.back();
     std::vector<double> root, risen;
-    for (std::size_t i = 0; i < time.size(); ++i)
+    const auto highest = std::max_element(height.begin(), height.end()) - height.begin(); // the first of them
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(highest); ++i)
         if (height[i] > 0) {
             root.push_back(std::sqrt(time[i]));
             risen.push_back(height[i]);

@@ -10,7 +10,7 @@ namespace hygroloom {
 /// Of a strip that hangs in liquid (AATCC 197).
 struct WickingResult {
     double height = 0;          ///< m, at the end
-    std::optional<double> rate; ///< m/s^0.5, slope of height against the root of time, least squares from its first rise on
+    std::optional<double> rate; ///< m/s^0.5, slope of height against the root of time, least squares from its first rise to where it stops
 };
 WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height);
 

@@ -79,9 +79,27 @@ Json outcomes_value(const RunRecord& run, const Metrics& m)
     return json;
 }
 
+Json part(const std::optional<double>& half_width) { return half_width ? Json(*half_width) : Json(nullptr); }
+
+Json intervals_value(const std::map<std::string, Interval>& intervals)
+{
+    Json json = Json::object();
+    for (const auto& [metric, i] : intervals) {
+        Json parts{{"numerical", i.numerical_known ? Json(i.numerical) : Json(nullptr)}};
+        if (i.spread)
+            parts["scatter_and_input"] = *i.spread;
+        else
+            parts.update({{"scatter", part(i.scatter)}, {"input", part(i.input)}});
+        json[metric] = {{"value", i.centre},          {"low", i.low},   {"high", i.high},
+                        {"level", of_intervals.held}, {"runs", i.runs}, {"parts", parts},
+                        {"model", {{"known", false}}}};
+    }
+    return json;
+}
+
 } // namespace
 
-Json metrics_value(const RunRecord& run, const Metrics& m)
+Json metrics_value(const RunRecord& run, const Metrics& m, const std::map<std::string, Interval>& intervals)
 {
     const Ledger& l = m.ledger;
     return {
@@ -102,6 +120,7 @@ Json metrics_value(const RunRecord& run, const Metrics& m)
           {"plan", plan_value(run.plan)},
           {"switched_on", switched_value(run.switched_on)}}},
         {"metrics", outcomes_value(run, m)},
+        {"intervals", intervals_value(intervals.empty() ? numerical_intervals(run, m) : intervals)},
         {"series", series_value(m.series)},
         {"ledger",
          {{"water_in_kg", l.water_delivered},

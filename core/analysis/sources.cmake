@@ -3,8 +3,12 @@ target_sources(hygroloom_core PRIVATE
   analysis/cell_map.cpp
   analysis/closed_forms.cpp
   analysis/comparison.cpp
+  analysis/comparison_files.cpp
+  analysis/comparison_report.cpp
   analysis/enclosing_circle.cpp
+  analysis/intervals.cpp
   analysis/laboratory.cpp
+  analysis/laboratory_table.cpp
   analysis/line_chart.cpp
   analysis/management.cpp
   analysis/map_image.cpp
@@ -14,6 +18,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/outcomes.cpp
   analysis/plots.cpp
   analysis/report.cpp
+  analysis/report_parts.cpp
   analysis/sweep.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp

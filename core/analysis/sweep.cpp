@@ -85,6 +85,8 @@ void run_comparison(Comparison& comparison, const std::vector<std::string>& fabr
 {
     std::mutex mutex;
     std::vector<std::optional<Candidate>> candidates(fabrics.size());
+    const std::size_t all = fabrics.size() * static_cast<std::size_t>(comparison.replicates);
+    std::size_t done = 0;
     const auto run_one = [&](std::size_t i, Backend& backend) {
         try {
             return run(i, backend);
@@ -92,20 +94,22 @@ void run_comparison(Comparison& comparison, const std::vector<std::string>& fabr
             throw;
         } catch (const std::exception& error) {
             CandidateRun failed;
-            failed.candidate.fabric = fabrics[i];
+            failed.candidate.fabric = fabrics[i % fabrics.size()];
             failed.candidate.failure = error.what();
             return failed;
         }
     };
-    run_side_by_side(backends, fabrics.size(), control, [&](std::size_t i, Backend& backend) {
+    run_side_by_side(backends, all, control, [&](std::size_t i, Backend& backend) {
         CandidateRun finished = run_one(i, backend);
         const std::lock_guard lock(mutex);
-        candidates[i] = std::move(finished.candidate);
+        auto& candidate = candidates[i % fabrics.size()];
+        if (!candidate) candidate.emplace();
+        add_replicate(*candidate, finished.candidate, static_cast<int>(i / fabrics.size()));
         comparison.candidates.clear();
         for (const auto& known : candidates)
             if (known) comparison.candidates.push_back(*known);
-        comparison.complete = comparison.candidates.size() == fabrics.size();
-        rank(comparison);
+        comparison.complete = ++done == all;
+        judge(comparison);
         ended(i);
         return finished.device_failed;
     });

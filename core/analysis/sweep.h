@@ -39,9 +39,10 @@ struct CandidateRun {
     bool device_failed = false; ///< the run went on on the CPU
 };
 
-/// Runs the fabrics side by side, each on one of the backends: run(i, backend) gives the i-th, and an Error in it concerns that candidate
-/// alone. After each the comparison is ranked anew, in the order of the fabrics where equal, and ended(i) is called, never two at a time.
-/// Throws what ended() throws; cancelled runs are left out.
+/// Runs every fabric as often as the comparison has replicates, side by side, each run on one of the backends: run(i, backend) gives
+/// replicate i / fabrics of fabric i % fabrics, so that all fabrics have their first before one has its second. An Error in it concerns
+/// that run alone. After each the comparison is judged anew, and ended(i) is called, never two at a time. Throws what ended() throws;
+/// cancelled runs are left out.
 void run_comparison(Comparison& comparison, const std::vector<std::string>& fabrics, const std::vector<std::unique_ptr<Backend>>& backends,
                     RunControl& control, const std::function<CandidateRun(std::size_t, Backend&)>& run,
                     const std::function<void(std::size_t)>& ended);

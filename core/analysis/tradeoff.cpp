@@ -39,21 +39,13 @@ double relative(double value, double reference, double scale)
     return value == reference ? 0.0 : scale > 0 ? std::abs(value - reference) / scale : 1.0;
 }
 
-/// What a metric's error is a share of.
-double scale_of(const std::string& name, double value, double air_temperature_c)
-{
-    if (name == "surface_temperature_steady_c") return std::max(1.0, std::abs(value - air_temperature_c));
-    if (name == "one_way_transport_pct") return std::max(100.0, std::abs(value)); // a difference; its grades lie about 100 % apart
-    return std::abs(value);
-}
-
 void compare_metrics(const TradeoffOutcome& run, const TradeoffOutcome& reference, TradeoffErrors& errors)
 {
     for (const auto& [name, wanted] : reference.metrics) {
         const auto found = run.metrics.find(name);
         MetricError m{name, found == run.metrics.end() ? std::nullopt : found->second, wanted, 0};
         if (m.value && m.reference) {
-            m.error = relative(*m.value, *m.reference, scale_of(name, *m.reference, reference.air_temperature_c));
+            m.error = relative(*m.value, *m.reference, error_scale(name, *m.reference, reference.air_temperature_c));
         } else if (m.value || m.reference) {
             m.error = 1;
         }
@@ -132,6 +124,13 @@ std::map<std::string, std::optional<double>> numbers_of(const RunRecord& run, co
 }
 
 } // namespace
+
+double error_scale(const std::string& metric, double value, double air_temperature_c)
+{
+    if (metric == "surface_temperature_steady_c") return std::max(1.0, std::abs(value - air_temperature_c));
+    if (metric == "one_way_transport_pct") return std::max(100.0, std::abs(value)); // a difference; its grades lie about 100 % apart
+    return std::abs(value);
+}
 
 std::vector<TradeoffVariant> tradeoff_ladder()
 {
@@ -237,7 +236,7 @@ std::vector<MetricError> closed_form_errors(const TradeoffOutcome& run)
     for (const auto& [name, answer] : run.closed_forms) {
         const auto found = run.metrics.find(name);
         if (found == run.metrics.end() || !found->second) continue;
-        const double scale = scale_of(name, answer, run.air_temperature_c);
+        const double scale = error_scale(name, answer, run.air_temperature_c);
         errors.push_back({name, found->second, answer, relative(*found->second, answer, scale)});
     }
     return errors;

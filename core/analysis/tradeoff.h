@@ -79,6 +79,9 @@ struct MetricError {
     double error = 0; ///< relative; 1 when only one of both could be determined
 };
 
+/// What an error of a metric is a share of: its value, a temperature's distance from the air's, of one-way transport 100 % at least.
+double error_scale(const std::string& metric, double value, double air_temperature_c);
+
 /// How far a run lies from the reference.
 struct TradeoffErrors {
     std::vector<MetricError> metrics; ///< then the contents: the largest difference at the kept times over the water at stake

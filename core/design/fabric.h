@@ -35,6 +35,15 @@ struct Measured {
     bool operator==(const Measured&) const = default;
 };
 
+/// By how much an input may be off either way, as the user knows it; 0: it is known. Without it the range is a typical one, see
+/// unknown_inputs().
+struct Uncertainty {
+    std::optional<double> contact_angle_deg;
+    std::optional<double> receding_angle_deg;
+    std::optional<double> packing_factor;
+    bool operator==(const Uncertainty&) const = default;
+};
+
 struct Fabric {
     std::string name;
     Yarn warp;
@@ -53,6 +62,7 @@ struct Fabric {
     std::optional<double> finish_face;       ///< contact angle, degrees, of what lies on the upper face; without it, the yarns' own
     std::optional<double> finish_back;       ///< the same of the lower face
     Measured measured;
+    Uncertainty uncertainty;
     bool operator==(const Fabric&) const = default;
 };
 

@@ -18,12 +18,12 @@ const nlohmann::json& library_file()
     return file;
 }
 
-/// How far the receding angle of a library's fibre lies below its contact angle.
-double assumed_hysteresis_deg(const std::string& name)
+/// The entry of a library's fibre, or nullptr.
+const nlohmann::json* entry_named(const std::string& name)
 {
     for (const auto& entry : library_file().at("materials"))
-        if (entry.at("name") == name) return entry.at("contact_angle_hysteresis_deg").at("value").get<double>();
-    return 20; // as of the library's fibres that do not swell; an assumption
+        if (entry.at("name") == name) return &entry;
+    return nullptr;
 }
 
 std::vector<Material> read_library()
@@ -79,11 +79,28 @@ const Material* find_library_material(const std::string& name)
     return nullptr;
 }
 
+std::string library_name(const Material& material)
+{
+    return find_library_material(material.name) || material.based_on.empty() ? material.name : material.based_on;
+}
+
+AngleRange contact_angle_range(const std::string& library_material)
+{
+    const nlohmann::json& angle = entry_named(library_material)->at("contact_angle_deg");
+    return {angle.at("low").get<double>(), angle.at("high").get<double>(), angle.at("source").get<std::string>()};
+}
+
+double assumed_hysteresis_deg(const Material& material)
+{
+    const nlohmann::json* entry = entry_named(library_name(material));
+    return entry ? entry->at("contact_angle_hysteresis_deg").at("value").get<double>()
+                 : 20; // as of the library's fibres that do not swell; an assumption
+}
+
 double receding_angle_under(const Material& material, double contact_angle_deg)
 {
     if (material.receding_angle_deg) return std::min(*material.receding_angle_deg, contact_angle_deg);
-    const std::string& fibre = find_library_material(material.name) || material.based_on.empty() ? material.name : material.based_on;
-    return std::max(0.0, contact_angle_deg - assumed_hysteresis_deg(fibre));
+    return std::max(0.0, contact_angle_deg - assumed_hysteresis_deg(material));
 }
 
 std::string two_stage_law(const Material& material)

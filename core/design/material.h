@@ -68,6 +68,21 @@ const std::vector<Material>& material_library();
 /// nullptr when the library has none of that name.
 const Material* find_library_material(const std::string& name);
 
+/// Its own name where the library has it, else that of the fibre that it starts from; that of no library's fibre where there is none.
+std::string library_name(const Material& material);
+
+/// Between which contact angles of water, in degrees, a library's fibre lies as mills use it.
+struct AngleRange {
+    double low = 0, high = 0;
+    std::string source;
+};
+/// Precondition: the library has the fibre.
+AngleRange contact_angle_range(const std::string& library_material);
+
+/// How far the receding angle is taken to lie below the contact angle where none is given, degrees; 180: it is 0 whatever the contact
+/// angle.
+double assumed_hysteresis_deg(const Material& material);
+
 /// The receding angle of water on a fibre, or on a finish of another contact angle: as given; else less than the contact angle by what
 /// the library assumes of the fibre that the material is, or is based on (fibres.json: all of it for celluloses, 20 degrees for others).
 /// Never above the contact angle, never below 0. Degrees.

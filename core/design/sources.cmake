@@ -14,6 +14,7 @@ target_sources(hygroloom_core PRIVATE
   design/jam.cpp
   design/liquid.cpp
   design/material.cpp
+  design/unknowns.cpp
   design/validate.cpp
   design/validate_experiment.cpp
   design/validate_fabric.cpp

@@ -290,6 +290,12 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     list.range_if_given(where + ".finish_face", "contact angle of the upper face's finish", fabric.finish_face, 0, 180, "degrees");
     list.range_if_given(where + ".finish_back", "contact angle of the lower face's finish", fabric.finish_back, 0, 180, "degrees");
     validate_measured(fabric.measured, where, list);
+    const Uncertainty& off = fabric.uncertainty;
+    list.range_if_given(where + ".uncertainty.contact_angle_deg", "uncertainty of the contact angle", off.contact_angle_deg, 0, 90,
+                        "degrees");
+    list.range_if_given(where + ".uncertainty.receding_angle_deg", "uncertainty of the receding angle", off.receding_angle_deg, 0, 90,
+                        "degrees");
+    list.range_if_given(where + ".uncertainty.packing_factor", "uncertainty of the packing factor", off.packing_factor, 0, 0.3);
 
     // The arithmetic needs sound numbers, those of the materials included.
     std::vector<const Yarn*> yarns{&fabric.warp, &fabric.weft};

@@ -24,6 +24,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::map<std::string, double> metric_errors(const Json& errors)
+{
+    std::map<std::string, double> all;
+    for (const auto& [metric, value] : errors.at("metrics").items()) all[metric] = value.at("error");
+    return all;
+}
+
 MeasuredScene scene_from(const Json& json)
 {
     MeasuredScene scene;
@@ -34,6 +41,8 @@ MeasuredScene scene_from(const Json& json)
     scene.date = json.at("provenance").at("date").get<std::string>().substr(0, 10);
     const Json& load = json.at("provenance").at("load_at_start");
     if (!load.is_null()) scene.load = load;
+    for (const Json& step : json.at("convergence"))
+        if (step.at("to") == "reference") scene.reference_errors = metric_errors(step.at("errors"));
     for (const Json& p : json.at("points")) {
         if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
         MeasuredRun run;
@@ -44,7 +53,10 @@ MeasuredScene scene_from(const Json& json)
         const SceneCounts& counts = run.plan.counts;
         if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
             throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
-        if (!p.at("errors").is_null()) run.error = p.at("errors").at("largest").get<double>();
+        if (!p.at("errors").is_null()) {
+            run.error = p.at("errors").at("largest").get<double>();
+            run.errors = metric_errors(p.at("errors"));
+        }
         scene.runs.push_back(std::move(run));
     }
     return scene;
@@ -157,6 +169,27 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
             nearest = {&scene, &run};
         }
     return nearest;
+}
+
+/// Of each metric the largest error that a run so set has in any scene of the kind, with that of its reference; wider, the less alike the
+/// nearest of them is.
+std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    std::map<std::string, double> errors;
+    double nearest = 1;
+    for (const MeasuredScene& scene : measured)
+        for (const MeasuredRun& run : scene.runs) {
+            const double far = distance(plan, run.plan);
+            if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
+            nearest = std::min(nearest, far);
+            for (const auto& [metric, error] : run.errors) {
+                const auto own = scene.reference_errors.find(metric);
+                const double with_own = error + (own == scene.reference_errors.end() ? 0 : own->second);
+                errors[metric] = std::max(errors[metric], with_own);
+            }
+        }
+    for (auto& [metric, error] : errors) error *= 1 + nearest;
+    return errors;
 }
 
 [[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
@@ -290,6 +323,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
+    plan.expected_errors.clear();
     if (!nearest.run) {
         const std::string backend = measured.empty() ? "cpu" : measured.front().backend;
         plan.expected_seconds = rough_work(plan, backend);
@@ -306,6 +340,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const bool is_reference = run.plan.fidelity == Fidelity::reference;
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference, as_set = set_alike(run.plan, plan) && !cut && !otherwise;
     if (as_set) plan.expected_error = run.error;
+    if (as_set) plan.expected_errors = errors_of_kind(plan, measured);
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,

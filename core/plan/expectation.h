@@ -13,16 +13,18 @@ namespace hygroloom {
 /// One measured variant of a scene; tradeoff made it.
 struct MeasuredRun {
     ModelPlan plan;
-    KnobSettings settings;       ///< that differed from the fidelity's
-    double seconds = 0;          ///< of wall time
-    double bytes = 0;            ///< largest resident set
-    std::optional<double> error; ///< against the reference, relative; none: not measured
+    KnobSettings settings;                ///< that differed from the fidelity's
+    double seconds = 0;                   ///< of wall time
+    double bytes = 0;                     ///< largest resident set
+    std::optional<double> error;          ///< against the reference, relative; none: not measured
+    std::map<std::string, double> errors; ///< the same of each metric
 };
 
 struct MeasuredScene {
     std::string fabric, experiment, backend, device, date;
-    double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
-    std::vector<MeasuredRun> runs; ///< those with a time
+    double load = -1;                               ///< processes that ran or waited when it began; less than 0: not known
+    std::vector<MeasuredRun> runs;                  ///< those with a time
+    std::map<std::string, double> reference_errors; ///< of each metric: of the reference against one half as fine
 };
 
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.

@@ -148,6 +148,7 @@ Json plan_value(const ModelPlan& plan)
          {{"time_s", plan.expected_seconds},
           {"memory_bytes", plan.expected_bytes},
           {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
+          {"errors", plan.expected_errors},
           {"source", plan.expectation_source}}},
     };
 }
@@ -178,6 +179,8 @@ try {
     if (json.contains("counts")) plan.counts = counts_from_json(json.at("counts"));
     const Json& expected = json.at("expected");
     if (expected.contains("error") && !expected.at("error").is_null()) plan.expected_error = expected.at("error").get<double>();
+    if (expected.contains("errors"))
+        for (const auto& [metric, error] : expected.at("errors").items()) plan.expected_errors[metric] = error.get<double>();
     plan.expected_seconds = expected.at("time_s");
     plan.expected_bytes = expected.at("memory_bytes");
     plan.expectation_source = expected.at("source");

@@ -265,6 +265,13 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     object.read("capillary_radius_um", fabric.measured.capillary_radius_um);
     object.read("tortuosity", fabric.measured.tortuosity);
     object.read("crimp_percent", fabric.measured.crimp_percent);
+    if (const ProjectJson* uncertainty = object.find("uncertainty")) {
+        ObjectReader either_way(*uncertainty, file, object.path_of("uncertainty"));
+        either_way.read("contact_angle_deg", fabric.uncertainty.contact_angle_deg);
+        either_way.read("receding_angle_deg", fabric.uncertainty.receding_angle_deg);
+        either_way.read("packing_factor", fabric.uncertainty.packing_factor);
+        either_way.finish();
+    }
     object.finish({"name", "warp", "weft", "weave", "ends_per_cm", "picks_per_cm"});
     return fabric;
 }

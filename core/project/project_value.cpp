@@ -63,7 +63,7 @@ private:
 
     void make(const std::string& key)
     {
-        if (key != "flyaway" && key != "climate") {
+        if (key != "flyaway" && key != "climate" && key != "uncertainty") {
             std::vector<std::string> keys;
             for (const auto& [known, value] : at_->items()) keys.push_back(known);
             const std::string near = nearest_word(key, keys);

@@ -127,6 +127,11 @@ ProjectJson write_fabric(const Fabric& fabric)
     write_if_given(json, "capillary_radius_um", fabric.measured.capillary_radius_um);
     write_if_given(json, "tortuosity", fabric.measured.tortuosity);
     write_if_given(json, "crimp_percent", fabric.measured.crimp_percent);
+    ProjectJson uncertainty = ProjectJson::object();
+    write_if_given(uncertainty, "contact_angle_deg", fabric.uncertainty.contact_angle_deg);
+    write_if_given(uncertainty, "receding_angle_deg", fabric.uncertainty.receding_angle_deg);
+    write_if_given(uncertainty, "packing_factor", fabric.uncertainty.packing_factor);
+    if (!uncertainty.empty()) json["uncertainty"] = uncertainty;
     return json;
 }
 

@@ -10,6 +10,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <cmath>
+
 using namespace hygroloom;
 
 namespace {
@@ -44,28 +46,121 @@ Comparison of_drops(std::initializer_list<std::pair<const char*, std::optional<d
     for (const auto& [fabric, radius] : radii) {
         Candidate candidate;
         candidate.fabric = fabric;
-        if (radius) candidate.numbers[c.ranked_by.key] = *radius;
+        candidate.replicates.emplace_back(ReplicateRun{});
+        if (radius) candidate.replicates[0]->numbers[c.ranked_by.key] = *radius;
+        candidate.numerical[c.ranked_by.key] = 0.1;
         c.candidates.push_back(candidate);
     }
     return c;
 }
 
+/// Names in their order, each with its rank: "c1 a2= d2= b-".
 std::string order_of(const Comparison& comparison)
 {
     std::string order;
-    for (const Candidate& c : comparison.candidates) order += c.fabric;
+    for (const Candidate& c : comparison.candidates)
+        order += (order.empty() ? "" : " ") + c.fabric + (c.rank > 0 ? std::to_string(c.rank) : "-") + (c.tied ? "=" : "");
     return order;
 }
+
+/// Replicates of one number, each with the place of one unknown input.
+Candidate with_replicates(const std::string& fabric, const std::string& key, const std::vector<double>& values,
+                          const std::vector<double>& places)
+{
+    Candidate all;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        Candidate run;
+        run.fabric = fabric;
+        run.unknowns = {"contact angle on cotton"};
+        run.wall = 1;
+        run.numerical[key] = 0.01;
+        run.replicates = {ReplicateRun{{{key, values[i]}}, {places[i]}}};
+        add_replicate(all, run, static_cast<int>(i));
+    }
+    return all;
+}
+
+const std::vector<double> eight_places{0.5, 0.07, 0.9, 0.33, 0.76, 0.21, 0.61, 0.45};
 
 } // namespace
 
 class TestComparison : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void candidatesNoteTheExpectedError()
+    void aRunsNumbersHaveTheNumericalErrorOfItsKind()
     {
-        const std::vector<std::string> notes = full_candidate(ExperimentType::droplet).notes;
-        QVERIFY(!notes.empty() && notes.back().starts_with("The largest numerical error is "));
+        const Candidate candidate = full_candidate(ExperimentType::droplet);
+        const Interval& radius = candidate.intervals.at("absorbency_time_s");
+        QVERIFY(radius.numerical_known && radius.numerical > 0 && radius.low < radius.centre && !radius.scatter);
+        QCOMPARE(radius.numerical, candidate.run->plan.expected_errors.at("absorbency_time_s") * radius.centre);
+    }
+    void studentsFactorsAreThoseOfTheTables()
+    {
+        const std::pair<int, double> of_90[] = {{1, 6.314}, {2, 2.920}, {3, 2.353}, {7, 1.895}, {30, 1.697}};
+        for (const auto& [v, factor] : of_90) QVERIFY(std::abs(student_factor(of_intervals, v) / factor - 1) < 0.005);
+        const std::pair<int, double> of_98[] = {{1, 31.821}, {2, 6.965}, {3, 4.541}, {7, 2.998}, {30, 2.457}};
+        for (const auto& [v, factor] : of_98) QVERIFY(std::abs(student_factor(of_verdicts, v) / factor - 1) < 0.005);
+    }
+    void scatterAndInputAreToldApart()
+    {
+        std::vector<double> values, places;
+        std::vector<std::vector<double>> rows;
+        for (int i = 0; i < 40; ++i) { // 3 per unit of place, and scatter of standard deviation 0.1
+            rows.push_back({(i + 0.5) / 40});
+            values.push_back(10 + 3 * rows.back()[0] + (i % 2 == 0 ? 0.1 : -0.1));
+        }
+        const Interval interval = interval_of(values, rows, 0.2);
+        const double factor = student_factor(of_intervals, 39) * std::sqrt(1 + 1 / 40.0);
+        QVERIFY(std::abs(*interval.input / (factor * 3 / std::sqrt(12.0)) - 1) < 0.05);
+        QVERIFY(std::abs(*interval.scatter / (factor * 0.1) - 1) < 0.05);
+        QVERIFY(std::abs(interval.high - interval.centre - std::hypot(0.2, *interval.input, *interval.scatter)) < 1e-9);
+        const Interval few = interval_of({10, 11, 12}, {{0.1}, {0.5}, {0.9}}, 0.2);
+        QVERIFY(few.spread && !few.scatter && !few.input);
+    }
+    void whatAllFabricsShareCancels()
+    {
+        const std::string key = compared_by(ExperimentType::droplet)[0].key;
+        std::vector<double> a, b, c;
+        for (std::size_t i = 0; i < eight_places.size(); ++i) {
+            const double scatter = i % 2 == 0 ? 0.02 : -0.02;
+            a.push_back(10 + 4 * eight_places[i]); // the input alone moves it by 4
+            b.push_back(a.back() + 0.5 + scatter); // steadily more
+            c.push_back(a.back() + scatter);       // the same but for scatter
+        }
+        const OutcomeInfo more = compared_by(ExperimentType::droplet)[0];
+        const Candidate A = with_replicates("a", key, a, eight_places), B = with_replicates("b", key, b, eight_places),
+                        C = with_replicates("c", key, c, eight_places);
+        QVERIFY(compared(B, A, more, 8)->verdict == Verdict::better);
+        QVERIFY(compared(A, B, more, 8)->verdict == Verdict::worse);
+        QVERIFY(compared(C, A, more, 8)->verdict == Verdict::no_difference);
+        QCOMPARE(compared(B, A, more, 8)->share_of_pairs, 1.0);
+        OutcomeInfo less = more;
+        less.better = Better::less;
+        QVERIFY(compared(B, A, less, 8)->verdict == Verdict::worse);
+        for (std::size_t i = 0; i < b.size(); ++i) b[i] = a[i] + 0.5 - 0.8 * eight_places[i]; // hangs on the input, and turns over
+        QVERIFY(compared(with_replicates("b", key, b, eight_places), A, more, 8)->verdict == Verdict::no_difference);
+        for (std::size_t i = 0; i < b.size(); ++i) b[i] = a[i] + 0.5 - 0.55 * eight_places[i]; // hangs on it, and hardly ever turns over
+        QVERIFY(compared(with_replicates("b", key, b, eight_places), A, more, 8)->verdict == Verdict::probably_better);
+    }
+    void aMissingReplicateLeavesThePairsInOrder()
+    {
+        const std::string key = compared_by(ExperimentType::droplet)[0].key;
+        Candidate a = with_replicates("a", key, {1, 2, 3, 4, 5, 6, 7, 8}, eight_places);
+        Candidate failed;
+        failed.fabric = "a";
+        failed.failure = "no memory";
+        const Candidate b = a;
+        Candidate with_gap = with_replicates("a", key, {1, 2}, {0.5, 0.1});
+        add_replicate(with_gap, failed, 2);
+        for (int i = 3; i < 8; ++i)
+            add_replicate(with_gap, with_replicates("a", key, {1.0 + i}, {eight_places[static_cast<std::size_t>(i)]}), i);
+        const auto found = compared(with_gap, b, compared_by(ExperimentType::droplet)[0], 8);
+        QCOMPARE(found->pairs, 7);
+        QCOMPARE(found->difference, 0.0);
+        QVERIFY(with_gap.notes.back().find("Replicate 3 is missing: no memory") != std::string::npos);
+        for (int i = 3; i < 8; ++i) add_replicate(with_gap, failed, i);
+        for (int i = 3; i < 8; ++i) with_gap.replicates[static_cast<std::size_t>(i)].reset();
+        QVERIFY(!compared(with_gap, b, compared_by(ExperimentType::droplet)[0], 8)); // two of eight are too few
     }
     void everyTypeReportsWhatItIsComparedBy_data()
     {
@@ -80,18 +175,27 @@ private Q_SLOTS:
         QVERIFY(!criteria.empty());
         for (const OutcomeInfo& criterion : criteria) QVERIFY2(candidate.numbers.contains(criterion.key), criterion.key.c_str());
     }
-    void theBestComesFirst()
+    void theBestComesFirstAndTiesAreShown()
     {
-        Comparison c = of_drops({{"a", 3.0}, {"b", {}}, {"c", 9.0}, {"d", 3.0}, {"e", -1.0}});
+        Comparison c = of_drops({{"a", 3.0}, {"b", {}}, {"c", 9.0}, {"d", 3.05}, {"e", -1.0}});
         c.candidates[1].failure = "too large";
         c.candidates.push_back(c.candidates[4]);
         c.candidates.back().fabric = "f";
-        c.candidates.back().numbers.clear();
-        rank(c);
-        QCOMPARE(order_of(c), std::string("cadefb")); // equal ones as they stood, then without the number, then failed
+        c.candidates.back().replicates[0]->numbers.clear();
+        judge(c);
+        QCOMPARE(order_of(c), std::string("c1 d2= a2= e4 f- b-")); // those within the error tie; without the number; failed
         c.ranked_by.better = Better::less;
-        rank(c);
-        QCOMPARE(order_of(c), std::string("eadcfb"));
+        judge(c);
+        QCOMPARE(order_of(c), std::string("e1 a2= d2= c4 f- b-"));
+    }
+    void withoutAKnownErrorNothingIsClaimed()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        c.candidates[1].numerical.clear();
+        c.baseline = "a";
+        judge(c);
+        QVERIFY(c.verdicts.empty());
+        QCOMPARE(order_of(c), std::string("b1= a1="));
     }
     void anotherNumberMayRank()
     {
@@ -107,13 +211,17 @@ private Q_SLOTS:
     }
     void theTableHasTitlesAndUnitsForPeople()
     {
-        Comparison c = of_drops({{"cotton", 3.25}, {"polyester", {}}});
-        c.candidates[1].failure = "too large";
-        QCOMPARE(comparison_table(c), std::string("drop: ranked by wetted radius, top (largest first)\n"
-                                                  "    fabric     wetted radius, top  wetted radius, bottom  absorbency time  run time\n"
-                                                  "                               mm                     mm                s         s\n"
-                                                  " 1  cotton                   3.25                      -                -         0\n"
-                                                  " 2  polyester  too large\n"));
+        Comparison c = of_drops({{"cotton", 3.25}, {"hemp", 4.5}, {"polyester", {}}});
+        c.candidates[2].failure = "too large";
+        c.baseline = "cotton";
+        c.measured = {{"cotton", c.ranked_by.key, 3.5, 0.25}};
+        judge(c);
+        const std::string table = comparison_table(c);
+        for (const char* part :
+             {"drop: ranked by wetted radius, top (largest first)\n    fabric     wetted radius, top  wetted radius, bottom",
+              "\n 1  hemp              4.50 ± 0.10", "\n 2  cotton            3.25 ± 0.10", "\n    measured           3.5 ± 0.25",
+              "\n -  polyester  too large\n", "\n    against cotton  wetted radius, top", "\n    hemp                        better"})
+            QVERIFY2(table.find(part) != std::string::npos, (std::string(part) + "\n" + table).c_str());
         for (int type = 0; type < experiment_types; ++type)
             for (const OutcomeInfo& criterion : compared_by(static_cast<ExperimentType>(type)))
                 QVERIFY2(!criterion.title.empty() && criterion.title.find('_') == std::string::npos, criterion.key.c_str());
@@ -123,14 +231,17 @@ private Q_SLOTS:
         Comparison c = of_drops({{"a \"fine\", washed", 3.25}, {"b", {}}});
         c.candidates[0] = full_candidate(ExperimentType::droplet);
         c.candidates[0].fabric = "a \"fine\", washed";
-        c.candidates[0].numbers = {{c.ranked_by.key, 3.25}};
+        c.candidates[0].replicates = {ReplicateRun{{{c.ranked_by.key, 3.25}}, {}}};
+        c.candidates[0].numerical[c.ranked_by.key] = 0.25;
         c.candidates[0].notes = {"Water reached the edge."};
         c.candidates[1].failure = "too large";
-        rank(c);
+        c.baseline = "b";
+        judge(c);
         const std::string csv = comparison_csv(c);
         QVERIFY2(csv.find("# ranked_by=maximum_wetted_radius_top_mm, largest first\n") != std::string::npos, csv.c_str());
-        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,,,0,\"Water reached the edge.\"\n") != std::string::npos, csv.c_str());
-        QVERIFY2(csv.find("\n2,\"b\",,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,3,3.5,,,,,,,,,,0,\"Water reached the edge.\"\n") != std::string::npos,
+                 csv.c_str());
+        QVERIFY2(csv.find("\n,\"b\",,,,,,,,,,,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object();
         QCOMPARE(json["format"].toString(), QString("hygroloom-comparison"));
         QCOMPARE(json["first"].toString(), QString("most"));

@@ -40,6 +40,8 @@ private Q_SLOTS:
         const WickingResult r = wicking_result(time, along(time, [](double t) { return 4e-3 * std::sqrt(t); }));
         QVERIFY(std::abs(r.height - 4e-3 * std::sqrt(600)) < 1e-12);
         QVERIFY(near(r.rate, 4e-3, 1e-9));
+        const WickingResult full = wicking_result(time, along(time, [](double t) { return std::min(8e-3, 4e-3 * std::sqrt(t)); }));
+        QVERIFY(std::abs(*full.rate - 4e-3) < 1e-9);                                  // the strip's end stops it
         QVERIFY(!wicking_result(time, along(time, [](double) { return 0.0; })).rate); // nothing rose
         QVERIFY(!wicking_result({}, {}).rate);
     }

@@ -39,7 +39,8 @@ Candidate candidate_with(const std::string& fabric, const std::string& key, doub
 {
     Candidate candidate;
     candidate.fabric = fabric;
-    candidate.numbers[key] = number;
+    candidate.replicates = {ReplicateRun{{{key, number}}, {}}};
+    candidate.numerical[key] = 0;
     return candidate;
 }
 
@@ -116,6 +117,33 @@ private Q_SLOTS:
         QCOMPARE(comparison.candidates[0].fabric, std::string("B"));
         QCOMPARE(comparison.candidates[1].fabric, std::string("C"));
         QCOMPARE(comparison.candidates[2].failure, std::string("no yarn"));
+    }
+    void everyFabricHasItsReplicates()
+    {
+        Comparison comparison = of_drops();
+        comparison.replicates = 3;
+        std::vector<std::unique_ptr<Backend>> backends;
+        backends.push_back(make_cpu_backend());
+        RunControl control;
+        const std::vector<std::string> fabrics{"A", "B"};
+        std::vector<std::size_t> order;
+        run_comparison(
+            comparison, fabrics, backends, control,
+            [&](std::size_t i, Backend&) {
+                if (i == 3) throw Error("no yarn");
+                return CandidateRun{
+                    candidate_with(fabrics[i % 2], comparison.ranked_by.key, 10.0 * static_cast<double>(i % 2) + static_cast<double>(i)),
+                    false};
+            },
+            [&](std::size_t i) {
+                order.push_back(i);
+                QCOMPARE(comparison.complete, order.size() == 6);
+            });
+        QVERIFY((order == std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+        const Candidate& b = comparison.candidates[comparison.candidates[0].fabric == "B" ? 0 : 1];
+        QCOMPARE(b.replicates.size(), std::size_t(3));
+        QVERIFY(b.replicates[0] && !b.replicates[1] && b.replicates[2]);
+        QCOMPARE(b.replicates[2]->numbers.at(comparison.ranked_by.key), 15.0);
     }
     void whatCannotBeWrittenEndsTheComparison()
     {

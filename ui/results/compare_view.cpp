@@ -42,40 +42,41 @@ QString stateOf(const KeptRun& run)
     return words.join(", ");
 }
 
-/// The best of the candidates by a criterion, where one is better than another.
-std::optional<double> bestOf(const Comparison& comparison, const OutcomeInfo& criterion)
+QString verdictText(Verdict verdict)
 {
-    std::vector<double> numbers;
-    for (const Candidate& candidate : comparison.candidates) {
-        if (const auto found = candidate.numbers.find(criterion.key); found != candidate.numbers.end()) {
-            numbers.push_back(found->second);
-        }
+    switch (verdict) {
+    case Verdict::better: return CompareView::tr("better");
+    case Verdict::probably_better: return CompareView::tr("probably better");
+    case Verdict::no_difference: return CompareView::tr("no difference shown");
+    case Verdict::probably_worse: return CompareView::tr("probably worse");
+    case Verdict::worse: return CompareView::tr("worse");
     }
-    if (numbers.size() < 2) { return {}; }
-    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
-    return *least == *most ? std::optional<double>() : criterion.better == Better::less ? *least : *most;
+    return {};
 }
 
-QTableWidgetItem* cellOf(const Candidate& candidate, const OutcomeInfo& criterion, const std::optional<double>& best)
+/// A number with its interval, and a line with the verdict against the baseline.
+QTableWidgetItem* cellOf(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion)
 {
-    const auto found = candidate.numbers.find(criterion.key);
     auto* item = new QTableWidgetItem;
-    if (found == candidate.numbers.end()) {
+    const auto found = candidate.intervals.find(criterion.key);
+    if (found == candidate.intervals.end()) {
         item->setText(QStringLiteral("–"));
         item->setToolTip(CompareView::tr("This run does not give this number."));
         return item;
     }
-    const ShownValue value = shown(criterion, found->second);
-    const QString number = shownNumber(value.value, decimals_for(value.value, 3)), unit = QString::fromStdString(value.unit);
-    const QString text = unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
-    item->setText(text);
-    if (best && found->second == *best) {
-        item->setText(CompareView::tr("%1, best").arg(text));
-        QFont font = item->font();
-        font.setBold(true);
-        item->setFont(font);
-        item->setToolTip(criterion.better == Better::less ? CompareView::tr("Smaller is better.") : CompareView::tr("Larger is better."));
+    const ShownInterval seen = shown(criterion, found->second);
+    QString text = shownNumber(seen.value, seen.decimals);
+    if (seen.half > 0) { text += QStringLiteral(" ± ") + shownNumber(seen.half, seen.decimals); }
+    if (!seen.unit.empty()) { text += QChar(0x00a0) + QString::fromStdString(seen.unit); }
+    QString tip = found->second.numerical_known ? CompareView::tr("After ±: the numerical error, as measured on runs of this kind.")
+                                                : CompareView::tr("The numerical error of this number is not known.");
+    for (const Compared& verdict : comparison.verdicts) {
+        if (verdict.fabric != candidate.fabric || verdict.metric != criterion.key) { continue; }
+        text += "\n" + verdictText(verdict.verdict);
+        tip += " " + (criterion.better == Better::less ? CompareView::tr("Smaller is better.") : CompareView::tr("Larger is better."));
     }
+    item->setText(text);
+    item->setToolTip("<p>" + tip.toHtmlEscaped() + "</p>");
     return item;
 }
 
@@ -104,6 +105,10 @@ CompareView::CompareView(RunHistory& history, QWidget* parent)
     foot->addWidget(save_);
     column->addLayout(foot);
     connect(save_, &QPushButton::clicked, this, &CompareView::saveTable);
+    connect(table_->horizontalHeader(), &QHeaderView::sectionClicked, this, [this](int column) {
+        const std::vector<KeptRun> runs = compared();
+        if (static_cast<std::size_t>(column) < runs.size()) { setBaseline(runs[static_cast<std::size_t>(column)].path); }
+    });
 
     auto* upper = new QSplitter(Qt::Horizontal);
     upper->setChildrenCollapsible(false);
@@ -192,6 +197,12 @@ void CompareView::choose(const QString& path, bool on)
     refresh();
 }
 
+void CompareView::setBaseline(const QString& path)
+{
+    baseline_ = path;
+    refreshTable();
+}
+
 void CompareView::setWaterColors(WaterColors colors) { maps_->setWaterColors(colors); }
 
 const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
@@ -267,6 +278,7 @@ Comparison CompareView::comparison() const
     for (const KeptRun& run : runs) {
         made.candidates.push_back(candidate_of(run.run, run.metrics));
         made.candidates.back().fabric = nameOf(run).toStdString();
+        if (made.baseline.empty() || run.path == baseline_) { made.baseline = made.candidates.back().fabric; }
     }
     made.complete = true;
     return made;
@@ -274,7 +286,9 @@ Comparison CompareView::comparison() const
 
 void CompareView::refreshTable()
 {
-    const Comparison numbers = comparison();
+    Comparison numbers = comparison();
+    const std::vector<Candidate> columns = numbers.candidates; // as they stand in the list
+    judge(numbers);
     table_->clear();
     table_->setRowCount(static_cast<int>(numbers.criteria.size()));
     table_->setColumnCount(static_cast<int>(numbers.candidates.size()));
@@ -282,21 +296,23 @@ void CompareView::refreshTable()
         const OutcomeInfo& criterion = numbers.criteria[static_cast<std::size_t>(row)];
         const QString title = QString::fromStdString(full_title(criterion));
         table_->setVerticalHeaderItem(row, new QTableWidgetItem(title.left(1).toUpper() + title.mid(1)));
-        const std::optional<double> best = bestOf(numbers, criterion);
         for (int column = 0; column < table_->columnCount(); ++column) {
-            table_->setItem(row, column, cellOf(numbers.candidates[static_cast<std::size_t>(column)], criterion, best));
+            table_->setItem(row, column, cellOf(numbers, columns[static_cast<std::size_t>(column)], criterion));
         }
     }
     bool one_fidelity = true;
     const std::vector<KeptRun> runs = compared();
     for (int column = 0; column < table_->columnCount(); ++column) {
         const KeptRun& run = runs[static_cast<std::size_t>(column)];
-        auto* head = new QTableWidgetItem(nameOf(run));
-        head->setToolTip("<p>" + (nameOf(run) + ". " + originOf(*run.run, false)).toHtmlEscaped() + "</p>");
+        const bool base = nameOf(run).toStdString() == numbers.baseline;
+        auto* head = new QTableWidgetItem(base && runs.size() > 1 ? tr("%1\nbaseline").arg(nameOf(run)) : nameOf(run));
+        const QString click = tr("Click to compare the others with this run.");
+        head->setToolTip("<p>" + (nameOf(run) + ". " + originOf(*run.run, false) + ". " + click).toHtmlEscaped() + "</p>");
         table_->setHorizontalHeaderItem(column, head);
         one_fidelity = one_fidelity && run.run->plan.fidelity == runs.front().run->plan.fidelity;
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->resizeRowsToContents();
     save_->setEnabled(runs.size() > 1);
     origin_->setText(one_fidelity ? QString() : tr("These runs have different fidelities, which is part of their difference."));
 }
@@ -315,7 +331,7 @@ void CompareView::refreshMaps()
 std::string CompareView::tableCsv() const
 {
     Comparison ranked = comparison();
-    rank(ranked);
+    judge(ranked);
     return comparison_csv(ranked);
 }
 

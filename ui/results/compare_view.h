@@ -30,6 +30,8 @@ public:
     QStringList chosen() const { return chosen_; }
     /// Adds a run to the comparison, or removes it. Nothing happens where it cannot be compared with the others.
     void choose(const QString& path, bool on);
+    /// The run that the verdicts are against; the first of the list where it is not among the compared ones.
+    void setBaseline(const QString& path);
     const std::vector<WaterMap*>& maps() const;
     const QTableWidget* table() const { return table_; }
     /// The maps as they are seen; null while nothing is compared.
@@ -63,6 +65,7 @@ private:
 
     RunHistory& history_;
     QStringList chosen_;
+    QString baseline_;
     bool proposing_ = true; ///< until the user chooses
     QTreeWidget* list_;
     RunActions* actions_;

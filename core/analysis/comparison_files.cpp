@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A comparison as text, JSON and CSV.
+#include "core/analysis/comparison.h"
+#include "core/analysis/metrics_json.h"
+#include "core/base/text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string one_line(std::string text)
+{
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return text;
+}
+
+/// A CSV field.
+std::string csv_field(const std::string& text)
+{
+    std::string inside;
+    for (const char c : one_line(text)) inside += c == '"' ? "\"\"" : std::string(1, c);
+    return '"' + inside + '"';
+}
+
+bool most_first(const OutcomeInfo& criterion) { return criterion.better != Better::less; }
+const char* order_words(const OutcomeInfo& criterion) { return most_first(criterion) ? "largest first" : "smallest first"; }
+
+std::size_t width_of(const std::string& text) // as seen: UTF-8 of more than one byte counts once
+{
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest cell; the first is aligned left, the others right.
+std::string aligned(const std::vector<Row>& rows)
+{
+    std::vector<std::size_t> widths;
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i == widths.size()) widths.push_back(0);
+            if (row.size() > 2 || i != 1) widths[i] = std::max(widths[i], width_of(row[i]));
+        }
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string blanks(widths[i] - std::min(widths[i], width_of(row[i])), ' ');
+            line += (i == 0 ? "" : "  ") + (i == 0 || row.size() == 2 ? row[i] + blanks : blanks + row[i]);
+        }
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+std::string numbers_table(const Comparison& comparison)
+{
+    Row titles{"    fabric"}, units{""};
+    for (const OutcomeInfo& criterion : comparison.criteria) {
+        titles.push_back(full_title(criterion));
+        units.push_back(shown(criterion, 0).unit);
+    }
+    titles.push_back("run time");
+    units.push_back("s");
+    std::vector<Row> rows{titles, units};
+    for (const Candidate& c : comparison.candidates) {
+        const std::string rank = c.rank > 0 ? std::to_string(c.rank) + (c.tied ? "=" : " ") : "- ";
+        const std::string name = fmt::format("{:>3} {}", rank, c.fabric);
+        if (!c.failure.empty()) {
+            rows.push_back({name, c.failure});
+            continue;
+        }
+        Row row{name};
+        for (const OutcomeInfo& criterion : comparison.criteria) {
+            const auto found = c.intervals.find(criterion.key);
+            row.push_back(found == c.intervals.end() ? "-" : with_interval(criterion, found->second));
+        }
+        row.push_back(fmt::format("{:.3g}", c.wall));
+        rows.push_back(row);
+        Row measured{"    measured"};
+        bool any = false;
+        for (const OutcomeInfo& criterion : comparison.criteria) {
+            const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
+            any = any || value;
+            const auto spread = value && value->spread ? fmt::format(" ± {:.3g}", *value->spread) : std::string();
+            measured.push_back(value ? fmt::format("{:.4g}{}", value->value, spread) : "");
+        }
+        if (any) rows.push_back(measured);
+    }
+    return aligned(rows);
+}
+
+std::string verdicts_table(const Comparison& comparison)
+{
+    if (comparison.verdicts.empty()) return {};
+    Row titles{"    against " + comparison.baseline};
+    for (const OutcomeInfo& criterion : comparison.criteria) titles.push_back(full_title(criterion));
+    std::vector<Row> rows{titles};
+    for (const Candidate& c : comparison.candidates) {
+        if (c.fabric == comparison.baseline || !c.failure.empty()) continue;
+        Row row{"    " + c.fabric};
+        for (const OutcomeInfo& criterion : comparison.criteria) {
+            const Compared* found = verdict_of(comparison, c.fabric, criterion.key);
+            row.push_back(found ? name_of(found->verdict) : "-");
+        }
+        rows.push_back(row);
+    }
+    return "\n" + aligned(rows);
+}
+
+Json verdicts_value(const Comparison& comparison)
+{
+    Json json = Json::array();
+    for (const Compared& found : comparison.verdicts)
+        json.push_back({{"metric", found.metric},
+                        {"fabric", found.fabric},
+                        {"baseline", found.baseline},
+                        {"verdict", name_of(found.verdict)},
+                        {"share_of_pairs", found.share_of_pairs},
+                        {"pairs", found.pairs},
+                        {"difference", found.difference},
+                        {"low", found.low},
+                        {"high", found.high}});
+    return json;
+}
+
+} // namespace
+
+const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric)
+{
+    for (const Compared& found : comparison.verdicts)
+        if (found.fabric == fabric && found.metric == metric) return &found;
+    return nullptr;
+}
+
+const LaboratoryValue* measured_of(const Comparison& comparison, const std::string& fabric, const std::string& metric)
+{
+    for (const LaboratoryValue& value : comparison.measured)
+        if (value.fabric == fabric && value.metric == metric) return &value;
+    return nullptr;
+}
+
+std::string with_interval(const OutcomeInfo& criterion, const Interval& interval)
+{
+    const ShownInterval seen = shown(criterion, interval);
+    return seen.half > 0 ? fmt::format("{:.{}f} ± {:.{}f}", seen.value, seen.decimals, seen.half, seen.decimals)
+                         : fmt::format("{:.4g}", seen.value);
+}
+
+std::string basis_text(const Comparison& comparison)
+{
+    return comparison.replicates > 1
+               ? fmt::format("Intervals hold {:.0f} % of such cloths: {} replicates draw the inputs that are not known, the yarns' "
+                             "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. What the "
+                             "model itself lacks is not in them.",
+                             100 * of_intervals.held, comparison.replicates)
+               : "Intervals and verdicts rest on the numerical error alone; --replicates 8 adds what is not known of the cloths and their "
+                 "scatter.";
+}
+
+std::string comparison_table(const Comparison& comparison)
+{
+    std::string text =
+        fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
+    text += numbers_table(comparison) + verdicts_table(comparison);
+    text += "\n  " + basis_text(comparison) + "\n";
+    for (const Candidate& c : comparison.candidates)
+        for (const std::string& note : c.notes) text += fmt::format("  {}: {}\n", c.fabric, note);
+    return text;
+}
+
+std::string comparison_json(const Comparison& comparison)
+{
+    Json candidates = Json::array();
+    for (const Candidate& c : comparison.candidates) {
+        Json candidate{{"rank", c.rank > 0 ? Json(c.rank) : Json(nullptr)}, {"tied", c.tied}, {"fabric", c.fabric}};
+        if (c.run && c.metrics)
+            candidate["run"] = metrics_value(*c.run, *c.metrics, c.intervals);
+        else
+            candidate["failure"] = c.failure;
+        if (comparison.replicates > 1) candidate["drawn"] = c.unknowns;
+        for (const LaboratoryValue& value : comparison.measured)
+            if (value.fabric == c.fabric)
+                candidate["measured"][value.metric] = {{"value", value.value},
+                                                       {"spread", value.spread ? Json(*value.spread) : Json(nullptr)}};
+        candidates.push_back(std::move(candidate));
+    }
+    return Json{{"format", "hygroloom-comparison"},
+                {"version", 1},
+                {"experiment", comparison.experiment},
+                {"ranked_by", comparison.ranked_by.key},
+                {"first", most_first(comparison.ranked_by) ? "most" : "least"},
+                {"baseline", comparison.baseline},
+                {"replicates", comparison.replicates},
+                {"basis", basis_text(comparison)},
+                {"complete", comparison.complete},
+                {"candidates", candidates},
+                {"verdicts", verdicts_value(comparison)}}
+               .dump(2) +
+           "\n";
+}
+
+std::string comparison_csv(const Comparison& comparison)
+{
+    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# baseline={}\n# replicates={}\n# complete={}\nrank,fabric",
+                                   one_line(comparison.experiment), comparison.ranked_by.key + ", " + order_words(comparison.ranked_by),
+                                   one_line(comparison.baseline), comparison.replicates, comparison.complete ? "yes" : "no");
+    const bool measured = !comparison.measured.empty();
+    for (const OutcomeInfo& criterion : comparison.criteria) {
+        text += fmt::format(",{0},{0}_low,{0}_high,{0}_verdict", criterion.key);
+        if (measured) text += fmt::format(",{}_measured", criterion.key);
+    }
+    text += ",wall_s,notes\n";
+    for (const Candidate& c : comparison.candidates) {
+        text += (c.rank > 0 ? std::to_string(c.rank) : std::string()) + "," + csv_field(c.fabric);
+        for (const OutcomeInfo& criterion : comparison.criteria) {
+            const auto found = c.intervals.find(criterion.key);
+            const bool there = found != c.intervals.end();
+            text += there ? fmt::format(",{:.6g},{:.6g},{:.6g}", found->second.centre, found->second.low, found->second.high) : ",,,";
+            const Compared* verdict = verdict_of(comparison, c.fabric, criterion.key);
+            text += std::string(",") + (verdict ? name_of(verdict->verdict) : "");
+            const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
+            if (measured) text += value ? fmt::format(",{:.6g}", value->value) : ",";
+        }
+        std::string notes = c.failure;
+        for (const std::string& note : c.notes) notes += (notes.empty() ? "" : " ") + note;
+        text += fmt::format(",{:.4g},{}\n", c.wall, csv_field(notes));
+    }
+    return text;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/comparison_report.h"
+
+#include "core/analysis/line_chart.h"
+#include "core/analysis/plots.h"
+#include "core/analysis/report_parts.h"
+#include "core/analysis/svg.h"
+#include "core/base/text.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Experiment* experiment_of(const Candidate& candidate)
+{
+    return candidate.run ? find_experiment(candidate.run->design, candidate.run->experiment) : nullptr;
+}
+
+std::string rank_of(const Candidate& candidate)
+{
+    return candidate.rank == 0 ? "–" : std::to_string(candidate.rank) + (candidate.tied ? " =" : "");
+}
+
+std::string question(const Comparison& comparison)
+{
+    const bool more = comparison.ranked_by.better == Better::more;
+    return fmt::format(
+        "<p>Which of {} fabrics is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
+        "{}. Fabrics that share a rank cannot be told apart.</p>\n",
+        comparison.candidates.size(), escaped_markup(comparison.experiment), escaped_markup(full_title(comparison.ranked_by)),
+        more ? "more" : "less", escaped_markup(comparison.baseline));
+}
+
+std::string cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion)
+{
+    const auto found = candidate.intervals.find(criterion.key);
+    std::string text = found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second);
+    if (const Compared* verdict = verdict_of(comparison, candidate.fabric, criterion.key))
+        text += fmt::format("<br><b>{}</b>", name_of(verdict->verdict));
+    if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key))
+        text += fmt::format("<br>measured {:.4g}{}", shown(criterion, value->value).value,
+                            value->spread ? fmt::format(" ± {:.2g}", *value->spread) : "");
+    return "<td class=\"number\">" + text + "</td>";
+}
+
+std::string results(const Comparison& comparison)
+{
+    std::string rows = "<tr><th></th><th>fabric</th>";
+    for (const OutcomeInfo& criterion : comparison.criteria) {
+        const std::string unit = shown(criterion, 0).unit;
+        rows += "<th>" + escaped_markup(full_title(criterion) + (unit.empty() ? "" : ", " + unit)) + "</th>";
+    }
+    rows += "</tr>\n";
+    for (const Candidate& candidate : comparison.candidates) {
+        rows += fmt::format("<tr><td>{}</td><th>{}</th>", rank_of(candidate), escaped_markup(candidate.fabric));
+        if (!candidate.failure.empty())
+            rows += fmt::format("<td colspan=\"{}\">{}</td>", comparison.criteria.size(), escaped_markup(candidate.failure));
+        else
+            for (const OutcomeInfo& criterion : comparison.criteria) rows += cell(comparison, candidate, criterion);
+        rows += "</tr>\n";
+    }
+    return table(rows) + list({basis_text(comparison)});
+}
+
+/// The intervals of one number, a line a candidate; what was measured is a hollow diamond.
+std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
+{
+    constexpr double left = 170, width = 380, line = 22;
+    double low = 0, high = 0;
+    bool any = false;
+    const auto widen = [&](double a, double b) {
+        low = any ? std::min(low, a) : a;
+        high = any ? std::max(high, b) : b;
+        any = true;
+    };
+    for (const Candidate& candidate : comparison.candidates) {
+        if (const auto found = candidate.intervals.find(criterion.key); found != candidate.intervals.end())
+            widen(found->second.low, found->second.high);
+        if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key)) widen(value->value, value->value);
+    }
+    if (!any || !(high > low)) return {};
+    const auto x_of = [&](double value) { return left + width * (value - low) / (high - low); };
+    std::string body;
+    double y = 20;
+    for (const Candidate& candidate : comparison.candidates) {
+        body += svg_text(left - 10, y + 4, "end", candidate.fabric.substr(0, 24));
+        if (const auto found = candidate.intervals.find(criterion.key); found != candidate.intervals.end())
+            body += fmt::format("<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#2a5ca8\" stroke-width=\"2\"/>"
+                                "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#2a5ca8\"/>\n",
+                                x_of(found->second.low), x_of(found->second.high), y, y, x_of(found->second.centre), y);
+        if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key))
+            body += fmt::format("<path d=\"M{:.1f} {:.1f} l5 5 l-5 5 l-5 -5 z\" fill=\"none\" stroke=\"#b03020\" stroke-width=\"1.5\"/>\n",
+                                x_of(value->value), y - 5);
+        y += line;
+    }
+    body += svg_text(left, y + 4, "start", fmt::format("{:.4g}", shown(criterion, low).value));
+    body += svg_text(left + width, y + 4, "end", fmt::format("{:.4g} {}", shown(criterion, high).value, shown(criterion, high).unit));
+    return fmt::format("<figure>{}{}</svg><figcaption>{}</figcaption></figure>\n", svg_begin(580, y + 14), body,
+                       escaped_markup(full_title(criterion)));
+}
+
+/// At the times of the first curve, from the values at other times.
+std::vector<double> at_times(const std::vector<double>& wanted, const std::vector<double>& time, const std::vector<double>& values)
+{
+    std::vector<double> found;
+    for (const double t : wanted) {
+        const auto after = std::lower_bound(time.begin(), time.end(), t);
+        const auto i = static_cast<std::size_t>(after - time.begin());
+        if (i == 0 || i == time.size()) {
+            found.push_back(values[i == 0 ? 0 : time.size() - 1]);
+            continue;
+        }
+        const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+        found.push_back(values[i - 1] + share * (values[i] - values[i - 1]));
+    }
+    return found;
+}
+
+/// Curves of what the type of experiment measures, a figure for each with all fabrics in it.
+std::string curves(const Comparison& comparison)
+{
+    const auto first = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
+                                    [](const Candidate& c) { return experiment_of(c) && c.metrics && c.metrics->series.time.size() > 1; });
+    if (first == comparison.candidates.end()) return {};
+    const Plot& plot = subject_plot(experiment_of(*first)->type);
+    std::string figures;
+    for (const Curve& curve : plot.curves) {
+        if (curve.in_reports_only) continue;
+        LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", plot.unit, first->metrics->series.time, {}};
+        for (const Candidate& candidate : comparison.candidates) {
+            if (!candidate.metrics || candidate.metrics->series.time.size() < 2) continue;
+            const std::vector<double> values = plotted(plot, curve, *candidate.metrics);
+            if (values.size() != candidate.metrics->series.time.size()) continue;
+            chart.curves.push_back({candidate.fabric, at_times(chart.x, candidate.metrics->series.time, values)});
+        }
+        if (!chart.curves.empty()) figures += "<figure>" + svg_of(chart) + "</figure>\n";
+    }
+    return figures;
+}
+
+/// Every value of a fabric's description by its path.
+void flatten(const Json& value, const std::string& path, std::map<std::string, std::string>& values)
+{
+    if (value.is_object())
+        for (const auto& [key, member] : value.items()) flatten(member, path.empty() ? key : path + "." + key, values);
+    else
+        values[path] = value.dump();
+}
+
+std::map<std::string, std::string> description(const Candidate& candidate)
+{
+    std::map<std::string, std::string> values;
+    const Fabric* fabric = candidate.run ? find_fabric(candidate.run->design, candidate.run->fabric) : nullptr;
+    if (!fabric) return values;
+    Design alone;
+    alone.fabrics.push_back(*fabric);
+    flatten(json_from_design(alone).at("fabrics").at(0), "", values);
+    values.erase("name");
+    return values;
+}
+
+/// What the candidates' descriptions do not share.
+std::string differences(const Comparison& comparison)
+{
+    std::map<std::string, std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < comparison.candidates.size(); ++i)
+        for (const auto& [path, value] : description(comparison.candidates[i])) {
+            rows[path].resize(comparison.candidates.size());
+            rows[path][i] = value;
+        }
+    std::string body = "<tr><th></th>";
+    for (const Candidate& candidate : comparison.candidates) body += "<th>" + escaped_markup(candidate.fabric) + "</th>";
+    body += "</tr>\n";
+    bool any = false;
+    for (const auto& [path, values] : rows) {
+        if (std::all_of(values.begin(), values.end(), [&](const std::string& value) { return value == values.front(); })) continue;
+        any = true;
+        body += "<tr><th>" + escaped_markup(path) + "</th>";
+        for (const std::string& value : values) body += "<td>" + escaped_markup(value.empty() ? "–" : value) + "</td>";
+        body += "</tr>\n";
+    }
+    return any ? table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+}
+
+std::string computation(const Comparison& comparison)
+{
+    std::string rows;
+    std::vector<std::string> notes;
+    for (const Candidate& candidate : comparison.candidates) {
+        if (candidate.run)
+            rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
+                        candidate.run->device, fmt::format("{:.3g} s for {} run(s)", candidate.wall, candidate.replicates.size()));
+        for (const std::string& note : candidate.notes) notes.push_back(candidate.fabric + ": " + note);
+    }
+    return table(rows) + list(notes) +
+           table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, ""));
+}
+
+std::string unknown(const Comparison& comparison)
+{
+    std::vector<std::string> sentences;
+    for (const Candidate& candidate : comparison.candidates) {
+        const Fabric* fabric = candidate.run ? find_fabric(candidate.run->design, candidate.run->fabric) : nullptr;
+        if (!fabric) continue;
+        for (const UnknownInput& input : unknown_inputs(candidate.run->design, *fabric))
+            sentences.push_back(fmt::format("{}: {} from {:.3g} to {:.3g}{} ({}).", candidate.fabric, input.name, input.low, input.high,
+                                            input.unit, input.source));
+    }
+    sentences.emplace_back("What the model leaves out or has wrong is not in the intervals; the guide's page on limits names it.");
+    return list(sentences);
+}
+
+} // namespace
+
+std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps)
+{
+    std::string intervals;
+    for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion);
+    return page("Comparison: " + comparison.experiment,
+                "<p>Simulated, not measured, but where it says so.</p>\n" + question(comparison) + section("Results", results(comparison)) +
+                    section("Intervals", intervals) + section("Maps", figures_of(maps)) + section("Over time", curves(comparison)) +
+                    section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
+                    section("What is not known", unknown(comparison)));
+}
+
+} // namespace hygroloom

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A comparison on one page for a meeting: which fabric, how sure, what differs, how it was computed and what is not known.
+#pragma once
+
+#include "core/analysis/comparison.h"
+#include "core/analysis/report.h"
+
+namespace hygroloom {
+
+/// HTML of one file, as report_html() is. maps: of all candidates, on one colour scale.
+std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps);
+
+} // namespace hygroloom

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/intervals.h"
+
+#include "core/analysis/tradeoff.h"
+#include "core/base/units.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hygroloom {
+namespace {
+
+double mean_of(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Standard deviation of values about their mean.
+double deviation(const std::vector<double>& values)
+{
+    const double mean = mean_of(values);
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+/// Standard deviation that a linear fit in the places leaves.
+double left_by_fit(const std::vector<double>& values, const std::vector<std::vector<double>>& places)
+{
+    const auto n = static_cast<Eigen::Index>(values.size());
+    const auto inputs = static_cast<Eigen::Index>(places.front().size());
+    Eigen::MatrixXd a(n, inputs + 1);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        a(i, 0) = 1;
+        for (Eigen::Index k = 0; k < inputs; ++k) a(i, k + 1) = places[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    }
+    const Eigen::Map<const Eigen::VectorXd> y(values.data(), n);
+    const auto solver = a.colPivHouseholderQr();
+    const Eigen::VectorXd left = y - a * solver.solve(y);
+    return std::sqrt(left.squaredNorm() / static_cast<double>(n - solver.rank()));
+}
+
+/// Standard deviations.
+struct Spread {
+    double all = 0;
+    bool parted = false; ///< into scatter and input: there are enough runs for a fit
+    double scatter = 0, input = 0;
+};
+
+Spread spread_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places)
+{
+    Spread spread;
+    if (values.size() < 2) return spread;
+    spread.all = deviation(values);
+    const std::size_t inputs = places.empty() ? 0 : places.front().size();
+    spread.parted = values.size() >= inputs + 3;
+    if (!spread.parted) return spread;
+    spread.scatter = inputs == 0 ? spread.all : std::min(spread.all, left_by_fit(values, places));
+    spread.input = std::sqrt(std::max(0.0, spread.all * spread.all - spread.scatter * spread.scatter));
+    return spread;
+}
+
+} // namespace
+
+double student_factor(const Level& level, int degrees_of_freedom)
+{
+    const double v = degrees_of_freedom, z = level.normal, z2 = z * z;
+    if (degrees_of_freedom == 1) return std::tan(0.5 * pi * level.held);
+    if (degrees_of_freedom == 2) return level.held * std::sqrt(2 / (1 - level.held * level.held));
+    const double first = (z2 + 1) / 4, second = ((5 * z2 + 16) * z2 + 3) / 96, third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    const double fourth = ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
+    return z * (1 + (first + (second + (third + fourth / v) / v) / v) / v);
+}
+
+Interval interval_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places, std::optional<double> numerical)
+{
+    Interval interval;
+    interval.centre = mean_of(values);
+    interval.numerical = numerical.value_or(0);
+    interval.numerical_known = numerical.has_value();
+    interval.runs = static_cast<int>(values.size());
+    const Spread spread = spread_of(values, places);
+    const double factor = interval.runs > 1 ? student_factor(of_intervals, interval.runs - 1) * std::sqrt(1 + 1.0 / interval.runs) : 0;
+    if (interval.runs > 1 && spread.parted) {
+        interval.scatter = factor * spread.scatter;
+        interval.input = factor * spread.input;
+    } else if (interval.runs > 1) {
+        interval.spread = factor * spread.all;
+    }
+    const double half = std::hypot(interval.numerical, factor * spread.all);
+    interval.low = interval.centre - half;
+    interval.high = interval.centre + half;
+    return interval;
+}
+
+std::optional<double> numerical_error(const RunRecord& run, const std::string& metric, double value)
+{
+    const auto found = run.plan.expected_errors.find(metric);
+    if (found == run.plan.expected_errors.end()) return {};
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    return found->second * error_scale(metric, value, experiment ? climate_at(*experiment, experiment->duration_s).temperature_c : 0);
+}
+
+std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const Metrics& metrics)
+{
+    std::map<std::string, Interval> intervals;
+    for (const Outcome& outcome : outcomes_of(run, metrics))
+        if (outcome.value) intervals[outcome.key] = interval_of({*outcome.value}, {}, numerical_error(run, outcome.key, *outcome.value));
+    return intervals;
+}
+
+ShownInterval shown(const OutcomeInfo& info, const Interval& interval)
+{
+    const ShownValue value = shown(info, interval.centre);
+    ShownInterval seen{value.value, shown(info, interval.high).value - value.value, 0, value.unit};
+    const double finest = seen.half > 0 ? seen.half / 10 : std::abs(value.value) / 1000;
+    seen.decimals = finest > 0 ? std::clamp(-static_cast<int>(std::floor(std::log10(finest) + 1e-9)), 0, 9) : 0;
+    return seen;
+}
+
+const char* name_of(Verdict verdict)
+{
+    constexpr const char* names[] = {"better", "probably better", "no difference", "probably worse", "worse"};
+    return names[static_cast<int>(verdict)];
+}
+
+Compared compare_pairs(const std::vector<double>& values, const std::vector<double>& baseline,
+                       const std::vector<std::vector<double>>& places, double numerical, Better better)
+{
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < values.size(); ++i) differences.push_back(values[i] - baseline[i]);
+    Compared compared;
+    compared.pairs = static_cast<int>(differences.size());
+    compared.difference = mean_of(differences);
+    const Spread spread = spread_of(differences, places);
+    double input = 0, by_scatter = 0;
+    if (compared.pairs > 1) {
+        input = student_factor(of_intervals, compared.pairs - 1) * (spread.parted ? spread.input : spread.all);
+        by_scatter =
+            student_factor(of_verdicts, compared.pairs - 1) * (spread.parted ? spread.scatter : spread.all) / std::sqrt(compared.pairs);
+    }
+    const double half = std::hypot(numerical, input, by_scatter);
+    compared.low = compared.difference - half;
+    compared.high = compared.difference + half;
+    const double side = compared.difference < 0 ? -1 : 1;
+    const auto favours = [&](double difference) { return side * difference > numerical; };
+    compared.share_of_pairs = static_cast<double>(std::count_if(differences.begin(), differences.end(), favours)) / compared.pairs;
+    const double off = std::abs(compared.difference);
+    const bool good = (side > 0) == (better == Better::more);
+    if (off > half)
+        compared.verdict = good ? Verdict::better : Verdict::worse;
+    else if (compared.share_of_pairs >= 0.8 && off > std::hypot(numerical, by_scatter))
+        compared.verdict = good ? Verdict::probably_better : Verdict::probably_worse;
+    return compared;
+}
+
+} // namespace hygroloom

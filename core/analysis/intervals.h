@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How sure a number is, from its numerical error and from replicates; and which of two fabrics is better, in words.
+#pragma once
+
+#include "core/analysis/outcomes.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+/// How much of a distribution a symmetric interval holds, and the normal law's half width of it.
+struct Level {
+    double held, normal;
+};
+constexpr Level of_intervals{0.90, 1.6448536};
+constexpr Level of_verdicts{0.98, 2.3263479}; ///< that scatter alone made a mean difference
+
+/// Half width by Student's law: 6.31 for 90 % at one degree of freedom, 1.645 at very many. Exact at 1 and 2, else the expansion of
+/// Abramowitz and Stegun 26.7.5, within 0.5 %.
+double student_factor(const Level& level, int degrees_of_freedom);
+
+/// Where a number lies. The parts are half widths of intervals of their own, in its unit; they add up as squares.
+struct Interval {
+    double centre = 0; ///< mean of the replicates
+    double low = 0, high = 0;
+    double numerical = 0;
+    std::optional<double> scatter; ///< of cloths alike but for the seed
+    std::optional<double> input;   ///< of what is not known of the cloth, by a linear fit
+    std::optional<double> spread;  ///< of both together, where there are too few replicates to part them
+    bool numerical_known = true;
+    int runs = 1;
+};
+
+/// From a number's values in the replicates and where each unknown input lay in them (a row per replicate). numerical: its half width;
+/// none: not known. The interval is where one more such cloth is expected: mean +- t s root(1 + 1/n). Precondition: one value at least.
+Interval interval_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places, std::optional<double> numerical);
+
+/// Half width of a metric's numerical error in a run, in the metric's unit, from the measured runs of its kind; none: not known.
+std::optional<double> numerical_error(const RunRecord& run, const std::string& metric, double value);
+
+/// Of all numbers of one run by key: their numerical parts alone.
+std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const Metrics& metrics);
+
+/// An interval as people read it: the centre and its half width in the shown unit, with as many decimals as the half width gives sense.
+struct ShownInterval {
+    double value = 0, half = 0;
+    int decimals = 0; ///< of both; of an interval without width, those of four digits of the value
+    std::string unit;
+};
+ShownInterval shown(const OutcomeInfo& info, const Interval& interval);
+
+enum class Verdict { better, probably_better, no_difference, probably_worse, worse };
+/// "probably better"
+const char* name_of(Verdict verdict);
+
+/// One number of a fabric against the baseline's.
+struct Compared {
+    std::string metric, fabric, baseline;
+    Verdict verdict = Verdict::no_difference;
+    double share_of_pairs = 0; ///< that favour the side of the mean difference by more than the numerical error
+    double difference = 0;     ///< mean of the pairs, fabric less baseline
+    double low = 0, high = 0;  ///< where the mean difference of the two fabrics lies, whatever their unknown inputs are
+    int pairs = 0;
+};
+
+/// Pairs drawn with the same seed and the same places of the unknown inputs (a row per pair). The interval adds, as squares, the numerical
+/// error, what the inputs do, and the error of the mean by scatter. Better, worse: it lies on one side. Probably: the mean differs from 0
+/// by more than scatter and numerical error, and so do 80 % of the pairs. numerical: of the difference, half width. Precondition: as many
+/// values of both, one at least; better is not neither.
+Compared compare_pairs(const std::vector<double>& values, const std::vector<double>& baseline,
+                       const std::vector<std::vector<double>>& places, double numerical, Better better);
+
+} // namespace hygroloom

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How often verdicts are right: a fabric against itself with other seeds, and against one that is worse on purpose. HYGROLOOM_VERDICTS asks
+// for another number of repeats; the figures of 100 stand in core/analysis/DECISIONS.md.
+#include "core/analysis/comparison.h"
+#include "core/analysis/sweep.h"
+#include "core/design/unknowns.h"
+#include "core/verify/set_ups.h"
+
+#include <QTest>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <map>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr int replicates = 8;
+
+int repeats()
+{
+    const int asked = qEnvironmentVariableIntValue("HYGROLOOM_VERDICTS");
+    return asked > 0 ? asked : 1;
+}
+
+/// Cotton cloth of 35 ends and picks a cm, with a finish, and two that are worse or better on purpose.
+Design three_cloths()
+{
+    Design design = drop_on_cotton(3, 2, 35);
+    design.fabrics[0].contact_angle_deg = 35;
+    design.fabrics[0].name = "cloth";
+    design.fabrics.push_back(design.fabrics[0]);
+    design.fabrics[1].name = "55 degrees";
+    design.fabrics[1].contact_angle_deg = 55;
+    design.fabrics.push_back(design.fabrics[0]);
+    design.fabrics[2].name = "open";
+    design.fabrics[2].ends_per_cm *= 0.8;
+    design.fabrics[2].picks_per_cm *= 0.8;
+    Experiment drop = design.experiments[0];
+    drop.name = "drop";
+    drop.closure = Closure::pores;
+    drop.sample_mm = {10, 10};
+    Experiment strip = standard_experiment(ExperimentType::vertical_wicking);
+    strip.name = "strip";
+    strip.sample_mm = {3, 60};
+    strip.duration_s = 10;
+    design.experiments = {drop, strip};
+    return design;
+}
+
+Candidate run_all(const Design& design, const std::string& fabric, const std::string& experiment, std::uint64_t seed)
+{
+    Candidate all;
+    for (int number = 0; number < replicates; ++number) {
+        const Drawn one = drawn(design, fabric, experiment, {seed, number, replicates});
+        RunOptions how;
+        how.fidelity = Fidelity::draft;
+        how.seed = one.seed;
+        how.threads = 1;
+        RunControl control;
+        const auto backend = make_cpu_backend();
+        FinishedRun run = run_and_measure(one.design, fabric, experiment, how, *backend, control);
+        run.run.textile = {};
+        Candidate candidate =
+            candidate_of(std::make_shared<const RunRecord>(std::move(run.run)), std::make_shared<const Metrics>(std::move(run.metrics)));
+        candidate.unknowns = one.names;
+        candidate.replicates[0]->places = one.places;
+        add_replicate(all, candidate, number);
+    }
+    return all;
+}
+
+/// Of one repeat: by experiment and metric, each worse or better cloth, and the same one with another seed.
+struct Found {
+    std::map<std::string, Compared> same, angle, open;
+};
+
+Found repeat(const Design& design, const std::string& experiment, int number)
+{
+    const auto seed = static_cast<std::uint64_t>(1000 * (2 * number + 1));
+    const Candidate cloth = run_all(design, "cloth", experiment, seed), again = run_all(design, "cloth", experiment, seed + 1000),
+                    angle = run_all(design, "55 degrees", experiment, seed), open = run_all(design, "open", experiment, seed);
+    Found found;
+    for (const OutcomeInfo& criterion : compared_by(find_experiment(design, experiment)->type)) {
+        const auto keep = [&](std::map<std::string, Compared>& into, const Candidate& other) {
+            if (const auto one = compared(other, cloth, criterion, replicates)) into[criterion.key] = *one;
+        };
+        keep(found.same, again);
+        keep(found.angle, angle);
+        keep(found.open, open);
+    }
+    return found;
+}
+
+} // namespace
+
+class TestVerdicts : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void differencesAreFoundWhereTheyAre_data()
+    {
+        QTest::addColumn<QString>("experiment");
+        QTest::newRow("drop") << "drop";
+        QTest::newRow("strip") << "strip";
+    }
+    void differencesAreFoundWhereTheyAre()
+    {
+        QFETCH(QString, experiment);
+        const Design design = three_cloths();
+        std::vector<Found> all(static_cast<std::size_t>(repeats()));
+        tbb::parallel_for(std::size_t{0}, all.size(),
+                          [&](std::size_t i) { all[i] = repeat(design, experiment.toStdString(), static_cast<int>(i)); });
+        std::map<std::string, std::array<std::array<int, 5>, 3>> count;
+        for (const Found& found : all)
+            for (std::size_t which = 0; which < 3; ++which)
+                for (const auto& [key, one] : *std::array{&found.same, &found.angle, &found.open}[which])
+                    ++count[key][which][static_cast<std::size_t>(one.verdict)];
+        const char* names[] = {"itself", "55 degrees", "open"};
+        for (const auto& [key, table] : count)
+            for (std::size_t which = 0; which < 3; ++which)
+                qInfo("%s, %s: better %d, probably %d, none %d, probably worse %d, worse %d", key.c_str(), names[which], table[which][0],
+                      table[which][1], table[which][2], table[which][3], table[which][4]);
+        for (const auto& [key, table] : count) QVERIFY2(20 * (repeats() - table[0][2]) <= repeats(), key.c_str());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestVerdicts)
+#include "tst_verdicts.moc"
