@@ -22,7 +22,7 @@ constexpr int delay = 1000; // ms from an edit to its writing
 
 QString lockOf(const QString& file) { return file + ".lock"; }
 
-/// Where the project has its file, and what it is called, in two lines.
+/// Where the project has its file, what it is called, and "saved" where the copy is kept for its runs alone, in three lines.
 QString originOf(const QString& file) { return file + ".origin"; }
 
 void removeKept(const QString& file)
@@ -82,7 +82,7 @@ void Recovery::keep()
         if (!lock->tryLock(0)) { return; } // tried again at the next edit
         lock_ = std::move(lock);
     }
-    const QString origin = document_.path() + "\n" + document_.title() + "\n";
+    const QString origin = document_.path() + "\n" + document_.title() + "\n" + (document_.modified() ? "" : "saved") + "\n";
     writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
         try {
             write_file(originOf(file).toStdString(), origin.toStdString());
@@ -118,6 +118,11 @@ std::vector<LeftOver> Recovery::leftOver() const
         }
         QFile origin(originOf(file));
         const QStringList lines = origin.open(QIODevice::ReadOnly) ? QString::fromUtf8(origin.readAll()).split('\n') : QStringList();
+        clearEmptyRuns(runFolderOf(file));
+        if (lines.value(2) == "saved" && !holdsRuns(runFolderOf(file))) {
+            removeKept(file);
+            continue;
+        }
         const QString path = lines.value(0);
         const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
         found.push_back({file, path, lines.value(1), info.lastModified(), outdated, runFolderOf(file)});

@@ -39,7 +39,7 @@ public:
     QString runFolder() const;
     /// Writes or removes the copy, whichever is due: runs have come or gone.
     void follow();
-    /// Newest first.
+    /// Newest first. What holds neither changes nor recorded runs is cleared away.
     std::vector<LeftOver> leftOver() const;
     /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document
     /// said why not; the file is then still there.

@@ -85,6 +85,14 @@ QStringList recordingsIn(const QString& folder)
 
 bool holdsRuns(const QString& folder) { return !QDir(folder).entryList({"*.hygrorec*"}, QDir::Files | QDir::Hidden).isEmpty(); }
 
+void clearEmptyRuns(const QString& folder)
+{
+    for (const QFileInfo& info : QDir(folder).entryInfoList({"run-*.hygrorec", ".run-*.hygrorec.part"}, QDir::Files | QDir::Hidden)) {
+        if (info.size() == 0 || info.suffix() == "part") { QFile::remove(info.absoluteFilePath()); }
+    }
+    removeIfEmpty(folder);
+}
+
 QString reserveRun(const QString& folder)
 {
     QString why = QObject::tr("the folder cannot be made");

@@ -13,6 +13,8 @@ QString runFolderOf(const QString& project);
 QStringList recordingsIn(const QString& folder);
 /// Whether anything lies there, also a recording that is just beginning.
 bool holdsRuns(const QString& folder);
+/// Removes what a window that is gone left of runs of which nothing was recorded; nobody may be writing there.
+void clearEmptyRuns(const QString& folder);
 /// The number in its name; 0 without.
 int runNumber(const QString& recording);
 
