@@ -356,6 +356,22 @@ private Q_SLOTS:
         QCOMPARE(failed.count(), 1);
     }
 
+    void workThatCannotBeLockedIsSaidOnce()
+    {
+        QTemporaryDir folder;
+        QFile inTheWay(folder.filePath("recovery"));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        Document document;
+        Recovery recovery(document, inTheWay.fileName());
+        QVERIFY(document.open(project()));
+        QSignalSpy failed(&recovery, &Recovery::failed);
+        for (const double ends : {28.0, 29.0}) {
+            document.edit("ends", {}, [=](Design& d) { d.fabrics[0].ends_per_cm = ends; });
+            QTest::qWait(1300);
+        }
+        QCOMPARE(failed.count(), 1);
+    }
+
     void discardedWorkIsNotRecovered()
     {
         QTemporaryDir folder;

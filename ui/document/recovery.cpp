@@ -79,7 +79,10 @@ void Recovery::keep()
     if (!lock_) {
         QDir().mkpath(folder_);
         auto lock = lockFor(file_);
-        if (!lock->tryLock(0)) { return; } // tried again at the next edit
+        if (!lock->tryLock(0)) { // tried again at the next edit
+            sayFailed(tr("%1 cannot be locked. Check that the folder can be written to.").arg(file_));
+            return;
+        }
         lock_ = std::move(lock);
     }
     const QString origin = document_.path() + "\n" + document_.title() + "\n" + (document_.modified() ? "" : "saved") + "\n";
@@ -89,15 +92,18 @@ void Recovery::keep()
             write_file(file.toStdString(), format_project(*design));
             turn.deliver([this] {
                 has_failed_ = false;
+                removeOpened();
                 Q_EMIT kept();
             });
         } catch (const Error& error) { // a full disk must not get in the way of the work itself
-            const QString sentence = tr("Unsaved work cannot be kept for recovery: %1").arg(QString::fromStdString(error.what()));
-            turn.deliver([this, sentence] {
-                if (!std::exchange(has_failed_, true)) { Q_EMIT failed(sentence); }
-            });
+            turn.deliver([this, why = QString::fromStdString(error.what())] { sayFailed(why); });
         }
     });
+}
+
+void Recovery::sayFailed(const QString& why)
+{
+    if (!std::exchange(has_failed_, true)) { Q_EMIT failed(tr("Unsaved work cannot be kept for recovery: %1").arg(why)); }
 }
 
 void Recovery::forget()
@@ -133,14 +139,19 @@ std::vector<LeftOver> Recovery::leftOver() const
 bool Recovery::open(const LeftOver& left)
 {
     if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
+    opened_.push_back(left);
     keep();
-    connect(
-        this, &Recovery::kept, this,
-        [left] {
-            if (!holdsRuns(left.runs)) { remove(left); }
-        },
-        Qt::SingleShotConnection);
     return true;
+}
+
+/// Once there is a copy of this window's, and its runs have gone where they belong.
+void Recovery::removeOpened()
+{
+    std::erase_if(opened_, [](const LeftOver& left) {
+        if (holdsRuns(left.runs)) { return false; }
+        remove(left);
+        return true;
+    });
 }
 
 void Recovery::remove(const LeftOver& left)

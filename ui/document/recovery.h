@@ -54,14 +54,17 @@ Q_SIGNALS:
 
 private:
     static void remove(const LeftOver& left);
+    void removeOpened();
     bool isDue() const;
     void keep();
+    void sayFailed(const QString& why);
     void forget();
 
     Document& document_;
     const QString folder_;
     const QString file_; ///< this window's
     std::unique_ptr<QLockFile> lock_;
+    std::vector<LeftOver> opened_; ///< whose files are not needed soon
     bool has_failed_ = false;
     QTimer wait_;
     std::unique_ptr<NewestJob> writer_;
