@@ -60,7 +60,7 @@ void removeIfEmpty(const QString& folder)
 /// Under the next free number; put(to) says whether it could. Empty where not.
 template <typename Put> QString bring(const QString& recording, const QString& folder, Bring how, const Put& put)
 {
-    const QString to = reserveRun(folder);
+    QString to = reserveRun(folder);
     try {
         if (!put(to)) {
             releaseRun(to);
