@@ -174,14 +174,16 @@ namespace {
 
 template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
 {
+    std::vector<std::string> known;
     std::string names;
     for (const Item& item : items) {
         if (item.name == name || (name.empty() && items.size() == 1)) return item;
+        known.push_back(item.name);
         names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
     }
     if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}.", what));
     if (name.empty()) throw Stop(exit_usage, fmt::format("The project has several {}s; choose one with --{}: {}.", what, what, names));
-    throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"; it has {}.", what, name, names));
+    throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"{} It has {}.", what, name, did_you_mean(name, known), names));
 }
 
 struct DevicesOptions : CommonOptions {};
@@ -241,9 +243,7 @@ std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& gi
         names.push_back(known->get_name());
         all += (all.empty() ? "" : ", ") + known->get_name();
     }
-    const std::string near = nearest_word(*verb, names);
-    return near.empty() ? fmt::format("There is no verb \"{}\". The verbs are: {}.", *verb, all)
-                        : fmt::format("There is no verb \"{}\"; did you mean \"{}\"?", *verb, near);
+    return fmt::format("There is no verb \"{}\"{} The verbs are: {}.", *verb, did_you_mean(*verb, names), all);
 }
 
 int run(int count, char** values)

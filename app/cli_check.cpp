@@ -226,6 +226,9 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     if (fabric.measured != Measured{})
         print_result("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
     print_result("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);
+    if (m.flyaways_seen < 1 && m.thickness_mm > m.yarn_layer_thickness_mm)
+        print_result("  Of its loops and hairs {} % were measured; the thickness by geometry may miss the highest.\n",
+                     text(100 * m.flyaways_seen));
     for (const std::string& note : q.notes) print_result("  {}\n", note);
 }
 

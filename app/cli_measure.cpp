@@ -199,8 +199,11 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
         return;
     }
     const Ledger& l = m.ledger;
-    print_result("{}, {} ({}, {}, {} s)\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend, rounded_text(run.wall, 3));
-    row("simulated", l.time, "s");
+    const bool is_unfinished = run.wall <= 0; // how long it took is not known
+    print_result("{}, {} ({}, {}, {})\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend,
+                 is_unfinished ? "unfinished" : rounded_text(run.wall, 3) + " s");
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    row("simulated", l.time, is_unfinished && experiment ? fmt::format("s of {:.4g}", experiment->duration_s) : "s");
     for (const Outcome& outcome : outcomes_of(run, m))
         if (is_shown(outcome)) print_outcome(outcome);
     for (const BalanceRow& of : water_balance(l)) row(of.title, of.value, of.unit);

@@ -2,12 +2,14 @@
 // presets: the fabrics that ship with the program, as a list or as a project to begin with.
 #include "app/cli.h"
 
+#include "core/base/words.h"
 #include "core/design/fitted_fabric.h"
 #include "core/project/atomic_file.h"
 #include "core/project/library.h"
 #include "core/project/project_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -88,9 +90,10 @@ int presets(const PresetOptions& options)
     for (const std::string& name : options.names) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const Preset& preset) { return preset.fabric().name == name; });
         if (found == all.end()) {
-            std::string known;
-            for (const Preset& preset : all) known += (known.empty() ? "" : ", ") + preset.fabric().name;
-            throw Stop(exit_usage, fmt::format("The library has no fabric \"{}\". There are: {}.", name, known));
+            std::vector<std::string> names;
+            for (const Preset& preset : all) names.push_back(preset.fabric().name);
+            throw Stop(exit_usage, fmt::format("The library has no fabric \"{}\"{} There are: {}.", name, did_you_mean(name, names),
+                                               fmt::join(names, ", ")));
         }
         added.push_back(design.fabrics[add_preset(design, *found)].name);
         if (added.back() != name && !options.quiet)

@@ -78,7 +78,8 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options)
 {
     verb.add_option("--backend", options.backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     verb.add_option("--threads", options.threads, "CPU threads; 0: all. Results do not depend on it")->check(CLI::Range(0, 1024));
-    verb.add_option("--seed", options.seed, "Seed of the random numbers")->check(seed_validator());
+    verb.add_option("--seed", options.seed, "Seed of what is random: the unevenness of yarns (irregularity_cv). Nothing else depends on it")
+        ->check(seed_validator());
 }
 
 RunOptions run_options(const RunVerbOptions& options)
@@ -103,10 +104,12 @@ try {
 
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
-                         const std::function<void(const std::shared_ptr<const Frame>&)>& see)
+                         const std::function<void(const std::shared_ptr<const Frame>&)>& see,
+                         const std::function<void(const RunRecord&)>& started)
 {
     RunCallbacks beside;
-    if (see) beside.frame = see;
+    beside.started = started;
+    beside.frame = see;
     beside.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
     beside.device_failed = [&](const std::string& sentence) { bar.say(fabric + ": " + sentence); };
     return run_and_measure(design, fabric, experiment, options, backend, control, beside);

@@ -78,7 +78,8 @@ private:
 /// Runs to the end and shows its progress in the bar. Throws Cancelled and Error.
 FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
-                         const std::function<void(const std::shared_ptr<const Frame>&)>& see = {});
+                         const std::function<void(const std::shared_ptr<const Frame>&)>& see = {},
+                         const std::function<void(const RunRecord&)>& started = {});
 
 /// "a, b" -> "a", "b", without the spaces around; none of an empty text.
 std::vector<std::string> words_of(const std::string& list);

@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 
+#include "core/analysis/metrics_json.h"
 #include "core/base/text.h"
 #include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
@@ -139,6 +140,50 @@ void print_run(const FinishedRun& finished, const CommonOptions& options)
         for (const std::string& note : notes_of(plan)) print_note("{}: {}\n", finished.run.fabric, note);
 }
 
+/// What a run has given so far, for the case that it is cancelled.
+struct SoFar {
+    RunRecord run;
+    MetricsCollector collector;
+    int frames = 0;
+
+    void start(const RunRecord& record)
+    {
+        run = record;
+        collector.start(record);
+    }
+    void add(const Frame& frame)
+    {
+        collector.add(frame);
+        ++frames;
+    }
+};
+
+/// The last words, and the metrics up to there, unless that takes so long that the words are the last.
+int print_cancelled(const SoFar& so_far, bool json)
+{
+    const Metrics metrics = so_far.frames > 0 ? so_far.collector.metrics() : Metrics{};
+    const LastWords* words = last_words.exchange(nullptr);
+    write_note(words->note);
+    if (so_far.frames == 0) {
+        write_result(words->result);
+    } else if (json) {
+        auto object = nlohmann::ordered_json::parse(words->result);
+        object["so_far"] = metrics_value(so_far.run, metrics);
+        print_result("{}\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else {
+        print_metrics(so_far.run, metrics, false);
+    }
+    return exit_cancelled;
+}
+
+/// Whether a recording is there that a run to this path keeps until it has a frame after its start.
+bool has_older_recording(const std::string& path)
+{
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path, none);
+    return !path.empty() && !none && size > 0;
+}
+
 int simulate_one(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
 {
     const Fabric& fabric = chosen_fabric(design, options);
@@ -153,21 +198,23 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
     RunControl control;
-    const LastWords nothing = failure_words(options.json, exit_cancelled, "Cancelled.");
+    const int frames_to_keep = has_older_recording(options.output) ? 2 : 1;
+    const LastWords nothing = failure_words(options.json, exit_cancelled,
+                                            frames_to_keep == 1 ? "Cancelled." : "Cancelled. The older recording stays: " + options.output);
     const LastWords with_recording = failure_words(options.json, exit_cancelled, "Cancelled. The recording so far: " + options.output);
     const InterruptCancels cancels(control.cancel, &nothing);
     FinishedRun finished;
+    SoFar so_far;
+    const auto see = [&](const std::shared_ptr<const Frame>& frame) {
+        so_far.add(*frame);
+        if (!options.output.empty() && so_far.frames >= frames_to_keep) last_words = &with_recording;
+    };
     try {
         RunBar bar(options.quiet, 1);
-        finished =
-            run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, [&](const std::shared_ptr<const Frame>&) {
-                if (!options.output.empty()) last_words = &with_recording;
-            });
+        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see,
+                                [&](const RunRecord& record) { so_far.start(record); });
     } catch (const Cancelled&) {
-        const LastWords* words = last_words.exchange(nullptr);
-        write_note(words->note);
-        write_result(words->result);
-        return exit_cancelled;
+        return print_cancelled(so_far, options.json);
     }
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
@@ -275,7 +322,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run an experiment on one or several fabrics and print the metrics");
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C stops the run; the recording so far stays readable.\n\n" +
+        "Ctrl-C stops the run and prints the metrics so far; the recording so far stays readable.\n\n" +
         knob_help());
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);

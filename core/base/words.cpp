@@ -38,4 +38,10 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     return nearest;
 }
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words)
+{
+    const std::string near = nearest_word(word, words);
+    return near.empty() ? "." : "; did you mean \"" + near + "\"?";
+}
+
 } // namespace hygroloom

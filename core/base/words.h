@@ -10,6 +10,9 @@ namespace hygroloom {
 /// The known word with the fewest letters to change, or empty when more than half of the letters, and more than two, would change.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
 
+/// The end of a sentence that names an unknown word: "; did you mean "denim"?", or a full stop where no known word is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
+
 /// Of a place counted from 0, as yarns of stripes are named: A to Z, then AA, AB …
 inline std::string letters_of(int place)
 {

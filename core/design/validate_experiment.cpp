@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/units.h"
+#include "core/base/words.h"
 #include "core/design/issue_list.h"
 
 #include <algorithm>
@@ -172,9 +173,13 @@ void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& 
 void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list)
 {
     validate_climates(experiment, where, list);
-    if (!find_liquid(design, experiment.liquid))
+    if (!find_liquid(design, experiment.liquid)) {
+        std::vector<std::string> known{"water", "saline", "sweat"};
+        for (const Liquid& own : design.liquids) known.push_back(own.name);
         list.error("unknown_liquid", where + ".liquid",
-                   fmt::format("There is no liquid \"{}\"; there are water, saline, sweat and the project's own.", experiment.liquid));
+                   fmt::format("There is no liquid \"{}\"{} There are water, saline, sweat and the project's own.", experiment.liquid,
+                               did_you_mean(experiment.liquid, known)));
+    }
     const ExperimentTypeInfo& type = info_of(experiment.type);
     const std::string size = fmt::format("{}'s size", type.sample_name);
     for (std::size_t axis = 0; axis < 2; ++axis)

@@ -7,6 +7,8 @@
 
 #include "core/design/fabric_quantities.h"
 
+#include <fmt/ranges.h>
+
 namespace hygroloom {
 
 namespace {
@@ -22,11 +24,12 @@ bool validate_blend(const Design& design, const Yarn& yarn, const std::string& w
         const std::string at = yarn.material.size() == 1 ? where : fmt::format("{}[{}]", where, i);
         const Material* material = find_material(design, part.name);
         if (!material) {
-            std::string known;
-            for (const Material& own : design.materials) known += own.name + ", ";
-            for (const Material& shipped : material_library()) known += shipped.name + ", ";
-            known.resize(known.size() - 2);
-            list.error("unknown_material", at, fmt::format("There is no material \"{}\". Known are: {}.", part.name, known));
+            std::vector<std::string> known;
+            for (const Material& own : design.materials) known.push_back(own.name);
+            for (const Material& shipped : material_library()) known.push_back(shipped.name);
+            list.error("unknown_material", at,
+                       fmt::format("There is no material \"{}\"{} Known are: {}.", part.name, did_you_mean(part.name, known),
+                                   fmt::join(known, ", ")));
         }
         if (!seen.insert(part.name).second) list.error("duplicate_name", at, fmt::format("The blend names \"{}\" twice.", part.name));
         if (!(part.share > 0 && part.share <= 1))

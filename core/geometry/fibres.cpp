@@ -228,6 +228,12 @@ std::size_t YarnFibres::count_hairs(const Textile& textile, const FibreOptions& 
     return static_cast<std::size_t>(below(axis.at(first_crossing + crossings)) - below(axis.at(first_crossing)));
 }
 
+double YarnFibres::loops_over(const Flyaway& flyaway, int fibres)
+{
+    const double reach_mm = (1 + loop_flank) * loop_width * flyaway.loop_height_mm;
+    return 2 * reach_mm * flyaway.loop_density_per_mm / std::max(1, fibres);
+}
+
 void YarnFibres::find_loops(std::uint64_t stream)
 {
     const double density = 1e3 * textile_.flyaway.loop_density_per_mm, height = metre_from_mm(textile_.flyaway.loop_height_mm);

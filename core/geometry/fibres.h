@@ -70,6 +70,8 @@ public:
 
     static constexpr std::size_t hair_points = 9;
     /// Hairs rooted in a stretch, without making it.
+    /// How many loops reach over a place of one of so many fibres.
+    static double loops_over(const Flyaway& flyaway, int fibres);
     static std::size_t count_hairs(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing,
                                    int crossings);
 

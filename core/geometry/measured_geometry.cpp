@@ -62,6 +62,7 @@ PoreRadii pores_of(const YarnType& type)
 struct FibreSums {
     double mass = 0, volume = 0, flyaway = 0; ///< kg, m3, m3
     double highest = 0, lowest = 0;           ///< m, of what is no hair
+    double seen = 1;                          ///< least share of a type's yarns whose flyaways were looked at
 };
 
 double line_length(const std::vector<float>& line)
@@ -80,8 +81,20 @@ int samples_for(const YarnType& type, double pitch)
         std::clamp(std::ceil(12 * pitch * std::max(std::abs(type.twist), type.plies > 1 ? std::abs(type.ply_twist) : 0.0)), 24.0, 1200.0));
 }
 
+/// Points of the fibres of one yarn, with the loops that each must be compared with.
+double points_of(const Textile& textile, const YarnType& type, int crossings, double pitch, bool flyaways)
+{
+    double points = static_cast<double>(crossings) * samples_for(type, pitch) * type.fibres;
+    if (flyaways) {
+        constexpr double comparison = 0.3; // of a point's time
+        points *= 1 + comparison * YarnFibres::loops_over(textile.flyaway, type.fibres);
+        points += crossings * pitch * 1e3 * textile.flyaway.hair_density_per_mm * YarnFibres::hair_points;
+    }
+    return points;
+}
+
 /// Mass and volume are those of the yarns without flyaways: a yarn's linear density holds them already. Of many points every few yarns
-/// are summed and stand for the others; flyaways, of which there may be far more, by a count of their own.
+/// are summed, or a piece of one, and stand for the others; flyaways, of which there may be far more, by a count of their own.
 FibreSums sum_fibres(const Textile& textile)
 {
     FibreSums sums;
@@ -93,21 +106,24 @@ FibreSums sum_fibres(const Textile& textile)
         std::vector<int> threads(system.types.size(), 0);
         for (int yarn = 0; yarn < system.count; ++yarn) ++threads[static_cast<std::size_t>(textile.type_of(kind, yarn))];
         for (bool flyaways : {false, true}) {
-            std::vector<int> wanted, summed(system.types.size(), 0);
+            std::vector<int> wanted, pieces, summed(system.types.size(), 0);
             for (std::size_t type = 0; type < system.types.size(); ++type) {
-                double each = static_cast<double>(crossings) * samples_for(system.types[type], pitch) * system.types[type].fibres;
-                if (flyaways) each += crossings * pitch * 1e3 * textile.flyaway.hair_density_per_mm * YarnFibres::hair_points;
-                const double share = 0.25 * most_points * threads[type] / system.count;
-                wanted.push_back(std::clamp(static_cast<int>(share / each), 1, std::max(1, threads[type])));
+                const double each = points_of(textile, system.types[type], crossings, pitch, flyaways);
+                const double yarns = 0.25 * most_points * threads[type] / system.count / each;
+                wanted.push_back(static_cast<int>(std::clamp(yarns, 1.0, std::max(1.0, double(threads[type])))));
+                pieces.push_back(static_cast<int>(std::clamp(yarns * crossings, 1.0, double(crossings))));
+                if (flyaways && threads[type] > 0)
+                    sums.seen = std::min(sums.seen, double(wanted.back()) * pieces.back() / (double(threads[type]) * crossings));
             }
             for (int yarn = 0; yarn < system.count; ++yarn) {
                 const auto number = static_cast<std::size_t>(textile.type_of(kind, yarn));
                 if (summed[number] == wanted[number]) continue;
                 ++summed[number];
                 const YarnType& type = system.types[number];
-                const double stands_for = static_cast<double>(threads[number]) / wanted[number];
+                const int piece = pieces[number]; // crossings
+                const double stands_for = static_cast<double>(threads[number]) / wanted[number] * crossings / piece;
                 const double real_area = pi * std::pow(metre_from_um(type.fibre.fibre_radius_um), 2);
-                const YarnFibres fibres(textile, {samples_for(type, pitch), 6, flyaways, true, 1}, kind, yarn, 0, crossings);
+                const YarnFibres fibres(textile, {samples_for(type, pitch), 6, flyaways, true, 1}, kind, yarn, 0, piece);
                 for (int strand = 0; strand < fibres.strands(); ++strand) {
                     line.resize(3 * fibres.points(strand));
                     fibres.curve(strand, line.data());
@@ -274,6 +290,7 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, co
     MeasuredGeometry m;
     m.ends = textile.ends();
     m.picks = textile.picks();
+    m.flyaways_seen = sums.seen;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         MeasuredYarn& yarn = kind == YarnKind::warp ? m.warp : m.weft;
         yarn.crimp_percent = mean_crimp_percent(textile, kind);

@@ -40,7 +40,8 @@ struct MeasuredGeometry {
     double smoothness = 1;
     PoreRadii holes; ///< between yarns
     Permeability permeability;
-    int ends = 0, picks = 0; ///< that were measured
+    int ends = 0, picks = 0;  ///< that were measured
+    double flyaways_seen = 1; ///< share of their loops and hairs that stands for all
 };
 
 /// Makes the fibres of some repeats of weave and yarn order, of 240 ends and picks at most, and measures them; pores in yarns are those of

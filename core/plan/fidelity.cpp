@@ -103,9 +103,7 @@ const KnobInfo& knob_named(const std::string& name)
         if (name == knob.name || (!name.empty() && name == knob.old_name)) return knob;
         names.emplace_back(knob.name);
     }
-    const std::string near = nearest_word(name, names);
-    throw Error(fmt::format("fidelity.{}: There is no such knob{} There are: {}.", name,
-                            near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near), all_names()));
+    throw Error(fmt::format("fidelity.{}: There is no such knob{} There are: {}.", name, did_you_mean(name, names), all_names()));
 }
 
 void require_in_range(const KnobInfo& knob, double value)

@@ -66,8 +66,7 @@ private:
         if (key != "flyaway" && key != "climate" && key != "uncertainty") {
             std::vector<std::string> keys;
             for (const auto& [known, value] : at_->items()) keys.push_back(known);
-            const std::string near = nearest_word(key, keys);
-            refuse(path_, fmt::format("There is no \"{}\" here{}", key, near.empty() ? "." : fmt::format("; did you mean \"{}\"?", near)));
+            refuse(path_, fmt::format("There is no \"{}\" here{}", key, did_you_mean(key, keys)));
         }
         (*at_)[key] = ProjectJson::object();
     }

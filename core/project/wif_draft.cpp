@@ -2,6 +2,7 @@
 #include "core/project/wif_draft.h"
 
 #include "core/base/error.h"
+#include "core/project/wif_private.h"
 
 #include <fmt/format.h>
 
@@ -187,11 +188,14 @@ private:
         return otherwise;
     }
 
-    /// Leaves out what follows the last thread that does something; reports threads before it that do nothing.
+    /// Leaves out what follows the last thread that does something, unless this program wrote it; reports threads before it that do
+    /// nothing.
     void fit_threads(const char* section, const char* threads, const char* act, const char* idle, Lists& lists)
     {
-        const std::size_t used = used_size(lists);
+        std::size_t used = used_size(lists);
         const int declared = count(section, "Threads", static_cast<int>(used));
+        const auto listed = static_cast<std::size_t>(declared);
+        if (file_.find(private_section) && listed > used && listed <= lists.size()) used = listed;
         if (static_cast<std::size_t>(declared) > used)
             warn(fmt::format("[{}] declares {} threads, but no more than the first {} {}; the rest was left out.", section, declared, used,
                              act));

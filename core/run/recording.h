@@ -12,7 +12,8 @@
 
 namespace hygroloom {
 
-/// Writes a recording frame by frame. It stands beside the path until its first frame is whole; what was there before stays until then.
+/// Writes a recording frame by frame. It stands beside the path until its first frame is whole. A recording that was there before stays
+/// until the second is, or the run has ended.
 /// Throws FileError, also when another run writes to the path. After an error the frames before it can be read.
 class RecordingWriter {
 public:

@@ -111,6 +111,7 @@ void RecordingTarget::check_target()
     if (is_other)
         throw FileError(given_.string() +
                         ": there is a file of this name already and it is no recording. Choose another name for the recording.");
+    has_older_ = is_file && status.st_size > 0;
     if (!is_file || ::access(target_.c_str(), W_OK) != 0)
         throw FileError(given_.string() + ": the recording cannot be created: what has this name cannot be replaced.");
     ::fchmod(file_, status.st_mode & 07777);
@@ -153,7 +154,7 @@ void RecordingTarget::give_up(const std::string& why)
     if (::ftruncate(file_, static_cast<off_t>(committed_)) != 0) return; // what lies behind is not read
 }
 
-void RecordingTarget::commit(Commit when)
+void RecordingTarget::commit(Commit when, bool may_replace)
 {
     if (!failure_.empty()) throw FileError(failure_);
     const auto now = std::chrono::steady_clock::now();
@@ -174,7 +175,7 @@ void RecordingTarget::commit(Commit when)
     committed_ = end_;
     staged_.clear();
     last_commit_ = now;
-    if (!part_.empty()) publish();
+    if (!part_.empty() && (may_replace || !has_older_)) publish();
 }
 
 /// First all that changes nothing that is in use, then, when that and the log of the rest stand in the file, the rest.

@@ -22,9 +22,12 @@ public:
     RecordingTarget& operator=(const RecordingTarget&) = delete;
 
     enum class Commit { may_wait, now };
-    /// Lets what was written take effect, all or nothing, and gives the file the target's name. While a reader looks for frames it may
-    /// wait for the next time. Throws FileError; the file stays as it was and takes nothing more.
-    void commit(Commit when);
+    /// Lets what was written take effect, all or nothing, and gives the file the target's name, if it may replace an older recording or
+    /// there is none. While a reader looks for frames it may wait for the next time. Throws FileError; the file stays as it was and takes
+    /// nothing more.
+    void commit(Commit when, bool may_replace);
+    /// Whether the file has the target's name.
+    bool in_place() const { return part_.empty(); }
     /// Why nothing more can be written; empty: it can.
     const std::string& failure() const { return failure_; }
     /// From here on what the library writes is dropped.
@@ -46,6 +49,7 @@ private:
     void publish();
 
     std::filesystem::path given_, target_, part_; ///< as named; behind links; beside it, empty when renamed
+    bool has_older_ = false;                      ///< the target is a recording with content
     int file_ = -1;
     std::uint64_t end_ = 0;       ///< of what was written
     std::uint64_t committed_ = 0; ///< end of the file as the last commit made it

@@ -121,7 +121,9 @@ struct RecordingWriter::File {
     /// What fails leaves the recording as it was before, and nothing is added to it any more.
     template <typename Write> void attempt(Write write);
     void flush(RecordingTarget::Commit when);
-    void close();
+    void close(bool is_whole);
+    /// The state that a run begins with is no reason to lose an older recording.
+    bool may_replace() const { return frames > 1; }
 };
 
 template <typename Write> void RecordingWriter::File::attempt(Write write)
@@ -132,22 +134,22 @@ template <typename Write> void RecordingWriter::File::attempt(Write write)
     } catch (const FileError& error) {
         if (target.failure().empty()) target.give_up(error.what());
         throw FileError(fmt::format("{}: {}; {}", name, target.failure(),
-                                    frames > 0 ? fmt::format("the recording ends at {:.4g} s and can be read up to there.", end)
-                                               : "nothing was recorded, and what had this name before stays."));
+                                    target.in_place() ? fmt::format("the recording ends at {:.4g} s and can be read up to there.", end)
+                                                      : "nothing was recorded, and what had this name before stays."));
     }
 }
 
 void RecordingWriter::File::flush(RecordingTarget::Commit when)
 {
     if (H5Fflush(id(), H5F_SCOPE_GLOBAL) < 0) throw FileError("the recording cannot be written");
-    target.commit(when);
+    target.commit(when, may_replace());
 }
 
-void RecordingWriter::File::close()
+void RecordingWriter::File::close(bool is_whole)
 {
     ledger.reset();
     file.reset();
-    target.commit(RecordingTarget::Commit::now);
+    target.commit(RecordingTarget::Commit::now, is_whole || may_replace());
 }
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>(path))
@@ -172,7 +174,7 @@ RecordingWriter::~RecordingWriter()
 {
     if (!file_ || !file_->file.get() || file_->frames == 0 || !file_->target.failure().empty()) return;
     try {
-        file_->close();
+        file_->close(false);
     } catch (const FileError&) {
         // the frames before can be read
     }
@@ -189,9 +191,9 @@ void RecordingWriter::append(const Frame& frame)
         if (frame.unsolved_lines > 0)
             h5::write_number(h5::open_group(file_->id(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);
         h5::append_row(file_->ledger.get(), row_of(frame.ledger));
+        ++file_->frames;
         file_->flush(RecordingTarget::Commit::may_wait);
     });
-    ++file_->frames;
     file_->end = frame.time;
 }
 
@@ -221,7 +223,7 @@ void RecordingWriter::finish(double wall)
     file_->attempt([&] {
         h5::write_number(file_->id(), "wall_s", wall);
         h5::write_number(h5::open_group(file_->id(), "provenance").get(), "wall_s", wall);
-        file_->close();
+        file_->close(true);
         file_->target.sync();
     });
     file_.reset();

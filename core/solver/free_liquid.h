@@ -17,6 +17,9 @@
 namespace hygroloom::inline HL_PRECISION {
 
 constexpr int most_flow_steps = 1000; // without a look at the clock
+/// Before a drop lands, in which its lattice of particles comes to rest as a drop.
+constexpr double capillary_times_to_land = 5;
+constexpr double spacings_to_land = 8; ///< from the cloth, farther than its loops, hairs and kernels reach
 
 /// The scene must outlive it. What it gives to the yarns and takes back from them passes as WaterAbsorbed and WaterGivenBack.
 template <typename Executor> class FreeLiquid {
@@ -66,6 +69,8 @@ public:
 
 private:
     std::size_t count_of(ParticleCount count) const;
+    void take_off(const SceneDroplet& drop, double landed, bool alone);
+    void fall(double& time, double until);
     void make_room();
     void load_cloth();
     void load_standing();
@@ -228,6 +233,7 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     drop.centre.z = height_clear_of(living(), drop.centre, radius, spacing);
     std::vector<Vec3d> places = droplet_lattice(static_cast<int>(start_.particles_of(drop.volume)), spacing);
     for (Vec3d& place : places) place = drop.centre + place;
+    const bool alone = flow_.count == 0;
     // The drop's own water, shared out to the last quantum.
     const std::size_t n = places.size();
     const std::int64_t water = std::llround(drop.volume * scene_->climate.density / water_quantum), parts = static_cast<std::int64_t>(n);
@@ -238,6 +244,7 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     const double fall = drop.centre.z - radius - scene_->cloth.half_thickness;
     const double landed =
         (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
+    take_off(drop, landed, alone);
     flow_.landing = std::max(flow_.landing, drop.time + landed);
     flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
     flow_.asleep = 0;
@@ -246,10 +253,37 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     return static_cast<double>(water) * water_quantum;
 }
 
+/// A drop that was released into the air after so long a flight to come (s) that its particles need not be followed from its start. Drops
+/// released together fall side by side; with any other liquid about, steps begin at once.
+template <typename Executor> void FreeLiquid<Executor>::take_off(const SceneDroplet& drop, double landed, bool alone)
+{
+    const double speed = drop.speed + gravity_acceleration * landed; // at the cloth
+    const double last = capillary_times_to_land * rules_.capillary_time(drop.volume) +
+                        spacings_to_land * static_cast<double>(start_.spacing) / std::max(speed, 1e-6);
+    const double end = scene_->liquid.gravity == gravity_acceleration ? drop.time + landed - last : 0.0;
+    const bool beside = flow_.flight_end > 0 && flow_.flight_start == drop.time && flow_.flight_speed == drop.speed;
+    flow_.flight_end = alone ? std::max(0.0, end) : beside ? std::min(flow_.flight_end, std::max(0.0, end)) : 0.0;
+    flow_.flight_start = drop.time;
+    flow_.flight_speed = drop.speed;
+}
+
+template <typename Executor> void FreeLiquid<Executor>::fall(double& time, double until)
+{
+    const double dt = until - time, gained = gravity_acceleration * dt;
+    exec_.for_each("fall", flow_.count, Fall{particle_views(), static_cast<Real>(dt), static_cast<Real>(gained)});
+    time = until;
+    flow_.flight_speed += gained;
+    flow_.longest_dt = std::min(rules_.longest_step(), rules_.advective_step(flow_.flight_speed));
+}
+
 template <typename Executor>
 bool FreeLiquid<Executor>::flow(double& time, double sync_time, double wall_seconds, const WaterAbsorbed& absorbed)
 {
     if (flow_.count == 0 || time >= sync_time) return true;
+    if (time < flow_.flight_end) {
+        fall(time, std::min(sync_time, flow_.flight_end));
+        if (time >= sync_time) return true;
+    }
     flow_.time = time;
     flow_.sync_time = sync_time;
     const double budget = 0.25 * wall_seconds / std::max(1e-9, wall_per_step_);
@@ -310,6 +344,7 @@ template <typename Executor> bool FreeLiquid<Executor>::take_back(const WaterGiv
     const bool wakes = rests();
     flow_.count += count;
     flow_.listed_for = 0;
+    flow_.flight_end = 0;
     flow_.asleep = 0;
     flow_.roused = time;
     const double settling = rules_.capillary_time(static_cast<double>(count) * std::pow(static_cast<double>(start_.spacing), 3));

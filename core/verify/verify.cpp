@@ -2,8 +2,10 @@
 #include "core/verify/verify.h"
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -72,9 +74,8 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
     const auto& cases = verify_cases();
     const auto found = std::find_if(cases.begin(), cases.end(), [&](const VerifyCase& c) { return c.name == name; });
     if (found == cases.end()) {
-        std::string names;
-        for (const VerifyCase& c : cases) names += (names.empty() ? "" : ", ") + c.name;
-        throw Error(fmt::format("There is no case \"{}\"; there are: {}.", name, names));
+        const std::vector<std::string> names = verify_names({});
+        throw Error(fmt::format("There is no case \"{}\"{} There are: {}.", name, did_you_mean(name, names), fmt::join(names, ", ")));
     }
     VerifyReport report{found->name, found->parameters, {}, 0, found->source, found->not_applicable};
     for (const auto& [key, text] : changes) {
@@ -82,9 +83,10 @@ VerifyReport run_verify_case(const std::string& name, const std::map<std::string
         const auto parameter =
             std::find_if(report.parameters.begin(), report.parameters.end(), [&](const VerifyParameter& p) { return p.name == wanted; });
         if (parameter == report.parameters.end()) {
-            std::string names;
-            for (const VerifyParameter& p : found->parameters) names += (names.empty() ? "" : ", ") + p.name;
-            throw Error(fmt::format("The case {} has no parameter \"{}\"; it has: {}.", name, key, names));
+            std::vector<std::string> names;
+            for (const VerifyParameter& p : found->parameters) names.push_back(p.name);
+            throw Error(fmt::format("The case {} has no parameter \"{}\"{} It has: {}.", name, key, did_you_mean(key, names),
+                                    fmt::join(names, ", ")));
         }
         if (parameter->word.empty())
             parameter->value = number_for(*parameter, text);

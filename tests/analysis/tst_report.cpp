@@ -167,6 +167,7 @@ private Q_SLOTS:
         {
             RecordingWriter writer(file().toStdString(), run);
             writer.append(frame_at_time(run.textile, 0, 0));
+            writer.finish(1);
         }
         QCOMPARE(write_vtk(Recording(file().toStdString()), folder(), 1, [](double) { return true; }), 1);
         QVERIFY(QFile::exists(dir_.filePath("yarns.pvd")) && !QFile::exists(dir_.filePath("liquid.pvd")));

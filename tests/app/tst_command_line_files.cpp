@@ -84,6 +84,64 @@ private Q_SLOTS:
         QVERIFY(took[1] <= 300); // another program may be in the way once
         QVERIFY(QDir(folder.path()).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
     }
+    void aRunThatIsStoppedPrintsItsMetricsSoFar_data()
+    {
+        QTest::addColumn<bool>("json");
+        QTest::newRow("text") << false;
+        QTest::newRow("JSON") << true;
+    }
+    void aRunThatIsStoppedPrintsItsMetricsSoFar()
+    {
+        QFETCH(bool, json);
+        const QString recording = at("so-far.hygrorec");
+        QFile::remove(recording);
+        QProcess process;
+        process.start(HYGROLOOM_CLI, QStringList{"simulate", example("one-drop-on-cotton.hygro"), "--fidelity", "draft", "--backend", "cpu",
+                                                 "--set", "experiments[0].duration_s=3600", "-q", "-o", recording} +
+                                         (json ? QStringList{"--json"} : QStringList{}));
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(recording).size() > 0, 30000);
+        QTest::qWait(500);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitCode(), 130);
+        const QByteArray out = process.readAllStandardOutput();
+        const QByteArray measured = run_cli({"measure", recording}).out;
+        QVERIFY2(measured.contains("cpu, unfinished)") && measured.contains("s of 3600"), measured);
+        if (json) {
+            const QJsonObject object = QJsonDocument::fromJson(out).object();
+            QCOMPARE(object["exit_code"].toInt(), 130);
+            QCOMPARE(object["so_far"].toObject()["format"].toString(), QString("hygroloom-metrics"));
+        } else {
+            QCOMPARE(out, measured);
+        }
+    }
+    void anUnknownNameIsAnsweredWithTheNearest_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("meant");
+        const QString f = example("textile-F.hygro");
+        const auto row = [](const char* what, const QStringList& arguments, const char* meant) {
+            QTest::newRow(what) << arguments << QByteArray(meant);
+        };
+        row("verb", {"simulat", f}, "simulate");
+        row("fabric", {"check", f, "--fabric", "textile f"}, "Textile F");
+        row("experiment", {"plan", example("laboratory.hygro"), "--fabric", "Textile F", "--experiment", "dryng"}, "drying");
+        row("preset", {"presets", "Denin", "-o", at("denim.hygro")}, "Denim");
+        row("knob", {"plan", f, "--set", "fidelity.fibre_shels=3"}, "fibre_shells");
+        row("case", {"verify", "washbrun"}, "washburn");
+        row("parameter", {"verify", "washburn", "--set", "radius=20"}, "radius_um");
+        row("material", {"check", f, "--set", "fabrics[0].warp.material=coton"}, "cotton");
+        row("liquid", {"check", f, "--set", "experiments[0].liquid=salin"}, "saline");
+    }
+    void anUnknownNameIsAnsweredWithTheNearest()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, meant);
+        const Answer answer = run_cli(arguments);
+        QVERIFY(answer.code == 2 || answer.code == 3);
+        QVERIFY2((answer.err + answer.out).contains("; did you mean \"" + meant + "\"?"), answer.err + answer.out);
+    }
     void importsAtOnceLoseNoFabric()
     {
         const QString project = at("together.hygro");

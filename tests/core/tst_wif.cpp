@@ -397,6 +397,20 @@ private Q_SLOTS:
             QVERIFY(again.fabric == fabric);
         }
     }
+    void threadsThatDoNothingComeBackToo()
+    {
+        for (const char* pattern : {"twill 2/2 Z", "satin 37/5"}) { // with a tie-up, and with a liftplan
+            Draft draft = with_liftplan(smallest_draft(weave_from_pattern(pattern)));
+            draft.threading.resize(draft.threading.size() + 2); // on no shaft
+            draft.liftplan.resize(draft.liftplan.size() + 3);   // lift none
+            Design design;
+            design.fabrics.push_back(Fabric());
+            Fabric& fabric = design.fabrics.front();
+            fabric.weave = weave_from_draft(draft);
+            const DraftImport again = import_text(format_wif(design, fabric));
+            QVERIFY2(again.fabric.weave.same_matrix(fabric.weave), pattern);
+        }
+    }
     void withoutOurOwnSectionWeaveAndColoursStillComeBack()
     {
         Design design;

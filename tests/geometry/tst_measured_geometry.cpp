@@ -2,6 +2,7 @@
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <cmath>
@@ -82,6 +83,22 @@ private Q_SLOTS:
         fabric.extra_yarns[0].diameter_mm = 0.3;
         fabric.warp_order = {{0, 60}, {1, 40}};
         agree();
+    }
+    void moreLoopsThanCanBeMeasuredAreSampled()
+    {
+        Design design = example("textile-F");
+        Fabric& fabric = design.fabrics[0];
+        fabric.flyaway = {20, 0, 1, 0};
+        const MeasuredGeometry all = measure_geometry(design, fabric);
+        fabric.flyaway.loop_density_per_mm = 2000;
+        QElapsedTimer timer;
+        timer.start();
+        const MeasuredGeometry sample = measure_geometry(design, fabric);
+        QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+        QCOMPARE(all.flyaways_seen, 1.0);
+        QVERIFY2(sample.flyaways_seen < 0.2, qPrintable(QString::number(sample.flyaways_seen)));
+        AGREES(sample.thickness_mm, all.thickness_mm);
+        AGREES(sample.areal_density_g_m2, all.areal_density_g_m2);
     }
     void eq2GivesTheAngleBetweenTheChords()
     {

@@ -70,6 +70,18 @@ private Q_SLOTS:
         QCOMPARE(*plan.expected_error, 0.02);
         QVERIFY(mentions(plan.expectation_source, "near"));
     }
+    void noRunTakesLessThanItsStart()
+    {
+        const MeasuredScene measured = scene_of("drop", plan_of(35), 0.1, {});
+        Design design = drop_design(35);
+        Experiment& drop = design.experiments[0];
+        drop.sample_mm = {0.5, 0.5};
+        drop.duration_s = 1e-4;
+        drop.droplets[0].volume_ul = 1e-6;
+        ModelPlan plan = plan_run(design, design.fabrics[0], drop, Fidelity::standard, {}, {});
+        expect(plan, {measured});
+        QCOMPARE(plan.expected_seconds, 0.01);
+    }
     void theNearestSceneCounts()
     {
         ModelPlan plan = plan_of(85);

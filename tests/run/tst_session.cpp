@@ -37,6 +37,14 @@ void advance(Session& session, double until)
 
 Frame frame(Session& session) { return session.take_frame().get(); }
 
+/// Mean over the particles, m; 0 without any.
+double height_of(const Frame& frame)
+{
+    double sum = 0;
+    for (const auto& place : frame.positions) sum += place[2] / static_cast<double>(frame.positions.size());
+    return sum;
+}
+
 double water(double volume, const Scene& scene) { return volume * scene.climate.density; }
 
 } // namespace
@@ -134,6 +142,61 @@ private Q_SLOTS:
         QCOMPARE(end.water_delivered, after.ledger.water_delivered);
         QVERIFY(std::abs(end.water_imbalance()) <= 1e-12 * end.water_delivered);
         QVERIFY(end.water_liquid > before.ledger.water_liquid);
+    }
+    void aDropFallsAsABodyUntilShortlyBeforeItLands()
+    {
+        Scene scene = one_drop();
+        SceneDroplet& drop = scene.supply.droplets.at(0); // 2 ul: 5.3 ms to find its shape
+        const double height = 20e-3;
+        drop.centre.z += height;
+        const double bottom = drop.centre.z - std::cbrt(3 * drop.volume / (4 * pi)) - scene.cloth.half_thickness;
+        const double landed = std::sqrt(2 * bottom / gravity_acceleration);
+        const auto backend = make_cpu_backend();
+        Session session(*backend, scene, 1);
+        session.load();
+        const auto fallen = [](double time) { return 0.5 * gravity_acceleration * time * time; };
+        advance(session, 1e-3);
+        const double middle = height_of(frame(session)) + fallen(1e-3);
+        for (const double share : {0.3, 0.5}) {
+            advance(session, share * landed);
+            const Frame flying = frame(session);
+            QCOMPARE(backend->liquid_steps(), 0L);
+            QCOMPARE(flying.positions.size(), std::size_t{200});
+            const double expected = middle - fallen(share * landed);
+            QVERIFY2(std::abs(height_of(flying) - expected) < 1e-6, qPrintable(QString::number(height_of(flying) - expected)));
+            QVERIFY(std::abs(flying.velocities[7][2] + gravity_acceleration * share * landed) < 1e-6);
+            QCOMPARE(flying.ledger.water_free, flying.ledger.water_delivered);
+        }
+        advance(session, landed);
+        QVERIFY(backend->liquid_steps() > 0);
+        QVERIFY(std::abs(height_of(frame(session)) - (middle - fallen(landed))) < 0.05e-3);
+        advance(session, landed + 0.1);
+        const Ledger end = frame(session).ledger;
+        QVERIFY(end.water_liquid > 0 && std::abs(end.water_imbalance()) <= 1e-12 * end.water_delivered);
+    }
+    void dropsThatMeetInTheAirAreFollowed()
+    {
+        for (const double later : {0.0, 5e-3}) { // side by side, and a faster one after it
+            Scene scene = one_drop();
+            SceneDroplet first = scene.supply.droplets.at(0);
+            first.centre.z += 20e-3;
+            SceneDroplet second = first;
+            second.time = later;
+            if (later > 0) {
+                second.speed = 2;
+            } else {
+                second.centre.x += 3e-3;
+            }
+            scene.supply.droplets = {first, second};
+            const auto backend = make_cpu_backend();
+            Session session(*backend, scene, 1);
+            session.load();
+            advance(session, 7e-3);
+            QCOMPARE(backend->liquid_steps() > 0, later > 0);
+            advance(session, 0.1);
+            const Ledger end = frame(session).ledger;
+            QVERIFY(end.water_liquid > 0 && std::abs(end.water_imbalance()) <= 1e-12 * end.water_delivered);
+        }
     }
     void dropsMayBePutWhereNoneWasPlanned()
     {

@@ -87,6 +87,17 @@ private Q_SLOTS:
         QCOMPARE(window_->document().history()->count(), 0);
     }
 
+    void atTheEdgeItStaysOnTheSample()
+    {
+        window_->document().edit("size", {}, [](Design& d) { d.experiments[0].sample_mm = {19.72, 19.72}; });
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(canvas_->fabric()->high().x() - 9.857) < 0.001, 10000); // 69 whole ends of 35/cm
+        press({5, -4});
+        move({30, 0});
+        release({30, 0});
+        QVERIFY2(near(drop(1), {canvas_->fabric()->high().x(), 0}), qPrintable(QString::number(drop(1).x()))); // 9.9 is off the sample
+        QVERIFY(!window_->document().hasError());
+    }
+
     void aDoubleClickAddsAndDeleteRemoves()
     {
         QTest::mouseDClick(canvas_, Qt::LeftButton, {}, at({-6, 5}));

@@ -249,6 +249,38 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList({"*.hygro"}).size(), 1);
     }
 
+    void aCrashBeforeTheFirstFrameLeavesNothingToAskAbout()
+    {
+        QTemporaryDir folder;
+        for (const bool modified : {false, true}) {
+            const QString crashed = folder.filePath("crashed.hygro");
+            {
+                Document document;
+                Recovery recovery(document, folder.path());
+                QSignalSpy kept(&recovery, &Recovery::kept);
+                QVERIFY(document.openExample(project()));
+                if (modified) {
+                    document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
+                }
+                const QString run = reserveRun(recovery.runFolder());
+                recovery.follow();
+                QVERIFY(kept.wait(5000));
+                const QString own = QDir(folder.path()).entryInfoList({"*.hygro"}, QDir::Files).first().absoluteFilePath();
+                QVERIFY(QFile::copy(own, crashed) && QFile::copy(own + ".origin", crashed + ".origin"));
+                releaseRun(run);
+            }
+            const QString begun = reserveRun(runFolderOf(crashed));
+            QFile part(runFolderOf(crashed) + "/." + QFileInfo(begun).fileName() + ".part");
+            QVERIFY(part.open(QIODevice::WriteOnly) && part.write("half a frame") > 0);
+            part.close();
+            Document document;
+            Recovery recovery(document, folder.path());
+            QCOMPARE(recovery.leftOver().size(), std::size_t{modified ? 1U : 0U});
+            QVERIFY(!QFile::exists(runFolderOf(crashed)));
+            QCOMPARE(QFile::exists(crashed), modified);
+        }
+    }
+
     void keptWorkThatIsOlderThanItsFileOpensAsUntitled()
     {
         QTemporaryDir folder;
@@ -317,6 +349,22 @@ private Q_SLOTS:
         document.edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 27; });
         QVERIFY(kept.wait(5000));
         QVERIFY(QDir(gone).removeRecursively());
+        for (const double ends : {28.0, 29.0}) {
+            document.edit("ends", {}, [=](Design& d) { d.fabrics[0].ends_per_cm = ends; });
+            QTest::qWait(1300);
+        }
+        QCOMPARE(failed.count(), 1);
+    }
+
+    void workThatCannotBeLockedIsSaidOnce()
+    {
+        QTemporaryDir folder;
+        QFile inTheWay(folder.filePath("recovery"));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        Document document;
+        Recovery recovery(document, inTheWay.fileName());
+        QVERIFY(document.open(project()));
+        QSignalSpy failed(&recovery, &Recovery::failed);
         for (const double ends : {28.0, 29.0}) {
             document.edit("ends", {}, [=](Design& d) { d.fabrics[0].ends_per_cm = ends; });
             QTest::qWait(1300);

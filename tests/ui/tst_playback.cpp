@@ -64,6 +64,31 @@ private Q_SLOTS:
         QTRY_COMPARE(failed.count(), 1);
         QVERIFY(failed[0][0].toString().contains("\"ledger\" is missing"));
     }
+    void whatIsStillOpeningDoesNotReplaceARunThatHasBegun()
+    {
+        const QString path = folder_.filePath("late.hygrorec"), other = folder_.filePath("wanted.hygrorec");
+        write_small_recording(path.toStdString());
+        write_small_recording(other.toStdString());
+        Playback playback;
+        QSignalSpy opened(&playback, &Playback::opened);
+        playback.open(path);
+        QTest::qSleep(1000); // it has been read, and waits for this thread
+        playback.begin(std::make_shared<const RunRecord>(small_run()), "live");
+        QTest::qWait(100);
+        QCOMPARE(opened.count(), 0);
+        QVERIFY(playback.live() && playback.path() == "live");
+        playback.open(path);
+        QTest::qSleep(1000);
+        playback.open(other); // the newest request counts
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(playback.path(), other);
+        playback.open(path);
+        QTest::qSleep(1000);
+        playback.stopOpening();
+        QTest::qWait(100);
+        QCOMPARE(playback.path(), other);
+        QVERIFY(playback.whole());
+    }
     void aRecordingWhoseRunGoesOnOpensWithItsFramesSoFar()
     {
         const QString path = folder_.filePath("running.hygrorec");

@@ -74,6 +74,48 @@ private Q_SLOTS:
         QCOMPARE(a.st_ino, b.st_ino);
     }
 
+    void aLinkThatAKilledWindowLeftIsInNobodysWay()
+    {
+        const QString run = recorded(folder_), other = runFolderOf(root_->filePath("other.hygro"));
+        QVERIFY(QDir().mkpath(other));
+        write(other + "/run-1.link", "left");
+        QCOMPARE(read(linkRun(run, other, Bring::copy)), QByteArray("recorded"));
+        QCOMPARE(QDir(other).entryList(QDir::Files | QDir::Hidden), QStringList("run-1.hygrorec"));
+    }
+
+    void anotherFileSystemGetsACopyThatCanBeStopped()
+    {
+        QTemporaryDir elsewhere("/dev/shm/runs-XXXXXX");
+        const QString other = elsewhere.filePath("cloth.hygro-runs"), run = recorded(folder_, QByteArray(9 << 20, 'w'));
+        struct stat a {
+        }, b{};
+        if (stat(qPrintable(run), &a) != 0 || stat(qPrintable(elsewhere.path()), &b) != 0 || a.st_dev == b.st_dev) {
+            QSKIP("no second file system");
+        }
+        setMarked(run, true);
+        QCOMPARE(linkRun(run, other, Bring::move), QString());
+        QVERIFY(!QFileInfo::exists(other));
+        const auto stopped = [](double share) { return share < 0.5; };
+        QVERIFY_EXCEPTION_THROWN(bringRun(run, other, Bring::move, stopped), Error);
+        QVERIFY(!QFileInfo::exists(other) && QFileInfo::exists(run));
+        std::vector<double> shares;
+        const QString to = bringRun(run, other, Bring::move, [&shares](double share) {
+            shares.push_back(share);
+            return true;
+        });
+        QCOMPARE(QFileInfo(to).size(), qint64{9 << 20});
+        QVERIFY(isMarked(to) && !QFileInfo::exists(folder_));
+        QVERIFY(shares.size() == 3 && shares.back() == 1);
+    }
+
+    void theFolderHasOneNameThroughLinks()
+    {
+        QVERIFY(QDir().mkpath(root_->filePath("real/deep")));
+        QVERIFY(QFile::link(root_->filePath("real"), root_->filePath("link")));
+        QCOMPARE(runFolderOf(root_->filePath("link/deep/cloth.hygro")), root_->filePath("real/deep/cloth.hygro-runs"));
+        QCOMPARE(runFolderOf(root_->filePath("link/new/../cloth.hygro")), root_->filePath("real/cloth.hygro-runs"));
+    }
+
     void movingTheLastRunTakesTheFolderAway()
     {
         const QString run = recorded(folder_);
@@ -105,6 +147,15 @@ private Q_SLOTS:
         QVERIFY(!isMarked(second));
         deleteRun(second);
         QVERIFY(!QFileInfo::exists(folder_));
+    }
+
+    void whatCannotBeDeletedKeepsItsMark()
+    {
+        const QString run = recorded(folder_);
+        setMarked(run, true);
+        QVERIFY(QFile::remove(run) && QDir().mkpath(run + "/in the way"));
+        QVERIFY_EXCEPTION_THROWN(deleteRun(run), Error);
+        QVERIFY(isMarked(run));
     }
 
 private:

@@ -22,7 +22,7 @@ constexpr int delay = 1000; // ms from an edit to its writing
 
 QString lockOf(const QString& file) { return file + ".lock"; }
 
-/// Where the project has its file, and what it is called, in two lines.
+/// Where the project has its file, what it is called, and "saved" where the copy is kept for its runs alone, in three lines.
 QString originOf(const QString& file) { return file + ".origin"; }
 
 void removeKept(const QString& file)
@@ -79,25 +79,31 @@ void Recovery::keep()
     if (!lock_) {
         QDir().mkpath(folder_);
         auto lock = lockFor(file_);
-        if (!lock->tryLock(0)) { return; } // tried again at the next edit
+        if (!lock->tryLock(0)) { // tried again at the next edit
+            sayFailed(tr("%1 cannot be locked. Check that the folder can be written to.").arg(file_));
+            return;
+        }
         lock_ = std::move(lock);
     }
-    const QString origin = document_.path() + "\n" + document_.title() + "\n";
+    const QString origin = document_.path() + "\n" + document_.title() + "\n" + (document_.modified() ? "" : "saved") + "\n";
     writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
         try {
             write_file(originOf(file).toStdString(), origin.toStdString());
             write_file(file.toStdString(), format_project(*design));
             turn.deliver([this] {
                 has_failed_ = false;
+                removeOpened();
                 Q_EMIT kept();
             });
         } catch (const Error& error) { // a full disk must not get in the way of the work itself
-            const QString sentence = tr("Unsaved work cannot be kept for recovery: %1").arg(QString::fromStdString(error.what()));
-            turn.deliver([this, sentence] {
-                if (!std::exchange(has_failed_, true)) { Q_EMIT failed(sentence); }
-            });
+            turn.deliver([this, why = QString::fromStdString(error.what())] { sayFailed(why); });
         }
     });
+}
+
+void Recovery::sayFailed(const QString& why)
+{
+    if (!std::exchange(has_failed_, true)) { Q_EMIT failed(tr("Unsaved work cannot be kept for recovery: %1").arg(why)); }
 }
 
 void Recovery::forget()
@@ -118,6 +124,11 @@ std::vector<LeftOver> Recovery::leftOver() const
         }
         QFile origin(originOf(file));
         const QStringList lines = origin.open(QIODevice::ReadOnly) ? QString::fromUtf8(origin.readAll()).split('\n') : QStringList();
+        clearEmptyRuns(runFolderOf(file));
+        if (lines.value(2) == "saved" && !holdsRuns(runFolderOf(file))) {
+            removeKept(file);
+            continue;
+        }
         const QString path = lines.value(0);
         const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
         found.push_back({file, path, lines.value(1), info.lastModified(), outdated, runFolderOf(file)});
@@ -128,14 +139,19 @@ std::vector<LeftOver> Recovery::leftOver() const
 bool Recovery::open(const LeftOver& left)
 {
     if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
+    opened_.push_back(left);
     keep();
-    connect(
-        this, &Recovery::kept, this,
-        [left] {
-            if (!holdsRuns(left.runs)) { remove(left); }
-        },
-        Qt::SingleShotConnection);
     return true;
+}
+
+/// Once there is a copy of this window's, and its runs have gone where they belong.
+void Recovery::removeOpened()
+{
+    std::erase_if(opened_, [](const LeftOver& left) {
+        if (holdsRuns(left.runs)) { return false; }
+        remove(left);
+        return true;
+    });
 }
 
 void Recovery::remove(const LeftOver& left)

@@ -39,7 +39,7 @@ public:
     QString runFolder() const;
     /// Writes or removes the copy, whichever is due: runs have come or gone.
     void follow();
-    /// Newest first.
+    /// Newest first. What holds neither changes nor recorded runs is cleared away.
     std::vector<LeftOver> leftOver() const;
     /// Opens it as unsaved work; as untitled where it is outdated, so that the later file is not overwritten. False after the document
     /// said why not; the file is then still there.
@@ -54,14 +54,17 @@ Q_SIGNALS:
 
 private:
     static void remove(const LeftOver& left);
+    void removeOpened();
     bool isDue() const;
     void keep();
+    void sayFailed(const QString& why);
     void forget();
 
     Document& document_;
     const QString folder_;
     const QString file_; ///< this window's
     std::unique_ptr<QLockFile> lock_;
+    std::vector<LeftOver> opened_; ///< whose files are not needed soon
     bool has_failed_ = false;
     QTimer wait_;
     std::unique_ptr<NewestJob> writer_;

@@ -41,18 +41,12 @@ bool linkOver(const QString& from, const QString& to)
 {
     const fs::path temporary = fs::path(to.toStdString()).replace_extension(".link");
     std::error_code error;
+    fs::remove(temporary, error); // of a window that was killed
     fs::create_hard_link(from.toStdString(), temporary, error);
-    if (!error) { fs::rename(temporary, to.toStdString(), error); }
+    if (error) { return false; }
+    fs::rename(temporary, to.toStdString(), error);
+    if (error) { QFile::remove(QString::fromStdString(temporary.string())); }
     return !error;
-}
-
-void copyOver(const QString& from, const QString& to)
-{
-    write_file_with(to.toStdString(), [&from](const fs::path& temporary) {
-        std::error_code error;
-        fs::copy_file(from.toStdString(), temporary, fs::copy_options::overwrite_existing, error);
-        if (error) { throw Error(error.message()); }
-    });
 }
 
 void removeIfEmpty(const QString& folder)
@@ -63,9 +57,41 @@ void removeIfEmpty(const QString& folder)
     }
 }
 
+/// Under the next free number; put(to) says whether it could. Empty where not.
+template <typename Put> QString bring(const QString& recording, const QString& folder, Bring how, const Put& put)
+{
+    QString to = reserveRun(folder);
+    try {
+        if (!put(to)) {
+            releaseRun(to);
+            return {};
+        }
+        if (isMarked(recording)) { setMarked(to, true); }
+    } catch (const std::exception& error) {
+        QFile::remove(to);
+        removeIfEmpty(folder);
+        throw Error(QObject::tr("%1 cannot be put into %2: %3").arg(recording, folder, QString::fromStdString(error.what())).toStdString());
+    }
+    if (how == Bring::move) {
+        try {
+            deleteRun(recording);
+        } catch (const Error&) { // it lies in both folders
+        }
+    }
+    return to;
+}
+
 } // namespace
 
-QString runFolderOf(const QString& project) { return project + "-runs"; }
+QString oneSpelling(const QString& folder)
+{
+    const QFileInfo info(folder);
+    std::error_code error;
+    const fs::path parent = fs::weakly_canonical(info.absolutePath().toStdString(), error);
+    return error ? info.absoluteFilePath() : QDir(QString::fromStdString(parent.string())).filePath(info.fileName());
+}
+
+QString runFolderOf(const QString& project) { return oneSpelling(project + "-runs"); }
 
 int runNumber(const QString& recording)
 {
@@ -84,6 +110,14 @@ QStringList recordingsIn(const QString& folder)
 }
 
 bool holdsRuns(const QString& folder) { return !QDir(folder).entryList({"*.hygrorec*"}, QDir::Files | QDir::Hidden).isEmpty(); }
+
+void clearEmptyRuns(const QString& folder)
+{
+    for (const QFileInfo& info : QDir(folder).entryInfoList({"run-*.hygrorec", ".run-*.hygrorec.part"}, QDir::Files | QDir::Hidden)) {
+        if (info.size() == 0 || info.suffix() == "part") { QFile::remove(info.absoluteFilePath()); }
+    }
+    removeIfEmpty(folder);
+}
 
 QString reserveRun(const QString& folder)
 {
@@ -110,31 +144,48 @@ void releaseRun(const QString& recording)
     }
 }
 
-QString bringRun(const QString& recording, const QString& folder, Bring how)
+void copyRecording(const QString& from, const QString& to, const CopyStep& step)
 {
-    const QString to = reserveRun(folder);
-    try {
-        if (!linkOver(recording, to)) { copyOver(recording, to); }
-        if (isMarked(recording)) { setMarked(to, true); }
-    } catch (const std::exception& error) {
-        QFile::remove(to);
-        removeIfEmpty(folder);
-        throw Error(QObject::tr("%1 cannot be put into %2: %3").arg(recording, folder, QString::fromStdString(error.what())).toStdString());
-    }
-    if (how == Bring::move) {
-        QFile::remove(recording);
-        removeIfEmpty(QFileInfo(recording).absolutePath());
-    }
-    return to;
+    constexpr qint64 piece = 4 << 20;
+    write_file_with(to.toStdString(), [&](const fs::path& temporary) {
+        QFile source(from), copy(QString::fromStdString(temporary.string()));
+        if (!source.open(QIODevice::ReadOnly)) { throw Error(source.errorString().toStdString()); }
+        if (!copy.open(QIODevice::WriteOnly)) { throw Error(copy.errorString().toStdString()); }
+        while (true) {
+            const QByteArray bytes = source.read(piece);
+            if (bytes.isEmpty()) { break; }
+            if (copy.write(bytes) != bytes.size()) { throw Error(copy.errorString().toStdString()); }
+            if (step && !step(static_cast<double>(source.pos()) / static_cast<double>(std::max<qint64>(source.size(), 1)))) {
+                throw Cancelled();
+            }
+        }
+        if (source.error() != QFile::NoError) { throw Error(source.errorString().toStdString()); }
+        if (!copy.flush()) { throw Error(copy.errorString().toStdString()); }
+    });
+}
+
+QString linkRun(const QString& recording, const QString& folder, Bring how)
+{
+    return bring(recording, folder, how, [&recording](const QString& to) { return linkOver(recording, to); });
+}
+
+QString bringRun(const QString& recording, const QString& folder, Bring how, const CopyStep& step)
+{
+    return bring(recording, folder, how, [&](const QString& to) {
+        if (!linkOver(recording, to)) { copyRecording(recording, to, step); }
+        return true;
+    });
 }
 
 void deleteRun(const QString& recording)
 {
+    const bool marked = isMarked(recording);
+    if (marked) { setMarked(recording, false); } // first: a later run may get its name
     QFile file(recording);
     if (file.exists() && !file.remove()) {
+        if (marked) { setMarked(recording, true); }
         throw Error(QObject::tr("%1 cannot be deleted: %2.").arg(recording, file.errorString()).toStdString());
     }
-    if (isMarked(recording)) { setMarked(recording, false); }
     removeIfEmpty(QFileInfo(recording).absolutePath());
 }
 
@@ -147,6 +198,7 @@ bool isMarked(const QString& recording)
 void setMarked(const QString& recording, bool marked)
 {
     const QFileInfo info(recording);
+    const ChangeLock alone(markList(info.absolutePath()).toStdString());
     QStringList names = marksOf(info.absolutePath());
     names.removeAll(info.fileName());
     if (marked) { names << info.fileName(); }

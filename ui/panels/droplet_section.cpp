@@ -10,9 +10,21 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hygroloom {
+
+namespace {
+
+/// Drops must land on the sample.
+std::array<double, 2> onSample(const Experiment& experiment, const QPointF& at)
+{
+    const auto within = [](double place, double side) { return std::clamp(place, -0.5 * std::abs(side), 0.5 * std::abs(side)); };
+    return {within(at.x(), experiment.sample_mm[0]), within(at.y(), experiment.sample_mm[1])};
+}
+
+} // namespace
 
 DropletSection::DropletSection(DesignForm& form, QObject* parent) : QObject(parent), form_(form)
 {
@@ -168,7 +180,7 @@ void DropletSection::addDropletAt(const QPointF& at)
     if (!experiment || !uses_field(experiment->type, "droplets")) { return; }
     const auto& droplets = experiment->droplets;
     Droplet drop = droplet_ < static_cast<int>(droplets.size()) ? droplets[static_cast<std::size_t>(droplet_)] : Droplet{};
-    drop.at_mm = {at.x(), at.y()};
+    drop.at_mm = onSample(*experiment, at);
     droplet_ = static_cast<int>(droplets.size());
     edit(tr("add droplet"), [&](Experiment& e) { e.droplets.push_back(drop); });
 }
@@ -178,7 +190,7 @@ void DropletSection::moveDroplet(int droplet, const QPointF& at)
     choose(droplet);
     const Experiment* experiment = this->experiment();
     if (!experiment || droplet >= static_cast<int>(experiment->droplets.size())) { return; }
-    edit(tr("droplet position"), [&](Experiment& e) { e.droplets[static_cast<std::size_t>(droplet)].at_mm = {at.x(), at.y()}; });
+    edit(tr("droplet position"), [&](Experiment& e) { e.droplets[static_cast<std::size_t>(droplet)].at_mm = onSample(e, at); });
 }
 
 void DropletSection::deleteDroplet(int droplet)
@@ -193,7 +205,7 @@ void DropletSection::placeDroplet(const QPointF& at)
     const Experiment* experiment = this->experiment();
     if (experiment && droplet_ < static_cast<int>(experiment->droplets.size())) {
         edit(tr("droplet position"), [&](Experiment& e) {
-            e.droplets[static_cast<std::size_t>(droplet_)].at_mm = {rounded(at.x()), rounded(at.y())};
+            e.droplets[static_cast<std::size_t>(droplet_)].at_mm = onSample(e, {rounded(at.x()), rounded(at.y())});
         });
         form_.document().endStroke();
     }

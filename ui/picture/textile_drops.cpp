@@ -103,7 +103,11 @@ void TextileCanvas::dragDrop(const QPointF& at)
     const auto point = onPlane(at);
     if (!point) { return; }
     const QVector3D low = fabric()->low(), high = fabric()->high();
-    snap_ = snapped({std::clamp(point->x(), low.x(), high.x()), std::clamp(point->y(), low.y(), high.y())}, dragged_drop_);
+    const auto onCloth = [&](const QPointF& place) {
+        return QPointF(std::clamp<double>(place.x(), low.x(), high.x()), std::clamp<double>(place.y(), low.y(), high.y()));
+    };
+    snap_ = snapped(onCloth({point->x(), point->y()}), dragged_drop_);
+    snap_.at = onCloth(snap_.at); // rounding may have left it
     drops_[static_cast<std::size_t>(dragged_drop_)] = snap_.at;
     update();
 }

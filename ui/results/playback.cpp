@@ -84,8 +84,15 @@ void Playback::reset()
     recording_.reset();
 }
 
+void Playback::stopOpening()
+{
+    ++opening_;
+    scanner_.drop();
+}
+
 void Playback::clear()
 {
+    stopOpening();
     reset();
     Q_EMIT runChanged();
     Q_EMIT framesChanged();
@@ -100,6 +107,7 @@ void Playback::move(const QString& from, const QString& to)
 
 void Playback::begin(const std::shared_ptr<const RunRecord>& run, const QString& path)
 {
+    stopOpening();
     reset();
     run_ = run;
     path_ = path;
@@ -242,7 +250,7 @@ void Playback::open(const QString& path) { scan(path); }
 
 void Playback::scan(const QString& path)
 {
-    scanner_.run([this, path](const NewestJob::Turn& turn) {
+    scanner_.run([this, path, opening = ++opening_](const NewestJob::Turn& turn) {
         try {
             const Recording recording(path.toStdString());
             Reading reading(recording);
@@ -256,9 +264,10 @@ void Playback::scan(const QString& path)
             auto first = reading.next(firstIndex);
             times.erase(times.begin(), times.begin() + firstIndex); // those before it cannot be read
             places.erase(places.begin(), places.begin() + firstIndex);
-            // reset() outdates this job; from here on only another run may stop it.
+            // reset() outdates this job; from here on only another request may stop it.
             auto generation = std::make_shared<long>(-1);
-            turn.deliver([this, run, times, places, first, firstIndex, path, generation] {
+            turn.deliver([this, opening, run, times, places, first, firstIndex, path, generation] {
+                if (opening != opening_) { return; } // another run has begun or is being opened
                 reset();
                 *generation = generation_;
                 run_ = run;
@@ -277,7 +286,7 @@ void Playback::scan(const QString& path)
             collector.start(*run);
             double maximum = 0;
             const int frames = recording.frames();
-            for (int index = firstIndex; index < frames; ++index) {
+            for (int index = firstIndex; index < frames && opening == opening_; ++index) {
                 const int wanted = index;
                 if (const auto frame = index == firstIndex ? first : reading.next(index)) {
                     collector.add(*frame);
@@ -300,11 +309,15 @@ void Playback::scan(const QString& path)
                 });
             }
             if (!reading.problems().isEmpty()) {
-                turn.deliver([this, sentence = reading.problems()] { Q_EMIT failed(sentence); });
+                turn.deliver([this, opening, sentence = reading.problems()] {
+                    if (opening == opening_) { Q_EMIT failed(sentence); }
+                });
             }
         } catch (const std::exception& error) {
             const QString sentence = QString::fromStdString(error.what());
-            turn.deliver([this, sentence] { Q_EMIT failed(sentence); });
+            turn.deliver([this, opening, sentence] {
+                if (opening == opening_) { Q_EMIT failed(sentence); }
+            });
         }
     });
 }

@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <map>
 
 namespace hygroloom {
@@ -28,6 +29,8 @@ public:
     void end();
     /// Reads a recording in the background; opened() or failed() follows.
     void open(const QString& path);
+    /// Opens nothing that is still being read.
+    void stopOpening();
     void clear();
     /// The recording that is shown lies at another path from now on.
     void move(const QString& from, const QString& to);
@@ -90,6 +93,7 @@ private:
     std::shared_ptr<const Metrics> metrics_;
     double maximum_saturation_ = 0;
     int current_ = -1;
+    std::atomic<long> opening_{0};         ///< of the newest request, so that nothing is opened that nobody wants any more
     long generation_ = 0;                  ///< of the run, so that late deliveries of another are dropped
     std::shared_ptr<Recording> recording_; ///< used by the reader's thread only
     NewestJob reader_;

@@ -10,26 +10,45 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <utility>
+
 namespace hygroloom {
 
 namespace {
 
-QString folderOf(const QString& recording) { return QFileInfo(recording).absolutePath(); }
+QString folderOf(const QString& recording) { return oneSpelling(QFileInfo(recording).absolutePath()); }
 
-/// A recording's run with its numbers; without a run when the job is outdated. Throws Error.
-KeptRun readRun(const QString& path, const NewestJob::Turn& turn)
+/// A run of the project without its frames; of one that cannot be read the reason.
+KeptRun listedRun(const QString& path)
+{
+    KeptRun kept{path, nullptr, nullptr};
+    try {
+        kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
+    } catch (const Error& error) {
+        RunRecord unknown;
+        unknown.fabric = QFileInfo(path).completeBaseName().toStdString();
+        unknown.experiment = ProjectRuns::tr("cannot be read").toStdString();
+        kept.run = std::make_shared<const RunRecord>(std::move(unknown));
+        kept.problem = QString::fromStdString(error.what());
+    }
+    kept.number = runNumber(path);
+    kept.marked = isMarked(path);
+    kept.own = true;
+    return kept;
+}
+
+/// Of all frames; nullptr when the job is outdated. Throws Error.
+std::shared_ptr<const Metrics> readMetrics(const QString& path, const NewestJob::Turn& turn)
 {
     Recording recording(path.toStdString());
-    KeptRun kept{path, std::make_shared<const RunRecord>(recording.run()), nullptr};
     MetricsCollector collector;
-    collector.start(*kept.run);
+    collector.start(recording.run());
     recording.read_frames([&](const Frame& frame) {
         collector.add(frame);
         return !turn.outdated();
     });
-    kept.metrics = std::make_shared<const Metrics>(collector.metrics());
-    if (turn.outdated()) { kept.run.reset(); }
-    return kept;
+    return turn.outdated() ? nullptr : std::make_shared<const Metrics>(collector.metrics());
 }
 
 bool isBeingWritten(const QString& recording)
@@ -75,19 +94,22 @@ QString ProjectRuns::settle(const QString& recording)
     if (!QFileInfo::exists(recording)) {
         at.clear();
     } else if (folderOf(recording) != folder()) { // the project was saved elsewhere meanwhile
-        try {
-            at = bringRun(recording, folder(), folderOf(recording) == recovery_.runFolder() ? Bring::move : Bring::copy);
-            Q_EMIT moved(recording, at);
-        } catch (const Error& error) {
-            Q_EMIT failed(QString::fromStdString(error.what()));
-        }
+        const auto follow = connect(this, &ProjectRuns::moved, this, [&](const QString& from, const QString& to) {
+            if (from == recording) { at = to; }
+        });
+        bring({recording});
+        disconnect(follow);
+    } else {
+        history_.move(recording, recording, isFiled(recording));
     }
-    if (!at.isEmpty()) { history_.move(recording, at, isFiled(at)); }
     recovery_.follow();
     return at;
 }
 
-bool ProjectRuns::owns(const QString& recording) const { return isFiled(recording) || folderOf(recording) == recovery_.runFolder(); }
+bool ProjectRuns::owns(const QString& recording) const
+{
+    return isFiled(recording) || folderOf(recording) == recovery_.runFolder() || isWaiting(recording);
+}
 
 bool ProjectRuns::isFiled(const QString& recording) const
 {
@@ -150,18 +172,62 @@ void ProjectRuns::takeFrom(const QString& folder)
 void ProjectRuns::bring(const QStringList& recordings)
 {
     QStringList problems;
+    const bool idle = waiting_.empty();
     for (const QString& from : recordings) {
-        const bool moves = folderOf(folderOf(from)) == folderOf(recovery_.runFolder()); // it lies beside unsaved work
+        const bool is_unsaved = folderOf(folderOf(from)) == folderOf(recovery_.runFolder()); // this window's, or recovered
+        const Waiting one{from, folder(), is_unsaved ? Bring::move : Bring::copy};
         try {
-            const QString to = bringRun(from, known_, moves ? Bring::move : Bring::copy);
-            history_.move(from, to, isFiled(to));
-            Q_EMIT moved(from, to);
+            if (const QString to = linkRun(one.from, one.folder, one.how); !to.isEmpty()) {
+                takeMoved(from, to);
+            } else {
+                waiting_.push_back(one);
+            }
         } catch (const Error& error) {
             problems << QString::fromStdString(error.what());
         }
     }
+    if (idle && !waiting_.empty()) { copyNext(); }
     recovery_.follow();
     if (!problems.isEmpty()) { Q_EMIT failed(problems.join('\n')); }
+}
+
+void ProjectRuns::copyNext()
+{
+    copier_.run([this, next = waiting_.front()](const NewestJob::Turn& turn) {
+        QString to, why;
+        try {
+            int said = -1;
+            to = bringRun(next.from, next.folder, next.how, [&](double share) {
+                if (const int percent = static_cast<int>(100 * share); std::exchange(said, percent) != percent) {
+                    turn.deliver([this, share] { Q_EMIT copied(share); });
+                }
+                return !turn.outdated();
+            });
+        } catch (const std::exception& error) {
+            why = QString::fromStdString(error.what());
+        }
+        turn.deliver([this, from = next.from, to, why] {
+            waiting_.erase(waiting_.begin());
+            if (!to.isEmpty()) { takeMoved(from, to); }
+            if (!why.isEmpty()) { Q_EMIT failed(why); }
+            if (!waiting_.empty()) { return copyNext(); }
+            recovery_.follow();
+            Q_EMIT copiesEnded();
+        });
+    });
+}
+
+void ProjectRuns::takeMoved(const QString& from, const QString& to)
+{
+    history_.move(from, to, isFiled(to));
+    Q_EMIT moved(from, to);
+    const KeptRun* run = history_.find(to);
+    if (run && run->marked != isMarked(to)) { setMarked(to, run->marked); } // it was marked while it was copied
+}
+
+bool ProjectRuns::isWaiting(const QString& recording) const
+{
+    return std::any_of(waiting_.begin(), waiting_.end(), [&recording](const Waiting& each) { return each.from == recording; });
 }
 
 /// In the background, those that are not known yet as runs of the project.
@@ -172,25 +238,53 @@ void ProjectRuns::read()
     }
     QStringList paths = recordingsIn(known_);
     if (known_ != recovery_.runFolder()) { paths << recordingsIn(recovery_.runFolder()); }
-    paths.removeIf([this](const QString& path) { return path == live_ || history_.find(path); });
+    paths.removeIf([this](const QString& path) { return path == live_ || isWaiting(path) || history_.find(path); });
     if (paths.isEmpty()) {
         loader_.drop();
-        return;
+        return readNumbers();
     }
     loader_.run([this, paths](const NewestJob::Turn& turn) {
+        for (const QString& path : paths) {
+            const KeptRun kept = listedRun(path);
+            if (turn.outdated()) { return; }
+            turn.deliver([this, kept] { add(kept); });
+        }
+        turn.deliver([this] { readNumbers(); });
+    });
+}
+
+void ProjectRuns::add(KeptRun run)
+{
+    if (!owns(run.path) || !QFileInfo::exists(run.path) || history_.find(run.path)) { return; }
+    run.saved = isFiled(run.path);
+    history_.keep(run);
+    if (!run.problem.isEmpty()) {
+        Q_EMIT messageShown(tr("%1 cannot be read; Compare lists why.").arg(QFileInfo(run.path).fileName()), 10000);
+    }
+}
+
+void ProjectRuns::setCompared(bool compared)
+{
+    if (std::exchange(compared_, compared) == compared) { return; }
+    numbers_.drop();
+    readNumbers();
+}
+
+/// In the background, of the project's completed runs that have none yet, the newest first.
+void ProjectRuns::readNumbers()
+{
+    QStringList paths;
+    for (const KeptRun& run : history_.runs()) {
+        if (run.own && run.problem.isEmpty() && run.complete() && !run.metrics) { paths.prepend(run.path); }
+    }
+    if (!compared_ || paths.isEmpty()) { return; }
+    numbers_.run([this, paths](const NewestJob::Turn& turn) {
         QStringList problems;
         for (const QString& path : paths) {
             try {
-                KeptRun kept = readRun(path, turn);
-                if (turn.outdated()) { return; }
-                kept.number = runNumber(path);
-                kept.marked = isMarked(path);
-                kept.own = true;
-                turn.deliver([this, kept]() mutable {
-                    if (!owns(kept.path) || !QFileInfo::exists(kept.path) || history_.find(kept.path)) { return; }
-                    kept.saved = isFiled(kept.path);
-                    history_.keep(kept);
-                });
+                const auto metrics = readMetrics(path, turn);
+                if (!metrics) { return; }
+                turn.deliver([this, path, metrics] { history_.setMetrics(path, metrics); });
             } catch (const Error& error) {
                 problems << QString::fromStdString(error.what());
             }
@@ -208,6 +302,9 @@ void ProjectRuns::forget(const QString& recording)
         if (run && run->own && isAnotherNow(*run)) {
             throw Error(
                 tr("%1 is not deleted: it is no longer the run that was listed. Open the project again.").arg(recording).toStdString());
+        }
+        if (isWaiting(recording)) {
+            throw Error(tr("%1 is not deleted: it is being copied. Wait until that is done.").arg(recording).toStdString());
         }
         if (owns(recording) && (!run || run->own)) {
             if (isBeingWritten(recording)) {

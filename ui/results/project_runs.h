@@ -3,18 +3,22 @@
 #pragma once
 
 #include "ui/basics/newest_job.h"
+#include "ui/document/run_folder.h"
 
 #include <QObject>
 #include <QStringList>
+
+#include <vector>
 
 namespace hygroloom {
 
 class Document;
 class Recovery;
 class RunHistory;
+struct KeptRun;
 
-/// Finds the runs of a project when it is opened, and takes them along when it is saved elsewhere. Deletes none but by forget() and
-/// leave().
+/// Finds the runs of a project when it is opened, and takes them along when it is saved elsewhere: at once where they can share their
+/// bytes, else copied in the background. Deletes none but by forget() and leave().
 class ProjectRuns : public QObject {
     Q_OBJECT
 public:
@@ -23,7 +27,7 @@ public:
     /// The path for the next run's recording. Where the project's folder cannot be written, messageShown() says so, and it lies beside
     /// unsaved work. Throws Error when neither can be.
     QString reserve();
-    /// The run that was recorded there is over. Returns where its recording lies now; empty when nothing was recorded.
+    /// The run that was recorded there is over. Returns where its recording lies now; empty when nothing was recorded. moved() may follow.
     QString settle(const QString& recording);
 
     /// Whether a recording is a run of the open project.
@@ -44,11 +48,16 @@ public:
     /// Deletes a run of the project; a recording that the list has as opened only leaves the list, as nobody was asked about its deletion.
     void forget(const QString& recording);
     void setMarked(const QString& recording, bool marked);
-    /// Whether runs of the project are still being read.
-    bool reading() const { return loader_.busy(); }
+    /// Whether the frames of the runs are needed for their numbers; the list needs none.
+    void setCompared(bool compared);
+    /// Whether runs are still being copied.
+    bool copying() const { return !waiting_.empty(); }
 
 Q_SIGNALS:
     void moved(const QString& from, const QString& to);
+    /// Of the recording that is being copied, the share that is.
+    void copied(double share);
+    void copiesEnded();
     void failed(const QString& sentence);
     /// For the status bar, for a time in ms.
     void messageShown(const QString& sentence, int ms);
@@ -59,7 +68,12 @@ private:
     void openProject();
     void followProject();
     void bring(const QStringList& recordings);
+    void copyNext();
+    void takeMoved(const QString& from, const QString& to);
+    bool isWaiting(const QString& recording) const;
     void read();
+    void add(KeptRun run);
+    void readNumbers();
 
     Document& document_;
     Recovery& recovery_;
@@ -67,7 +81,15 @@ private:
     QString known_;      ///< the folder of the project as it was last seen
     QString live_;       ///< what is being recorded
     QStringList agreed_; ///< what leave() deletes
-    NewestJob loader_;
+    struct Waiting {
+        QString from, folder;
+        Bring how;
+    };
+    std::vector<Waiting> waiting_; ///< to be copied, the first is under way
+    bool compared_ = false;
+    NewestJob loader_;  ///< of the list
+    NewestJob numbers_; ///< of frames
+    NewestJob copier_;
 };
 
 } // namespace hygroloom

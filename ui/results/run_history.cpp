@@ -2,6 +2,7 @@
 #include "ui/results/run_history.h"
 
 #include "ui/basics/quantity.h"
+#include "ui/document/run_folder.h"
 
 #include <QFileInfo>
 
@@ -29,6 +30,9 @@ void lookAtFile(KeptRun& run)
     run.bytes = static_cast<double>(info.size());
     run.written = info.lastModified();
 }
+
+/// One that cannot be read may be of any design: it is never among the older ones.
+bool isCurrent(const KeptRun& run, const Design& design) { return !run.problem.isEmpty() || holdsFor(*run.run, design); }
 
 template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
 
@@ -58,7 +62,7 @@ void RunHistory::keep(const KeptRun& run)
         for (const KeptRun& other : runs_) { kept.number = std::max(kept.number, other.number + 1); }
     }
     lookAtFile(kept);
-    kept.current = holdsFor(*kept.run, *design_);
+    kept.current = isCurrent(kept, *design_);
     const auto after = std::find_if(runs_.begin(), runs_.end(), [&kept](const KeptRun& other) { return other.number > kept.number; });
     runs_.insert(after, kept);
     Q_EMIT changed();
@@ -84,15 +88,37 @@ void RunHistory::setMarked(const QString& path, bool marked)
     Q_EMIT changed();
 }
 
+void RunHistory::setMetrics(const QString& path, const std::shared_ptr<const Metrics>& metrics)
+{
+    for (KeptRun& run : runs_) {
+        if (run.path == path) { run.metrics = metrics; }
+    }
+    Q_EMIT changed();
+}
+
 void RunHistory::move(const QString& from, const QString& to, bool saved)
 {
+    if (from != to) {
+        std::erase_if(runs_, [&to](const KeptRun& run) { return run.path == to; });
+    }
     for (KeptRun& run : runs_) {
         if (run.path != from) { continue; }
         run.path = to;
         run.saved = run.saved || saved;
         lookAtFile(run);
+        if (run.own && runNumber(to) > 0) { renumber(run, runNumber(to)); }
     }
+    std::stable_sort(runs_.begin(), runs_.end(), [](const KeptRun& a, const KeptRun& b) { return a.number < b.number; });
     Q_EMIT changed();
+}
+
+/// Who has the number gets the other's.
+void RunHistory::renumber(KeptRun& run, int number)
+{
+    for (KeptRun& other : runs_) {
+        if (&other != &run && other.number == number) { other.number = run.number; }
+    }
+    run.number = number;
 }
 
 void RunHistory::forget(const QString& path)
@@ -110,7 +136,7 @@ void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
     design_ = design;
     bool differs = false;
     for (KeptRun& run : runs_) {
-        const bool current = holdsFor(*run.run, *design_);
+        const bool current = isCurrent(run, *design_);
         differs = differs || current != run.current;
         run.current = current;
     }
@@ -147,7 +173,9 @@ QString runInWords(const KeptRun& run)
 
 QString whyNotCompared(const KeptRun& one, const KeptRun& other)
 {
+    if (!one.problem.isEmpty()) { return one.problem; }
     if (!one.complete() || !other.complete()) { return RunHistory::tr("Only completed runs can be compared."); }
+    if (!one.metrics || !other.metrics) { return RunHistory::tr("The frames of this run are being read."); }
     if (conditionsOf(*one.run) != conditionsOf(*other.run)) {
         return RunHistory::tr("This run is of another experiment. Only runs of the same experiment can be compared.");
     }

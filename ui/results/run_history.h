@@ -16,15 +16,16 @@ namespace hygroloom {
 struct KeptRun {
     QString path; ///< of its recording
     std::shared_ptr<const RunRecord> run;
-    std::shared_ptr<const Metrics> metrics;
-    bool own = false;     ///< a run of the open project
-    bool saved = false;   ///< it lies in a file that outlives the window
-    bool marked = false;  ///< with "keep"
-    bool current = false; ///< of the design as it is now; the history finds out
-    double bytes = 0;     ///< of its file; the history finds out
-    QDateTime written;    ///< its file, last; the history finds out
-    int number = 0;       ///< the history counts those without
-    QString copy;         ///< where it was saved; that file may have changed since
+    std::shared_ptr<const Metrics> metrics; ///< nullptr until its frames have been read
+    bool own = false;                       ///< a run of the open project
+    bool saved = false;                     ///< it lies in a file that outlives the window
+    bool marked = false;                    ///< with "keep"
+    bool current = false;                   ///< of the design as it is now; the history finds out
+    double bytes = 0;                       ///< of its file; the history finds out
+    QDateTime written{};                    ///< its file, last; the history finds out
+    int number = 0;                         ///< the history counts those without
+    QString copy{};                         ///< where it was saved; that file may have changed since
+    QString problem{};                      ///< why it cannot be read, in a sentence; empty: it can
 
     bool complete() const { return run->wall > 0; }
 };
@@ -43,7 +44,8 @@ public:
     /// The recording at path was saved to another file, in place of what was saved there.
     void markCopied(const QString& path, const QString& copy);
     void setMarked(const QString& path, bool marked);
-    /// The recording lies at another path from now on, with the project or not.
+    void setMetrics(const QString& path, const std::shared_ptr<const Metrics>& metrics);
+    /// The recording lies at another path from now on, with the project or not; a run of the project has the number that it has there.
     void move(const QString& from, const QString& to, bool saved);
     /// The recording at this path has been replaced or deleted.
     void forget(const QString& path);
@@ -56,6 +58,8 @@ Q_SIGNALS:
     void changed();
 
 private:
+    void renumber(KeptRun& run, int number);
+
     std::vector<KeptRun> runs_;
     std::shared_ptr<const Design> design_;
 };

@@ -161,6 +161,7 @@ void MainWindow::setWorkspace(Workspace workspace)
     restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
     simulate_->maps().setVisible(workspace == Workspace::simulate);
     simulate_->setShown(workspace == Workspace::simulate);
+    compare_->project().setCompared(workspace == Workspace::compare);
     middle_->setCurrentIndex(workspace == Workspace::compare ? 1 : 0);
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here

@@ -103,6 +103,8 @@ private:
     bool agreesToLeave();
     bool mayDiscard();
     bool mayDropRuns();
+    /// Waits until runs have been copied to their project. False when the user does not wait.
+    bool copiesAreDone();
     bool agreesToStopExport();
     void stopExport();
 

@@ -21,6 +21,7 @@
 #include <QFileDialog>
 #include <QLocale>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QSaveFile>
 #include <QScopedValueRollback>
 #include <QSettings>
@@ -131,7 +132,7 @@ bool MainWindow::saveAs()
         start = QDir(folder).filePath(document_.fabric() ? QString::fromStdString(document_.fabric()->name) + ".hygro" : "project.hygro");
     }
     const QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), start, tr("Projects (*.hygro)"));
-    if (path.isEmpty() || !document_.saveAs(withEnding(path, ".hygro"))) { return false; }
+    if (path.isEmpty() || !copiesAreDone() || !document_.saveAs(withEnding(path, ".hygro"))) { return false; }
     recent_->add(document_.path());
     showMessage(tr("Saved %1.").arg(document_.path()));
     return true;
@@ -219,14 +220,14 @@ bool MainWindow::mayLeave()
 {
     if (!agreesToLeave()) { return false; }
     simulate_->stopRun();
-    return true;
+    return copiesAreDone();
 }
 
 /// Nothing is stopped before every question is answered.
 bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
-    return simulate_->agreesToStopRun() && mayDiscard() && mayDropRuns();
+    return copiesAreDone() && simulate_->agreesToStopRun() && mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -251,10 +252,26 @@ bool MainWindow::mayDropRuns()
     QPushButton* drop = box.addButton(runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs"), QMessageBox::DestructiveRole);
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
-    if (answer == QMessageBox::Save) { return (document_.path().isEmpty() ? save() : saveAs()) && compare_->project().unfiled().isEmpty(); }
+    if (answer == QMessageBox::Save) {
+        return (document_.path().isEmpty() ? save() : saveAs()) && copiesAreDone() && compare_->project().unfiled().isEmpty();
+    }
     if (box.clickedButton() != drop) { return false; }
     compare_->project().agreeToLeave();
     return true;
+}
+
+bool MainWindow::copiesAreDone()
+{
+    ProjectRuns& runs = compare_->project();
+    if (!runs.copying()) { return true; }
+    QProgressDialog box(tr("Runs are being copied to the project."), tr("&Cancel"), 0, 1000, this);
+    box.setWindowTitle(tr("Copying runs"));
+    box.setWindowModality(Qt::WindowModal);
+    box.setAutoReset(false);
+    connect(&runs, &ProjectRuns::copied, &box, [&box](double share) { box.setValue(static_cast<int>(1000 * share)); });
+    connect(&runs, &ProjectRuns::copiesEnded, &box, &QDialog::accept);
+    box.exec();
+    return !runs.copying();
 }
 
 bool MainWindow::mayDiscard()
@@ -300,6 +317,11 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     stopExport();
     simulate_->stopRun();
+    if (!copiesAreDone()) {
+        compare_->project().stay();
+        event->ignore();
+        return;
+    }
     compare_->project().leave();
     if (export_) {
         export_->close(); // keeps its choice

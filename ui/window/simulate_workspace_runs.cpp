@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs from their start to their recording.
 #include "core/base/error.h"
-#include "core/project/atomic_file.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
@@ -27,26 +26,6 @@
 
 namespace hygroloom {
 
-namespace {
-
-/// An older file at to stays until the copy is complete. The reason it could not be made, or nothing.
-QString copyOver(const QString& from, const QString& to)
-{
-    try {
-        write_file_with(to.toStdString(), [&from](const std::filesystem::path& temporary) {
-            std::error_code error;
-            if (!std::filesystem::copy_file(from.toStdString(), temporary, std::filesystem::copy_options::overwrite_existing, error)) {
-                throw Error(error.message());
-            }
-        });
-        return {};
-    } catch (const std::exception& error) {
-        return QString::fromStdString(error.what());
-    }
-}
-
-} // namespace
-
 void SimulateWorkspace::connectRun()
 {
     connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) { playback_.begin(run, run_path_); });
@@ -55,6 +34,9 @@ void SimulateWorkspace::connectRun()
     connect(&run_, &SimulationRun::pausedChanged, this, &SimulateWorkspace::refreshActions);
     connect(&run_, &SimulationRun::ended, this, &SimulateWorkspace::showRunEnd);
     connect(&runs_, &ProjectRuns::moved, &playback_, &Playback::move);
+    connect(&runs_, &ProjectRuns::copied, this, [this](double share) {
+        Q_EMIT messageShown(tr("Copying runs to the project: %1 %").arg(static_cast<int>(100 * share)), 4000);
+    });
     connect(&runs_, &ProjectRuns::failed, this, &SimulateWorkspace::problemFound);
     connect(&runs_, &ProjectRuns::messageShown, this, &SimulateWorkspace::messageShown);
 }
@@ -94,6 +76,8 @@ void SimulateWorkspace::startRun()
         Q_EMIT problemFound(QString::fromStdString(error.what()));
         return;
     }
+    opening_.clear();
+    playback_.stopOpening();
     options.recording = run_path_.toStdString();
     run_.start(document_.design(), document_.fabric()->name, document_.experiment()->name, options, simulation_->backend());
     refreshActions();
@@ -160,7 +144,8 @@ void SimulateWorkspace::clearResults()
 bool SimulateWorkspace::openRecording(const QString& path)
 {
     if (!mayStopRun()) { return false; }
-    opening_ = QFileInfo(path).absoluteFilePath();
+    const QFileInfo info(path);
+    opening_ = QDir(oneSpelling(info.absolutePath())).filePath(info.fileName());
     playback_.open(opening_);
     return true;
 }
@@ -220,7 +205,16 @@ void SimulateWorkspace::saveRecordingAs()
 void SimulateWorkspace::copyRecording(const QString& from, const QString& to)
 {
     copier_.run([this, from, to](const NewestJob::Turn& turn) {
-        const QString why = copyOver(from, to);
+        QString why;
+        try {
+            hygroloom::copyRecording(from, to, [&](double share) {
+                const int percent = static_cast<int>(100 * share);
+                turn.deliver([this, to, percent] { Q_EMIT messageShown(tr("Saving %1: %2 %").arg(to).arg(percent), 4000); });
+                return !turn.outdated();
+            });
+        } catch (const std::exception& error) {
+            why = QString::fromStdString(error.what());
+        }
         turn.deliver([this, from, to, why] {
             if (why.isEmpty()) {
                 history_.markCopied(from, to);

@@ -304,6 +304,17 @@ struct FindStress {
     }
 };
 
+/// Particles of drops that nothing touches: each drop as a whole, exactly.
+struct Fall {
+    Particles p;
+    Real dt, gained; ///< s; m/s, by which they get faster
+    HL_FN void operator()(int i) const
+    {
+        p.position[i] += dt * (p.velocity[i] - Vec3{0, 0, Real(0.5) * gained});
+        p.velocity[i].z -= gained;
+    }
+};
+
 struct MoveParticles {
     Particles p;
     const StepNumbers* step;

@@ -87,6 +87,8 @@ struct LiquidControl {
     int steps_since_absorbed = 0; ///< of the liquid since yarns last absorbed
     int asleep = 0;
     double landing = 0;                         ///< s, when the last drop released meets the cloth
+    double flight_end = 0;                      ///< s; until then all free liquid is drops that fall as bodies, without steps
+    double flight_start = 0, flight_speed = 0;  ///< s, when they were released; m/s, how fast they fall now
     double roused = 0;                          ///< s, when the free liquid last landed or woke
     double settling = 0;                        ///< s, that it takes to settle then
     double mean_square = 0, largest_square = 0; ///< m2/s2, of speeds, over the last time of settling
