@@ -3,9 +3,9 @@
 #include "app/cli_fidelity.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
+#include "app/cli_replicates.h"
 
 #include "core/analysis/comparison_report.h"
-#include "core/analysis/sweep.h"
 #include "core/project/atomic_file.h"
 #include "gpu/backends.h"
 
@@ -34,13 +34,6 @@ struct CandidateMaps {
 };
 
 constexpr int crossings_per_cell = 2;
-
-/// A run of the comparison: a fabric's replicate.
-struct Job {
-    Drawn drawn;
-    std::string fabric;
-    RunOptions how;
-};
 
 /// Rewrites the tables after every run.
 void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
@@ -73,21 +66,6 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
     }
 }
 
-/// All replicates of the first fabric, the second, and so on, replicate by replicate: see run_comparison(). Precondition: the fabrics fit.
-std::vector<Job> jobs_of(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment,
-                         const std::vector<Textile>& textiles, const RunOptions& how, int replicates)
-{
-    std::vector<Job> jobs;
-    for (int number = 0; number < replicates; ++number)
-        for (std::size_t f = 0; f < fabrics.size(); ++f) {
-            Job job{drawn(design, fabrics[f], experiment, {how.seed, number, replicates}), fabrics[f], how};
-            job.how.seed = job.drawn.seed;
-            if (replicates == 1) job.how.textile = std::make_shared<const Textile>(textiles[f]);
-            jobs.push_back(std::move(job));
-        }
-    return jobs;
-}
-
 /// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates kept where there is an output
 /// folder. Throws what writing threw.
 void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>& fabrics, const CompareOptions& options,
@@ -111,14 +89,7 @@ void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>
             maps[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
                        map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
         }
-        finished.run.textile = {}; // the comparison needs the numbers alone
-        CandidateRun candidate{candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
-                                            std::make_shared<const Metrics>(std::move(finished.metrics))),
-                               !finished.device_failure.empty()};
-        candidate.candidate.replicates.front()->places = job.drawn.places;
-        candidate.candidate.unknowns = job.drawn.names;
-        if (candidate.device_failed) candidate.candidate.notes.push_back(finished.device_failure);
-        return candidate;
+        return candidate_of(job, std::move(finished));
     };
     run_comparison(comparison, fabrics, backends, control, run, [&](std::size_t i) {
         bar.end(i);
@@ -235,9 +206,7 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->allow_extra_args(false);
     verb.add_option("--by", options->by, "Metric to rank by, such as absorbency_time_s; the first of the table when left out");
     verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
-    verb.add_option("--replicates", options->replicates,
-                    "Runs of each fabric: the first as given, the others with inputs drawn within what is not known of them")
-        ->check(CLI::Range(1, 1000));
+    add_replicates_option(verb, options->replicates, " of each fabric");
     verb.add_option("--measured", options->measured, "Numbers of a laboratory beside: CSV with fabric, metric, value, unit and spread")
         ->type_name("FILE");
     add_fidelity_options(verb, *options, ", for all runs together");

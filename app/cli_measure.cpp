@@ -152,7 +152,16 @@ int measure(const MeasureOptions& options)
 
 void row(const std::string& name, double value, const std::string& unit) { print_result("  {:<34} {:>10.4g} {}\n", name, value, unit); }
 
-void print_outcome(const Outcome& outcome)
+/// " ± 0.05" behind a number; nothing where the width is 0 or not known.
+std::string half_width_text(const Outcome& outcome, const std::map<std::string, Interval>& intervals)
+{
+    const auto found = intervals.find(outcome.key);
+    if (found == intervals.end()) return {};
+    const ShownInterval seen = shown(outcome, found->second);
+    return seen.half > 0 ? " ± " + rounded_text(seen.half, 2) : "";
+}
+
+void print_outcome(const Outcome& outcome, const std::map<std::string, Interval>& intervals)
 {
     const std::string name = full_title(outcome);
     if (!outcome.text.empty()) return print_result("  {:<34} {}\n", name, outcome.text);
@@ -161,9 +170,10 @@ void print_outcome(const Outcome& outcome)
         if (!remark.empty()) remarks += (remarks.empty() ? "" : "; ") + remark;
     if (!remarks.empty()) remarks = "(" + remarks + ")";
     if (!outcome.value) return print_result("  {:<34} {:>10} {}\n", name, "-", remarks);
-    const ShownValue value = shown(outcome, *outcome.value);
+    const auto found = intervals.find(outcome.key);
+    const ShownValue value = shown(outcome, found == intervals.end() ? *outcome.value : found->second.centre);
     if (!value.unit.empty() && !remarks.empty()) remarks = " " + remarks;
-    print_result("  {:<34} {:>10.4g} {}{}\n", name, value.value, value.unit, remarks);
+    print_result("  {:<34} {:>10.4g}{} {}{}\n", name, value.value, half_width_text(outcome, intervals), value.unit, remarks);
 }
 
 } // namespace
@@ -192,12 +202,13 @@ void write_picture(const MapPicture& picture, const std::filesystem::path& path)
     write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
 }
 
-void print_metrics(const RunRecord& run, const Metrics& m, bool json)
+void print_metrics(const RunRecord& run, const Metrics& m, bool json, const std::map<std::string, Interval>& of_replicates)
 {
     if (json) {
-        print_result("{}\n", metrics_json(run, m));
+        print_result("{}\n", metrics_json(run, m, of_replicates));
         return;
     }
+    const std::map<std::string, Interval> intervals = of_replicates.empty() ? numerical_intervals(run, m) : of_replicates;
     const Ledger& l = m.ledger;
     const bool is_unfinished = run.wall <= 0; // how long it took is not known
     print_result("{}, {} ({}, {}, {})\n", run.fabric, run.experiment, name_of(run.plan.fidelity), run.backend,
@@ -205,15 +216,21 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     row("simulated", l.time, is_unfinished && experiment ? fmt::format("s of {:.4g}", experiment->duration_s) : "s");
     for (const Outcome& outcome : outcomes_of(run, m))
-        if (is_shown(outcome)) print_outcome(outcome);
+        if (is_shown(outcome)) print_outcome(outcome, intervals);
     for (const BalanceRow& of : water_balance(l)) row(of.title, of.value, of.unit);
     const BalanceRow imbalance = balance_check(l).front();
     row(imbalance.title, imbalance.value, imbalance.unit);
     if (!m.series.temperature_max.empty())
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "°C");
-    const std::optional<double>& error = run.plan.expected_error;
-    if (error && *error > 0) print_result("  {:<34} {:>10} %\n", "largest numerical error", rounded_text(100 * *error, 2));
+    if (!of_replicates.empty())
+        print_result("  After ±: half of the interval that holds {:.0f} % of such cloths, by {} replicates and the numerical error.\n",
+                     100 * of_intervals.held, of_replicates.begin()->second.runs);
+    else if (!run.plan.expected_errors.empty())
+        print_result(
+            "  After ±: the numerical error, as measured on runs of this kind. --replicates 8 adds what is not known of the cloth.\n");
+    else
+        print_result("  The numerical error of these numbers is not known.\n");
     for (const std::string& note : notes_of(run.plan)) print_result("  {}\n", note);
     for (const std::string& note : m.notes) print_result("  {}\n", note);
     for (const std::string& sentence : m.assumed) print_result("  Assumed: {}\n", sentence);

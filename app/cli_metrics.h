@@ -2,12 +2,13 @@
 // Metrics on stdout and maps as pictures.
 #pragma once
 
+#include "core/analysis/intervals.h"
 #include "core/analysis/map_image.h"
 
 namespace hygroloom {
 
-/// As JSON, or as a table for people.
-void print_metrics(const RunRecord& run, const Metrics& metrics, bool json);
+/// As JSON, or as a table for people. intervals: of replicates, by key; without them those of the run alone.
+void print_metrics(const RunRecord& run, const Metrics& metrics, bool json, const std::map<std::string, Interval>& intervals = {});
 
 /// The water map of one side at one time, with the captions of its picture.
 struct MapPicture {

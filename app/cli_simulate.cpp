@@ -3,6 +3,7 @@
 #include "app/cli_fidelity.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
+#include "app/cli_replicates.h"
 
 #include "core/analysis/metrics_json.h"
 #include "core/base/text.h"
@@ -27,6 +28,7 @@ namespace {
 struct SimulateOptions : FidelityOptions {
     std::vector<std::string> fabrics; ///< several, as given
     int at_once = 0;
+    int replicates = 1;
     std::string output;
     bool profile = false;
 };
@@ -222,6 +224,45 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     return exit_ok;
 }
 
+/// One fabric with its replicates, side by side; the first is recorded.
+int simulate_replicates(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
+{
+    const std::vector<std::string> fabric{chosen_fabric(design, options).name};
+    const Experiment& experiment = chosen_experiment(design, options);
+    const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabric, experiment);
+    const FidelityChoice choice = chosen_fidelity(options, design, textiles, how.forced, how.knobs);
+    how.fidelity = choice.fidelity;
+    how.fidelity_reason = choice.reason;
+    how.recording = options.output;
+    announce_scenes(options.at_once, options.replicates);
+    const auto backends = open_backends(options, options.at_once, options.replicates, bytes_of_largest(design, experiment, textiles, how));
+    const std::vector<Job> jobs = jobs_of(design, fabric, experiment.name, textiles, how, options.replicates);
+    Comparison all;
+    all.experiment = experiment.name;
+    all.criteria = compared_by(experiment.type);
+    all.ranked_by = all.criteria.front();
+    all.replicates = options.replicates;
+    RunControl control;
+    const InterruptCancels cancels(control.cancel);
+    std::mutex one_on_cpu;
+    {
+        RunBar bar(options.quiet, jobs.size());
+        const auto run = [&](std::size_t i, Backend& backend) {
+            RunOptions own = jobs[i].how;
+            own.one_on_cpu = &one_on_cpu;
+            return candidate_of(jobs[i], run_with_bar(jobs[i].drawn.design, fabric[0], experiment.name, own, backend, control, bar, i));
+        };
+        run_comparison(all, fabric, backends, control, run, [&](std::size_t i) { bar.end(i); });
+    }
+    if (!all.complete) throw Stop(exit_cancelled, "Cancelled.");
+    const Candidate& found = all.candidates.front();
+    if (!found.run) throw Stop(exit_failed, fmt::format("The first replicate failed: {}", found.failure));
+    print_metrics(*found.run, *found.metrics, options.json, found.intervals);
+    for (const std::string& note : found.notes) print_note("{}\n", note);
+    if (!options.output.empty() && !options.quiet) print_note("Recording of the first replicate: {}\n", options.output);
+    return exit_ok;
+}
+
 /// As simulate_one() with each, side by side; an error concerns its fabric alone.
 int simulate_several(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
 {
@@ -286,11 +327,15 @@ int simulate(const SimulateOptions& options)
     const bool several = !options.fabrics.empty();
     if (several && !options.fabric.empty()) throw Stop(exit_usage, "Give either --fabric or --fabrics.");
     if (several && options.profile) throw Stop(exit_usage, "--profile works with one fabric.");
-    if (!several && options.at_once > 0) throw Stop(exit_usage, "--at-once works with --fabrics.");
+    const bool replicates = options.replicates > 1;
+    if (!several && !replicates && options.at_once > 0) throw Stop(exit_usage, "--at-once works with --fabrics or --replicates.");
+    if (several && replicates) throw Stop(exit_usage, "--replicates works with one fabric; compare takes several.");
+    if (replicates && options.profile) throw Stop(exit_usage, "--profile works with one run.");
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
+    if (replicates) return simulate_replicates(options, design, fitted, how);
     return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);
 }
 
@@ -330,6 +375,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     simulate_verb
         .add_option("--fabrics", options->fabrics, "Several fabrics, separated by commas, that run side by side; --json then prints a list")
         ->allow_extra_args(false);
+    add_replicates_option(simulate_verb, options->replicates, "");
     add_at_once_option(simulate_verb, options->at_once);
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder")->type_name("FILE");
     simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });

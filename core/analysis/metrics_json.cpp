@@ -132,6 +132,9 @@ Json metrics_value(const RunRecord& run, const Metrics& m, const std::map<std::s
     };
 }
 
-std::string metrics_json(const RunRecord& run, const Metrics& metrics) { return metrics_value(run, metrics).dump(2); }
+std::string metrics_json(const RunRecord& run, const Metrics& metrics, const std::map<std::string, Interval>& intervals)
+{
+    return metrics_value(run, metrics, intervals).dump(2);
+}
 
 } // namespace hygroloom

@@ -14,6 +14,9 @@ Design design_from_json(ProjectJson project, const std::string& file, const std:
 /// In the newest version, keys in the format's order.
 ProjectJson json_from_design(const Design& design);
 
+/// A weave by its pattern, rows or draft. Throws FileError.
+Weave weave_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
+
 /// A weave's draft; shafts, treadles and their lists count from 1 there. Throws FileError, also for what fault_in() finds.
 Draft draft_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
 ProjectJson json_from_draft(const Draft& draft);

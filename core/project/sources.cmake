@@ -21,6 +21,7 @@ target_sources(hygroloom_core PRIVATE
   project/project_value.cpp
   project/project_write.cpp
   project/scene_file.cpp
+  project/weave_json.cpp
   project/weave_picture.cpp
   project/wif_draft.cpp
   project/wif_file.cpp

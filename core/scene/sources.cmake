@@ -4,4 +4,5 @@ target_sources(hygroloom_core PRIVATE
   scene/coarse_scene.cpp
   scene/scene.cpp
   scene/suction.cpp
+  scene/unevenness.cpp
 )
