@@ -86,7 +86,7 @@ double steps_with_drops(const ModelPlan& plan)
     const SceneCounts& scene = plan.counts;
     const bool soon_gone = flows_by_suction(plan) && plan.on("wicking") && scene.uptake > 0;
     if (!soon_gone) return scene.duration / plan.knobs.network_step_limit;
-    constexpr double of_the_limit = 0.7 * 0.25; // a quarter of the limit is the longest
+    constexpr double of_the_limit = 0.7;
     return std::min(scene.duration, std::max(1.0, scene.drops) * absorbed_by_suction_in(scene)) /
            (of_the_limit * plan.knobs.network_step_limit);
 }
