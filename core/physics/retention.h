@@ -199,6 +199,7 @@ HL_FN double suction_after(const Retention& pores, const HeldBefore& then, doubl
     constexpr double little = 1e-9; // of saturation, about which a curve may be missed
     const double begins = saturation < then.saturation - little ? line_begins_at(pores, then) : then.suction;
     const double suction = begins + (then.saturation - saturation) * pores.entry / bulging;
+    if (saturation >= nearly_full && then.saturation < nearly_full && suction < pores.entry) return pores.entry; // nothing presses them yet
     if (saturation < nearly_full && held_filling(pores, suction).saturation > saturation + little)
         return suction_filling(pores, saturation);
     if (held_emptying(pores, suction).saturation < saturation - little) return suction_emptying(pores, saturation);

@@ -12,6 +12,7 @@ namespace hygroloom::inline HL_PRECISION {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
+constexpr double under_drops = 0.25;   ///< of the longest step, where liquid flows by suction: rooms under a drop fill within less
 constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are counted; see ManyQuanta
 
 /// kg/s on all of the sample's face.
@@ -115,7 +116,8 @@ private:
     bool takes_short_steps(bool drops_about) const { return drops_about || scene_->rules.calm_network_step <= 0; }
     double step_limit(bool drops_about) const
     {
-        const double longest = takes_short_steps(drops_about) ? scene_->rules.network_step : scene_->rules.calm_network_step;
+        const double shortened = drops_about && scene_->cloth.by_suction ? under_drops : 1.0;
+        const double longest = takes_short_steps(drops_about) ? shortened * scene_->rules.network_step : scene_->rules.calm_network_step;
         return scene_->supply.sweat > 0 ? std::min(longest, most_sweat / sweat_rate(*scene_)) : longest;
     }
     double exchange_limit(bool drops_about) const

@@ -96,7 +96,7 @@ private:
     }
     double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
-    void flow_between_touching(double dt);
+    void flow_between_touching(double dt, bool odd_first);
     void move_by_suction(double dt);
     void sweat(double dt);
     void move_liquid_and_heat(double dt, const StepSigns& signs);

@@ -18,7 +18,7 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     const int longest = of_warp ? all.visited_picks() : all.visited_ends();
     exec_.for_each_line("flow", lines, longest,
                         FlowAlongLines{s, climate_, dt, of_warp, lift(of_warp), pool, &totals_.data()->given, scene_->rules.suction_rounds,
-                                       &totals_.data()->shed, &totals_.data()->unsolved});
+                                       &totals_.data()->shed, &totals_.data()->unsolved, of_warp != warp_first_});
     if (scene_->rules.heat)
         exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
 }
@@ -30,13 +30,14 @@ template <typename Executor> double YarnNetwork<Executor>::lift(bool along_warp)
     return climate_.density * (along_warp ? cloth.gravity_along_warp * cloth.weft_pitch : cloth.gravity_along_weft * cloth.warp_pitch);
 }
 
-template <typename Executor> void YarnNetwork<Executor>::flow_between_touching(double dt)
+template <typename Executor> void YarnNetwork<Executor>::flow_between_touching(double dt, bool odd_first)
 {
-    for (bool of_odd : {warp_first_, !warp_first_}) // in turn, or water would run farther to one side
+    for (bool of_odd : {odd_first, !odd_first}) // in turn, or water would run farther to one side
         each_segment("touching", FlowBetweenTouching{segments(), climate_, dt, of_odd, lift(false), lift(true)});
 }
 
-/// Along warp and weft, one after the other; the other way round in the next step.
+/// Along warp and weft, one after the other; the other way round in the next step. Touching yarns pass half before each, which fills up
+/// what they have given.
 template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
 {
     const bool pools = pools_.feeds();
@@ -48,11 +49,11 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
     }
     const bool hands_over = scene_->rules.heat; // the liquid between yarns
     for (bool of_warp : {warp_first_, !warp_first_}) {
+        if (fields_.touching.size() > 0) flow_between_touching(0.5 * dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
         flow_by_suction(dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
     }
-    if (fields_.touching.size() > 0) flow_between_touching(dt);
     warp_first_ = !warp_first_;
     if (!pools) return;
     const YarnTotals found = totals_.read(0);

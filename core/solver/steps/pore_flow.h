@@ -16,19 +16,21 @@ struct FlowAlongLines : PoreRounds {
         const Line<Team> line{team, at.first, at.last, of_warp ? number : number - s.ends,
                               of_warp ? number * s.picks : s.weft_of(0, number - s.ends)};
         const int a = at.first, b = at.last;
-        bool flows = team.any_of(a, b, [&](int i) { return is_wet(line, i); });
-        if (flows) {
+        const bool wet = team.any_of(a, b, [&](int i) { return is_wet(line, i); });
+        if (wet) {
             team.each(a, b, [&](int i) { look_at(line, i); });
-            flows = team.each_saying(a, b, [&](int i) { return couple(line, i); }) && solve(line);
+            if (team.each_saying(a, b, [&](int i) { return couple(line, i); }) && solve(line)) {
+                accept(line, at);
+                return;
+            }
         }
-        if (!flows) {
-            team.each(a, b, [&](int i) { s.flux[i] = 0; });
-            return;
-        }
-        accept(line, at);
+        team.each(a, b, [&](int i) {
+            s.flux[i] = 0;
+            if (wet && settles) stay(line, i);
+        });
     }
 
-    /// Masses move by the solution's fluxes; each class notes the suction at which it settled.
+    /// Masses move by the solution's fluxes; at the end of a step each class notes the suction at which it settles.
     template <typename Team> HL_FN void accept(const Line<Team>& line, const YarnLine& at) const
     {
         const int a = at.first, b = at.last;
@@ -37,7 +39,7 @@ struct FlowAlongLines : PoreRounds {
             return pass(line, i);
         });
         if (overflows) WickAlongYarn{s, climate, dt, 0, 0}.carry_rounding(line.team, at);
-        line.team.each(a, b, [&](int i) { settle(line, i); });
+        if (settles) line.team.each(a, b, [&](int i) { settle(line, i); });
     }
     /// Returns whether the own pores are left with more than they hold, or less than nothing.
     template <typename Team> HL_FN bool pass(const Line<Team>& line, int i) const
@@ -119,9 +121,17 @@ struct FlowAlongLines : PoreRounds {
             const double found = line(suction + which, i);
             const double sucks = found > -most && found < most ? found : line(before + which, i);
             const double holds = liquid(p, which) * plain_inverse(capacity(p, which));
-            const int segment = which == crossed_pores ? p.crossed : p.own;
-            (which == room_pores ? s.between_suction[p.crossing] : s.suction[segment]) = sucks;
-            (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = holds;
+            settle_at(p, which, {holds, sucks});
+        }
+    }
+    /// Where nothing flows, notes what the step's other stages have left.
+    template <typename Team> HL_FN void stay(const Line<Team>& line, int i) const
+    {
+        if (is_fed(i)) return;
+        const Place p = place(line, i);
+        for (int which = 0; which < 3; ++which) {
+            const HeldBefore now{line(held_before + which, i), line(before + which, i)};
+            if (now.saturation != settled(p, which).saturation) settle_at(p, which, now);
         }
     }
 };

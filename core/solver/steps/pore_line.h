@@ -37,6 +37,7 @@ struct PoreLines {
         response = 35      ///< Pa/kg, of the crossed segment
     };
     static constexpr int columns = 36;
+    static constexpr double near_course = 1e-6; // of saturation
 
     Segments s;
     ClimateParameters climate;
@@ -48,6 +49,7 @@ struct PoreLines {
     int most_rounds;        ///< for the suctions along a line
     std::int64_t* shed;     ///< sums up quanta that passed through holes
     std::int64_t* unsolved; ///< counts lines whose rounds did not close in; they stay as they were
+    bool settles;           ///< whether classes settle: in the last stage of a step
 
     template <typename Team> struct Line {
         const Team& team;
@@ -100,6 +102,21 @@ struct PoreLines {
         return find().segment(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
     }
 
+    /// What a class held, and at what suction, when it last settled: where its course begins in each stage of a step, so that what one
+    /// stage fills and the next empties goes back the way it came, as if both had acted at once.
+    HL_FN HeldBefore settled(const Place& p, int which) const
+    {
+        if (which == room_pores) return {s.between_settled[p.crossing], s.between_suction[p.crossing]};
+        const int segment = which == own_pores ? p.own : p.crossed;
+        return {s.settled[segment], s.suction[segment]};
+    }
+    HL_FN void settle_at(const Place& p, int which, const HeldBefore& now) const
+    {
+        const int segment = which == own_pores ? p.own : p.crossed;
+        (which == room_pores ? s.between_suction[p.crossing] : s.suction[segment]) = now.suction;
+        (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = now.saturation;
+    }
+
     template <typename Team> HL_FN bool is_wet(const Line<Team>& line, int i) const
     {
         const Place p = place(line, i);
@@ -111,11 +128,16 @@ struct PoreLines {
     {
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which) {
-            const PoresFound now = found(p, which);
-            const double sucks = is_fed(i) ? 0.0 : now.suction;
-            line(suction + which, i) = line(before + which, i) = sucks;
+            const PoresFound found_now = found(p, which);
+            const HeldBefore now{found_now.saturation, is_fed(i) ? 0.0 : found_now.suction};
+            line(suction + which, i) = line(before + which, i) = now.suction;
             line(held_before + which, i) = now.saturation;
-            const PoreCourse course = course_from(now.retention, {now.saturation, sucks});
+            PoreCourse course = course_from(found_now.retention, settled(p, which));
+            const double off = course.at(now.suction).saturation - now.saturation;
+            if (!(off < near_course && off > -near_course)) { // dried up, or the pores have changed their shape
+                settle_at(p, which, now);
+                course = course_from(found_now.retention, now);
+            }
             line(empties + which, i) = course.empties;
             line(bend + which, i) = course.bend;
         }
@@ -123,7 +145,7 @@ struct PoreLines {
     template <typename Team> HL_FN PoreCourse course(const Line<Team>& line, const Place& p, int which, int i) const
     {
         const Retention holds = retention(p, which);
-        const HeldBefore then{line(held_before + which, i), line(before + which, i)};
+        const HeldBefore then = settled(p, which);
         return {holds, then.saturation, line_begins_at(holds, then), line(empties + which, i), line(bend + which, i)};
     }
 

@@ -90,7 +90,7 @@ struct PoreRounds : PoreLines {
             const PoreCourse c = course(line, p, which, i);
             const Held h = held(c, line(suction + which, i), nested ? static_cast<int>(line(taken + which, i)) : 0, nested);
             const double out = which == room_pores ? shed : 0.0, leaks = which == room_pores ? leak : 0.0;
-            const double over = in[which] + fed - out - cap * (h.saturation - c.saturation);
+            const double over = in[which] + fed - out - cap * (h.saturation - line(held_before + which, i));
             const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
             line(left + which, i) = over;
             line(falls + which, i) = cap * h.fall > least ? cap * h.fall : least;

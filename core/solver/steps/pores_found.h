@@ -9,9 +9,10 @@ namespace hygroloom::inline HL_PRECISION {
 
 struct PoresFound {
     Retention retention;
-    double capacity;   ///< kg
-    double saturation; ///< 0..1
-    double suction;    ///< Pa
+    double capacity;    ///< kg
+    double saturation;  ///< 0..1
+    double suction;     ///< Pa
+    HeldBefore settled; ///< when it last did
 
     HL_FN bool is_connected() const { return saturation > retention.threshold; }
 };
@@ -86,7 +87,8 @@ struct FindPores {
     {
         // What rounding leaves over the bounds, where a whole line is full or dry, asks for nothing.
         const double share = liquid * plain_inverse(capacity), saturation = share < 0 ? 0.0 : share > 1 ? 1.0 : share;
-        return {retention, capacity, saturation, suction_after(retention, {settled, suction}, saturation)};
+        const HeldBefore then{settled, suction};
+        return {retention, capacity, saturation, suction_after(retention, then, saturation), then};
     }
 };
 

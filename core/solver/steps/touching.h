@@ -34,7 +34,7 @@ struct FlowBetweenTouching {
         HL_FN double suction_with(double mass) const
         {
             const double saturation = pores.saturation + mass * plain_inverse(pores.capacity);
-            return fed ? 0.0 : suction_after(pores.retention, {pores.saturation, pores.suction}, saturation);
+            return fed ? 0.0 : suction_after(pores.retention, pores.settled, saturation);
         }
     };
     HL_FN Side side(int i) const
@@ -108,9 +108,7 @@ struct FlowBetweenTouching {
             return;
         }
         const double liquid = s.liquid[i] + gained;
-        s.suction[i] = side.suction_with(gained);
         s.liquid[i] = liquid > 0 ? liquid : 0.0;
-        s.settled[i] = s.liquid[i] * plain_inverse(side.pores.capacity);
     }
 };
 
