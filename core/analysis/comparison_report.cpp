@@ -3,7 +3,6 @@
 
 #include "core/analysis/line_chart.h"
 #include "core/analysis/plots.h"
-#include "core/analysis/report_parts.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/project/project_json.h"

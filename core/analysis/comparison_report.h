@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/analysis/comparison.h"
-#include "core/analysis/report.h"
+#include "core/analysis/report_parts.h"
 
 namespace hygroloom {
 

@@ -2,12 +2,17 @@
 // Pieces of HTML that reports are made of. Texts are escaped here.
 #pragma once
 
-#include "core/analysis/report.h"
+#include "core/analysis/map_image.h"
 
 #include <string>
 #include <vector>
 
 namespace hygroloom {
+
+struct ReportPicture {
+    std::string caption;
+    Image image;
+};
 
 /// A whole page; body: HTML.
 std::string page(const std::string& title, const std::string& body);

@@ -397,7 +397,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     add_yarns(scene, textile, experiment);
     if (experiment.closure == Closure::pores) {
         flow_by_suction(scene, textile);
-        add_unevenness(scene, textile, seed);
+        scene.cloth.pores = uneven_pores(textile, scene.cloth.length, seed);
     }
     scene.rules.particles_per_droplet = plan.particles_per_droplet;
     set_parts(scene, plan);

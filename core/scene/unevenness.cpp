@@ -28,12 +28,13 @@ std::vector<double> unevenness_along(std::uint64_t seed, int number, int crossin
 
 } // namespace
 
-void add_unevenness(Scene& scene, const Textile& textile, std::uint64_t seed)
+std::vector<double> uneven_pores(const Textile& textile, const std::vector<double>& lengths, std::uint64_t seed)
 {
+    std::vector<double> found;
     constexpr double alike_over = 20e-3; // m; an assumption
     const auto &all = textile.warp.types, &more = textile.weft.types;
     const auto is_uneven = [](const YarnType& type) { return type.irregularity_cv > 0; };
-    if (std::none_of(all.begin(), all.end(), is_uneven) && std::none_of(more.begin(), more.end(), is_uneven)) return;
+    if (std::none_of(all.begin(), all.end(), is_uneven) && std::none_of(more.begin(), more.end(), is_uneven)) return found;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         const YarnSystem& own = textile.system(kind);
         const int crossed = textile.system(other_kind(kind)).count;
@@ -46,11 +47,12 @@ void add_unevenness(Scene& scene, const Textile& textile, std::uint64_t seed)
             for (int k = 0; k < crossed; ++k) {
                 const double fibres = std::clamp(1.0 + type.irregularity_cv * along[static_cast<std::size_t>(k)], 0.2, 1.8);
                 const double pores = (1.0 - type.packing * fibres) / (1.0 - type.packing);
-                const auto i = static_cast<std::size_t>(scene.cloth.pores.size());
-                scene.cloth.pores.push_back(std::clamp(pores, least, 1.5) * type.area * (1.0 - type.packing) * scene.cloth.length[i]);
+                const double length = lengths[found.size()];
+                found.push_back(std::clamp(pores, least, 1.5) * type.area * (1.0 - type.packing) * length);
             }
         }
     }
+    return found;
 }
 
 } // namespace hygroloom

@@ -2,12 +2,15 @@
 // Yarns that hold more fibres in one place than in another.
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/geometry/textile.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace hygroloom {
 
-/// Pores of yarns that have more fibres in one place than in another, within the same outline. Along a yarn places some centimetres apart
-/// are alike.
-void add_unevenness(Scene& scene, const Textile& textile, std::uint64_t seed);
+/// Pores of each segment, m3, of yarns that have more fibres in one place than in another, within the same outline. Along a yarn places
+/// some centimetres apart are alike. None where no yarn is uneven. lengths: m, of each segment.
+std::vector<double> uneven_pores(const Textile& textile, const std::vector<double>& lengths, std::uint64_t seed);
 
 } // namespace hygroloom

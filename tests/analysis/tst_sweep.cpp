@@ -151,7 +151,7 @@ private Q_SLOTS:
         std::vector<std::unique_ptr<Backend>> backends;
         backends.push_back(make_cpu_backend());
         RunControl control;
-        const auto run = [](std::size_t, Backend&) { return CandidateRun{}; };
+        const auto run = [&](std::size_t, Backend&) { return CandidateRun{candidate_with("A", comparison.ranked_by.key, 5), false}; };
         const auto fail = [](std::size_t) { throw FileError("the disk is full"); };
         QVERIFY_EXCEPTION_THROWN(run_comparison(comparison, {"A", "B"}, backends, control, run, fail), FileError);
         QVERIFY(!comparison.complete);

@@ -254,7 +254,7 @@ private Q_SLOTS:
             return candidates[i].toObject()["run"].toObject()["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble();
         };
         QVERIFY(radius_of(0) >= radius_of(1) && radius_of(1) >= radius_of(2) && radius_of(0) > radius_of(2) && radius_of(2) > 0);
-        QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 4 + candidates.size());
+        QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 6 + candidates.size());
         QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * candidates.size());
         const auto without_walls = [](const QByteArray& json) {
             return QString::fromUtf8(json).remove(QRegularExpression("\"wall_s\": [^,\n]*"));
@@ -385,7 +385,7 @@ private Q_SLOTS:
         const qsizetype ended = comparison()["candidates"].toArray().size();
         QVERIFY(ended < 3 && !comparison()["complete"].toBool());
         const QByteArray err = process.readAllStandardError();
-        QVERIFY2(err.contains(QString("Cancelled after %1 of 3 fabrics.").arg(ended).toUtf8()), err);
+        QVERIFY2(err.contains(QString("Cancelled after %1 of 3 runs.").arg(ended).toUtf8()), err);
         QVERIFY(process.readAllStandardOutput().contains(comparison()["candidates"].toArray()[0].toObject()["fabric"].toString().toUtf8()));
         QCOMPARE(QDir(folder).entryList({"*.png"}).size(), 2 * ended);
     }
@@ -404,7 +404,7 @@ private Q_SLOTS:
         const QJsonObject json = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
         QVERIFY(json.contains("complete") && !json["complete"].toBool() && json["candidates"].toArray().isEmpty());
         const QByteArray err = process.readAllStandardError();
-        QVERIFY2(err.contains("Cancelled after 0 of 3 fabrics.") && !err.contains("are in "), err);
+        QVERIFY2(err.contains("Cancelled after 0 of 3 runs.") && !err.contains("are in "), err);
     }
     void interruptedExportLeavesNoFile()
     {

@@ -61,6 +61,10 @@ private Q_SLOTS:
         Fabric& fabric = design.fabrics[0];
         fabric.uncertainty = {0.0, 0.0, 0.0};
         QVERIFY(unknown_inputs(design, fabric).empty());
+        fabric.uncertainty.receding_angle_deg = 3;
+        const auto off = unknown_inputs(design, fabric);
+        QVERIFY(off.size() == 1 && off[0].name.starts_with("contact angle hysteresis") && off[0].low == 17 && off[0].high == 23);
+        fabric.uncertainty.receding_angle_deg = 0;
         fabric.uncertainty.contact_angle_deg = 4;
         const auto inputs = unknown_inputs(design, fabric);
         QCOMPARE(inputs.size(), std::size_t(1));

@@ -180,7 +180,7 @@ private Q_SLOTS:
         QCOMPARE(list->topLevelItem(0)->text(0), "1: " + fabric);
         QCOMPARE(list->topLevelItem(1)->text(0), QString::fromStdString(thin_.run->fabric));
         QCOMPARE(list->topLevelItem(2)->text(0), "3: " + fabric);
-        QCOMPARE(view.table()->horizontalHeaderItem(0)->text(), "1: " + fabric);
+        QCOMPARE(view.table()->horizontalHeaderItem(0)->text(), "1: " + fabric + "\nbaseline");
         QVERIFY(QString::fromStdString(view.tableCsv()).contains("\"3: " + fabric));
         QCOMPARE(view.maps()[0]->accessibleName(), "Water on 1: " + fabric);
     }
