@@ -136,7 +136,6 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
     for (const Outcome& outcome : outcomes_of(*run, *metrics)) {
         if (!outcome.value) continue;
         first.numbers[outcome.key] = *outcome.value;
-        if (outcome.rank > 0) candidate.numbers[outcome.key] = *outcome.value;
         if (const auto error = numerical_error(*run, outcome.key, *outcome.value)) candidate.numerical[outcome.key] = *error;
     }
     candidate.replicates.emplace_back(std::move(first));

@@ -23,7 +23,6 @@ struct Candidate {
     std::shared_ptr<const RunRecord> run; ///< the first replicate's; none: it failed
     std::shared_ptr<const Metrics> metrics;
     std::string failure;                                 ///< why, in a sentence
-    std::map<std::string, double> numbers;               ///< by key, of the first replicate; those that could not be determined are absent
     std::map<std::string, double> numerical;             ///< half width of the numerical error, by key; absent: not known
     std::vector<std::optional<ReplicateRun>> replicates; ///< by number; none: it failed or is missing
     std::vector<std::string> unknowns;                   ///< names of the inputs that were drawn

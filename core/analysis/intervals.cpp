@@ -48,6 +48,7 @@ struct Spread {
     double all = 0;
     bool parted = false; ///< into scatter and input: there are enough runs for a fit
     double scatter = 0, input = 0;
+    int free = 0; ///< degrees of freedom of scatter: runs less what was fitted
 };
 
 Spread spread_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places)
@@ -57,7 +58,9 @@ Spread spread_of(const std::vector<double>& values, const std::vector<std::vecto
     spread.all = deviation(values);
     const std::size_t inputs = places.empty() ? 0 : places.front().size();
     spread.parted = values.size() >= inputs + 3;
+    spread.free = static_cast<int>(values.size()) - 1;
     if (!spread.parted) return spread;
+    spread.free -= static_cast<int>(inputs);
     spread.scatter = inputs == 0 ? spread.all : std::min(spread.all, left_by_fit(values, places));
     spread.input = std::sqrt(std::max(0.0, spread.all * spread.all - spread.scatter * spread.scatter));
     return spread;
@@ -139,8 +142,7 @@ Compared compare_pairs(const std::vector<double>& values, const std::vector<doub
     double input = 0, by_scatter = 0;
     if (compared.pairs > 1) {
         input = student_factor(of_intervals, compared.pairs - 1) * (spread.parted ? spread.input : spread.all);
-        by_scatter =
-            student_factor(of_verdicts, compared.pairs - 1) * (spread.parted ? spread.scatter : spread.all) / std::sqrt(compared.pairs);
+        by_scatter = student_factor(of_verdicts, spread.free) * (spread.parted ? spread.scatter : spread.all) / std::sqrt(compared.pairs);
     }
     const double half = std::hypot(numerical, input, by_scatter);
     compared.low = compared.difference - half;

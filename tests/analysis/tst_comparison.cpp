@@ -173,7 +173,7 @@ private Q_SLOTS:
         const Candidate candidate = full_candidate(static_cast<ExperimentType>(type));
         const std::vector<OutcomeInfo> criteria = compared_by(static_cast<ExperimentType>(type));
         QVERIFY(!criteria.empty());
-        for (const OutcomeInfo& criterion : criteria) QVERIFY2(candidate.numbers.contains(criterion.key), criterion.key.c_str());
+        for (const OutcomeInfo& criterion : criteria) QVERIFY2(candidate.intervals.contains(criterion.key), criterion.key.c_str());
     }
     void theBestComesFirstAndTiesAreShown()
     {
