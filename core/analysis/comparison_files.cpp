@@ -158,8 +158,8 @@ std::string basis_text(const Comparison& comparison)
 {
     return comparison.replicates > 1
                ? fmt::format("Intervals hold {:.0f} % of such cloths: {} replicates draw the inputs that are not known, the yarns' "
-                             "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. What the "
-                             "model itself lacks is not in them.",
+                             "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. The model's "
+                             "own error is not in them.",
                              100 * of_intervals.held, comparison.replicates)
                : "Intervals and verdicts rest on the numerical error alone; --replicates 8 adds what is not known of the cloths and their "
                  "scatter.";

@@ -212,7 +212,7 @@ std::string unknown(const Comparison& comparison)
             sentences.push_back(fmt::format("{}: {} from {:.3g} to {:.3g}{} ({}).", candidate.fabric, input.name, input.low, input.high,
                                             input.unit, input.source));
     }
-    sentences.emplace_back("What the model leaves out or has wrong is not in the intervals; the guide's page on limits names it.");
+    sentences.emplace_back("The intervals do not hold the error of the model itself; the guide's page on limits names it.");
     return list(sentences);
 }
 
@@ -223,10 +223,10 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     std::string intervals;
     for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion);
     return page("Comparison: " + comparison.experiment,
-                "<p>Simulated, not measured, but where it says so.</p>\n" + question(comparison) + section("Results", results(comparison)) +
-                    section("Intervals", intervals) + section("Maps", figures_of(maps)) + section("Over time", curves(comparison)) +
-                    section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
-                    section("What is not known", unknown(comparison)));
+                "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
+                    section("Results", results(comparison)) + section("Intervals", intervals) + section("Maps", figures_of(maps)) +
+                    section("Over time", curves(comparison)) + section("What differs in the descriptions", differences(comparison)) +
+                    section("Computation", computation(comparison)) + section("What is not known", unknown(comparison)));
 }
 
 } // namespace hygroloom

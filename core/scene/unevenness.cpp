@@ -13,8 +13,10 @@ namespace {
 /// yarns are numbered from it, so that one seed gives samples of other sizes and setts the same middle.
 std::vector<double> unevenness_along(std::uint64_t seed, int number, int crossings, double kept)
 {
+    // Seed and yarn are mixed first: random_bits() adds seed and stream, and the next seed would give the next yarn what this one gave it.
+    const std::uint64_t own = random_bits(seed, 0, static_cast<std::uint64_t>(number));
     const auto fresh = [&](int from_middle) {
-        return std::sqrt(12.0) * (random_uniform(seed, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(from_middle)) - 0.5);
+        return std::sqrt(12.0) * (random_uniform(own, 0, static_cast<std::uint64_t>(from_middle)) - 0.5);
     };
     std::vector<double> along(static_cast<std::size_t>(crossings));
     const int middle = crossings / 2;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The parts of a scene: each refuses what does not fit together, with a sentence.
 #include "core/base/error.h"
+#include "core/scene/unevenness.h"
 #include "core/verify/set_ups.h"
 
 #include <QTest>
+
+#include <set>
 
 using namespace hygroloom;
 
@@ -26,6 +29,22 @@ class TestSceneParts : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aPlainSceneIsAccepted() { QCOMPARE(complaint(bare_scene(3, 4, 1e-3, 293.15)), std::string()); }
+    void neighbouringSeedsGiveOtherYarns() // and not the same ones a yarn farther on
+    {
+        Design design = drop_on_cotton(2, 1, 35);
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->irregularity_cv = 0.2;
+        const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        const auto crossed = static_cast<std::size_t>(textile.weft.count);
+        const std::vector<double> lengths(2 * static_cast<std::size_t>(textile.warp.count) * crossed, 1.0);
+        std::set<double> middles; // of each warp yarn
+        std::size_t yarns = 0;
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const std::vector<double> pores = uneven_pores(textile, lengths, seed);
+            for (std::size_t yarn = 0; yarn < static_cast<std::size_t>(textile.warp.count); ++yarn, ++yarns)
+                middles.insert(pores[yarn * crossed + crossed / 2]);
+        }
+        QVERIFY2(middles.size() > yarns * 9 / 10, qPrintable(QString::number(middles.size()))); // some lie at the limits
+    }
     void partsThatDoNotFitAreRefused()
     {
         struct Fault {
