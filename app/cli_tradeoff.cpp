@@ -205,7 +205,7 @@ void add_tradeoff(CLI::App& app, Verb& chosen)
     add_machine_options(verb, *options);
     verb.add_option("--repeats", options->repeats, "Runs of every variant; the median time counts")->check(CLI::Range(1, 99));
     verb.add_flag("--convergence", options->convergence,
-                  "Also run the reference at half and a quarter of its resolution, to see whether it has converged");
+                  "Also run the reference twice and four times as fine, to see whether it has converged");
     verb.add_option("-o,--output", options->output, "Folder for the results")->type_name("FOLDER");
     verb.callback([&chosen, options] { chosen = [options] { return tradeoff(*options); }; });
 }

@@ -72,7 +72,7 @@ void TradeoffSweep::compare()
         if (outcomes_[i]) result_.points[i].errors = tradeoff_errors(*outcomes_[i], *reference);
     mark_pareto(result_.points);
     result_.convergence.clear();
-    const std::pair<const char*, const char*> steps[] = {{"reference / 4", "reference / 2"}, {"reference / 2", "reference"}};
+    const std::pair<const char*, const char*> steps[] = {{"reference", "reference x 2"}, {"reference x 2", "reference x 4"}};
     for (const auto& [coarse, fine] : steps) {
         const TradeoffOutcome *a = outcome_named(coarse), *b = outcome_named(fine);
         if (a && b) result_.convergence.push_back({coarse, fine, tradeoff_errors(*a, *b)});

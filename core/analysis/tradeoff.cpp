@@ -21,15 +21,15 @@ namespace {
 
 constexpr int moments = 4, cell_crossings = 2;
 
-/// Two or four times as coarse. What is off in the reference (0) stays off.
-KnobSettings coarsened(const Knobs& reference, double factor)
+/// Two or four times as fine, where a knob goes that far. What is off in the reference (0) stays off.
+KnobSettings refined(const Knobs& reference, double factor)
 {
     KnobSettings settings;
     for (const KnobInfo& knob : knob_table()) {
         const double value = reference.*knob.value;
         if (value == 0) continue;
-        const double coarse = knob.cheaper < knob.finer ? value / factor : value * factor;
-        settings[knob.name] = std::clamp(knob.whole ? std::round(coarse) : coarse, knob.least, knob.most);
+        const double fine = knob.cheaper < knob.finer ? value * factor : value / factor;
+        settings[knob.name] = std::clamp(knob.whole ? std::round(fine) : fine, knob.least, knob.most);
     }
     return settings;
 }
@@ -156,8 +156,8 @@ std::vector<TradeoffVariant> tradeoff_variants(const std::vector<std::string>& n
 std::vector<TradeoffVariant> convergence_variants(const KnobSettings& settings)
 {
     const Knobs reference = with_settings(knobs_of(Fidelity::reference), settings);
-    return {{"reference / 4", Fidelity::reference, coarsened(reference, 4), false},
-            {"reference / 2", Fidelity::reference, coarsened(reference, 2), false}};
+    return {{"reference x 2", Fidelity::reference, refined(reference, 2), false},
+            {"reference x 4", Fidelity::reference, refined(reference, 4), false}};
 }
 
 bool run_alike(const ModelPlan& a, const ModelPlan& b)

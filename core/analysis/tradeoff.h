@@ -13,7 +13,7 @@ namespace hygroloom {
 
 /// One way to run the scene.
 struct TradeoffVariant {
-    std::string name; ///< "draft", "fibre_shells=5", "reference / 2"
+    std::string name; ///< "draft", "fibre_shells=5", "reference x 2"
     Fidelity fidelity = Fidelity::standard;
     KnobSettings settings;
     bool timed = true; ///< convergence runs are made once and not timed
@@ -24,8 +24,8 @@ struct TradeoffVariant {
 std::vector<TradeoffVariant> tradeoff_variants(const std::vector<std::string>& knobs);
 /// The ladder alone.
 std::vector<TradeoffVariant> tradeoff_ladder();
-/// The reference, with the settings on top, half and a quarter as fine: resolutions are divided by 2 and 4, steps and tolerances
-/// multiplied.
+/// The reference, with the settings on top, twice and four times as fine: resolutions are multiplied by 2 and 4, steps and tolerances
+/// divided, within the ranges of the knobs.
 std::vector<TradeoffVariant> convergence_variants(const KnobSettings& settings);
 
 /// Whether the plans describe the same run of one scene.

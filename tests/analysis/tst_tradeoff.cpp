@@ -174,20 +174,18 @@ private Q_SLOTS:
         QCOMPARE(shells[3].settings.size(), std::size_t(1));
         QVERIFY_EXCEPTION_THROWN(tradeoff_variants({"shells"}), Error);
     }
-    void convergenceRunsAreHalfAndAQuarterAsFine()
+    void convergenceRunsAreTwiceAndFourTimesAsFine()
     {
         const std::vector<TradeoffVariant> runs = convergence_variants({{"particles_per_droplet", 1200}});
-        const Knobs quarter = with_settings(knobs_of(Fidelity::reference), runs[0].settings),
-                    half = with_settings(knobs_of(Fidelity::reference), runs[1].settings);
-        QCOMPARE(half.particles_per_droplet, 600.0);
-        QCOMPARE(quarter.particles_per_droplet, 300.0);
-        QCOMPARE(half.fibre_shells, 8.0);
-        QCOMPARE(half.crossings_per_cell, 2.0);
-        QCOMPARE(quarter.crossings_per_cell, 4.0);
-        QCOMPARE(half.network_step_limit, 0.5e-3);
-        QCOMPARE(quarter.settle_share, 0.0); // what is off stays off
-        QCOMPARE(quarter.steps_between_absorption, 4.0);
-        QCOMPARE(quarter.liquid_step_factor, 1.0); // a longer step would not be stable
+        const Knobs twice = with_settings(knobs_of(Fidelity::reference), runs[0].settings),
+                    four_times = with_settings(knobs_of(Fidelity::reference), runs[1].settings);
+        QCOMPARE(twice.particles_per_droplet, 2400.0);
+        QCOMPARE(four_times.particles_per_droplet, 4800.0);
+        QCOMPARE(twice.network_step_limit, 0.125e-3);
+        QCOMPARE(four_times.liquid_step_factor, 0.25);
+        QCOMPARE(four_times.settle_share, 0.0); // what is off stays off
+        QCOMPARE(four_times.fibre_shells, static_cast<double>(largest_shell_count));
+        QCOMPARE(four_times.crossings_per_cell, 1.0); // nothing is finer
     }
     void plansThatDifferInNothingThatCountsRunAlike()
     {
@@ -235,7 +233,7 @@ private Q_SLOTS:
         p.stands_for = {"fibre_shells=5"};
         t.points = {p, point("<standard>", 4, 0.01)};
         t.points[1].plan = reference.plan;
-        t.convergence.push_back({"reference / 2", "reference", *p.errors});
+        t.convergence.push_back({"reference", "reference x 2", *p.errors});
         mark_pareto(t.points);
         QCOMPARE(tradeoff_json(tradeoff_from_json(tradeoff_json(t), "t.json")), tradeoff_json(t));
         QCOMPARE(QString::fromStdString(tradeoff_csv(t)).count('\n'), 11 + 1 + 2);
