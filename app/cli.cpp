@@ -5,6 +5,7 @@
 
 #include "core/base/words.h"
 #include "core/project/project_file.h"
+#include "core/run/learned_times.h"
 #include "core/run/recording.h"
 #include "gpu/backends.h"
 
@@ -318,6 +319,7 @@ void add_devices(CLI::App& app, Verb& verb)
 int main(int count, char** values)
 {
     hygroloom::prepare_streams();
+    hygroloom::keep_learned_times(hygroloom::usual_learned_times());
     int code = hygroloom::exit_failed;
     try {
         code = hygroloom::run(count, values);

@@ -7,6 +7,7 @@
 
 #include "core/analysis/comparison_report.h"
 #include "core/project/atomic_file.h"
+#include "core/run/learned_times.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -84,6 +85,7 @@ void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>
                                                 if (!first) first = frame;
                                                 last = frame;
                                             });
+        if (backends.size() == 1 && finished.device_failure.empty()) learn_time(finished.run);
         if ((!options.output.empty() || !options.report.empty()) && i < fabrics.size()) {
             const Frame start = start_of_maps(finished.run, *first);
             maps[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
+#include "core/run/learned_times.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -218,6 +219,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     } catch (const Cancelled&) {
         return print_cancelled(so_far, options.json);
     }
+    if (finished.device_failure.empty()) learn_time(finished.run);
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
     if (!options.output.empty() && !options.quiet) print_note("Recording: {}\n", options.output);

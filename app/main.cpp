@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The window. Opens the project or recording named on the command line, or the shipped example.
+#include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
 #include "ui/window/main_window.h"
 
@@ -24,6 +25,7 @@ int main(int argc, char* argv[])
     parser.addPositionalArgument("file", QApplication::translate("main", "A project (.hygro) or a recording (.hygrorec)."), "[file]");
     parser.process(application);
 
+    hygroloom::keep_learned_times(hygroloom::usual_learned_times());
     hygroloom::applyAppearance(hygroloom::savedAppearance());
     QApplication::setWindowIcon(hygroloom::themedIcon("hygroloom"));
     hygroloom::MainWindow window;

@@ -357,6 +357,28 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
                                         : " The numerical error with these knobs and parts was not measured.");
 }
 
+void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)
+{
+    constexpr double as_good_as_alike = 0.03;
+    double weights = 0, sum = 0;
+    int runs = 0;
+    for (const LearnedRun& run : learned) {
+        const double unlike = distance(plan, run.plan);
+        if (unlike >= 1) continue;
+        const double work = std::abs(std::log(rough_work(plan, "cpu") / rough_work(run.plan, "cpu")));
+        const double far = unlike + work + (run.plan.fidelity == plan.fidelity ? 0.0 : 0.5) + as_good_as_alike;
+        weights += 1 / (far * far);
+        sum += std::log(run.ratio) / (far * far);
+        ++runs;
+    }
+    if (runs == 0) return;
+    const double ratio = std::exp(sum / weights);
+    plan.expected_seconds *= ratio;
+    plan.expectation_source +=
+        fmt::format(" {} of this kind on this machine took {} times {} estimate, so this time is corrected.",
+                    runs == 1 ? "One run" : std::to_string(runs) + " runs", rounded_text(ratio, 2), runs == 1 ? "its" : "their");
+}
+
 std::string error_text(const ModelPlan& plan)
 {
     if (!plan.expected_error) return "numerical error not measured";

@@ -56,6 +56,16 @@ double rough_bytes(const ModelPlan& plan);
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 
+/// What a run of this machine took against what was expected of it.
+struct LearnedRun {
+    ModelPlan plan;
+    double ratio = 1; ///< its time over the expected one
+};
+
+/// Multiplies the plan's expected time by the ratios of the runs of its kind, the more alike the more they count (geometric mean), and adds
+/// that to the source. Precondition: expect().
+void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned);
+
 /// "error 4.8 %", or that it was not measured, or that there is none by definition.
 std::string error_text(const ModelPlan& plan);
 

@@ -3,6 +3,7 @@
 
 #include "core/plan/expectation.h"
 #include "core/plan/planning.h"
+#include "core/run/learned_times.h"
 
 namespace hygroloom {
 
@@ -17,6 +18,7 @@ ModelPlan plan_run(const Design& design, const Textile& textile, const Experimen
 {
     ModelPlan plan = plan_model(design, textile, experiment, fidelity, forced, settings);
     expect(plan, shipped_measurements(backend));
+    expect_as_learned(plan, backend);
     return plan;
 }
 

@@ -6,8 +6,8 @@
 
 namespace hygroloom {
 
-/// Builds the experiment's textile, plans it and fills in what is expected on the backend ("cpu", "cuda"). Precondition: validate() found
-/// no error. Throws Error when a knob is set out of its range.
+/// Builds the experiment's textile, plans it and fills in what is expected on the backend ("cpu", "cuda"), as learned_times.h knows it.
+/// Precondition: validate() found no error. Throws Error when a knob is set out of its range.
 ModelPlan plan_run(const Design& design, const Fabric& fabric, const Experiment& experiment, Fidelity fidelity,
                    const ForcedParts& forced = {}, const KnobSettings& settings = {}, const std::string& backend = "cpu");
 /// The same of a textile that is there.

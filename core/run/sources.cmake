@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   run/hdf5_messages.cpp
   run/hdf5_packed.cpp
   run/hdf5_reader.cpp
+  run/learned_times.cpp
   run/part_watch.cpp
   run/plan_run.cpp
   run/publisher.cpp

@@ -13,9 +13,13 @@ struct Answer {
     QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
 };
 
-inline Answer run_cli(const QStringList& arguments, int seconds = 120)
+/// cache: what is learned of this machine is kept there; usually nowhere.
+inline Answer run_cli(const QStringList& arguments, int seconds = 120, const QString& cache = "/dev/null")
 {
     QProcess process;
+    auto environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("XDG_CACHE_HOME", cache);
+    process.setProcessEnvironment(environment);
     process.start(HYGROLOOM_CLI, arguments);
     Answer answer;
     if (!process.waitForFinished(1000 * seconds)) {

@@ -2,6 +2,7 @@
 #include "ui/results/simulation_run.h"
 
 #include "core/base/error.h"
+#include "core/run/learned_times.h"
 #include "gpu/backends.h"
 
 namespace hygroloom {
@@ -22,6 +23,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
     if (thread_.joinable()) { thread_.join(); }
     control_->cancel = false;
     control_->pause = false;
+    was_paused_ = false;
     running_ = true;
     thread_ = std::jthread([this, design, fabric, experiment, options, backend] {
         MetricsCollector collector;
@@ -44,6 +46,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
             const std::unique_ptr<Backend> machine = make_backend(backend);
             const auto run =
                 std::make_shared<const RunRecord>(run_experiment(*design, fabric, experiment, options, *machine, *control_, callbacks));
+            if (!was_paused_ && device_failure.isEmpty()) learn_time(*run);
             post([this, run] { Q_EMIT completed(run); });
         } catch (const Cancelled&) {
             outcome = Outcome::cancelled;
@@ -72,6 +75,7 @@ void SimulationRun::setPaused(bool paused)
 {
     if (running_ && control_->pause != paused) {
         control_->pause = paused;
+        was_paused_ = true;
         Q_EMIT pausedChanged(paused);
     }
 }

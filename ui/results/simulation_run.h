@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <thread>
 
 namespace hygroloom {
@@ -45,6 +46,7 @@ private:
 
     std::unique_ptr<RunControl> control_;
     bool running_ = false;
+    std::atomic<bool> was_paused_ = false;
     std::jthread thread_;
 };
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/run/learned_times.h"
+
+#include "core/base/error.h"
+#include "core/plan/expectation.h"
+#include "core/plan/plan_json.h"
+#include "core/project/atomic_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_runs = 60, most_bytes = std::size_t{4} << 20U;
+
+struct Kept {
+    std::mutex mutex;
+    std::filesystem::path file;
+    std::filesystem::file_time_type read_at{}; ///< when the file was changed that was read last
+    std::map<std::string, std::vector<LearnedRun>> runs;
+};
+
+Kept& kept()
+{
+    static Kept all;
+    return all;
+}
+
+std::string machine()
+{
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// What estimates need of a plan, without its sentences.
+Json plan_without_words(ModelPlan plan)
+{
+    for (PlannedPart& part : plan.parts) part.reason.clear();
+    for (auto& [knob, reason] : plan.idle_knobs) reason.clear();
+    for (std::string* words : {&plan.fidelity_reason, &plan.region_reason, &plan.resolution_reason, &plan.expectation_source})
+        words->clear();
+    plan.expected_errors.clear();
+    return plan_value(plan);
+}
+
+/// The file's runs; none where it is missing or not such a file.
+std::vector<Json> entries(const std::filesystem::path& file)
+{
+    std::vector<Json> runs;
+    try {
+        const Json json = Json::parse(read_file(file, most_bytes));
+        if (json.at("format") == "hygroloom-times" && json.at("version") == 1)
+            for (const Json& run : json.at("runs"))
+                if (run.is_object()) runs.push_back(run);
+    } catch (const std::exception&) {
+        runs.clear();
+    }
+    return runs;
+}
+
+void read_again(Kept& all)
+{
+    std::error_code missing;
+    const auto changed = std::filesystem::last_write_time(all.file, missing);
+    if (missing || changed == all.read_at) return;
+    all.read_at = changed;
+    all.runs.clear();
+    for (const Json& entry : entries(all.file)) {
+        try {
+            if (entry.at("machine") != machine()) continue;
+            const std::string backend = entry.at("backend");
+            ModelPlan plan = plan_from_value(entry.at("plan"));
+            expect(plan, shipped_measurements(backend));
+            const double ratio = entry.at("seconds").get<double>() / plan.expected_seconds;
+            if (ratio > 0.01 && ratio < 100) all.runs[backend].push_back({std::move(plan), ratio});
+        } catch (const std::exception&) {
+            continue; // an entry of another version, or damaged
+        }
+    }
+}
+
+} // namespace
+
+std::filesystem::path usual_learned_times()
+{
+    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+    if (cache && *cache) return std::filesystem::path(cache) / "hygroloom" / "times.json";
+    return home && *home ? std::filesystem::path(home) / ".cache" / "hygroloom" / "times.json" : std::filesystem::path();
+}
+
+void keep_learned_times(const std::filesystem::path& file)
+{
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    all.file = file;
+    all.read_at = {};
+    all.runs.clear();
+}
+
+void learn_time(const RunRecord& run)
+try {
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    if (all.file.empty() || !(run.wall > 0) || run.threads != 0) return;
+    std::filesystem::create_directories(all.file.parent_path());
+    const ChangeLock only_one(all.file);
+    std::vector<Json> list;
+    std::size_t of_backend = 1;
+    const std::vector<Json> before = entries(all.file);
+    for (auto entry = before.rbegin(); entry != before.rend(); ++entry)
+        if (entry->value("backend", Json()) != run.backend || of_backend++ < most_runs) list.insert(list.begin(), *entry);
+    list.push_back(Json{{"machine", machine()},
+                        {"backend", run.backend},
+                        {"device", run.device},
+                        {"date", run.date},
+                        {"seconds", run.wall},
+                        {"plan", plan_without_words(run.plan)}});
+    write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", 1}, {"runs", list}}.dump());
+    all.read_at = {};
+} catch (const std::exception&) {
+    // Without it estimates are as they were.
+}
+
+void expect_as_learned(ModelPlan& plan, const std::string& backend)
+{
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    if (all.file.empty()) return;
+    read_again(all);
+    if (const auto found = all.runs.find(backend); found != all.runs.end()) correct_time(plan, found->second);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// How long this machine's own runs took, kept between sessions, so that estimates of time learn from them.
+#pragma once
+
+#include "core/run/run_record.h"
+
+#include <filesystem>
+
+namespace hygroloom {
+
+/// The user's: $XDG_CACHE_HOME, or $HOME/.cache, then hygroloom/times.json; empty where there is neither.
+std::filesystem::path usual_learned_times();
+
+/// Which file of this process holds them; empty, as at the start: none is kept and none is used. A file that cannot be read counts as
+/// empty, one that cannot be written changes nothing.
+void keep_learned_times(const std::filesystem::path& file);
+
+/// Takes up a run that came to its end, with all threads and without a pause, while no other run was on. The newest 60 of a backend stay.
+void learn_time(const RunRecord& run);
+
+/// Multiplies the plan's expected time by what runs of its kind took here against their own estimates, and says so. Precondition: expect().
+void expect_as_learned(ModelPlan& plan, const std::string& backend);
+
+} // namespace hygroloom

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Estimates of time learn from the runs of this machine. No clock is asked: the runs are made up.
+#include "core/run/learned_times.h"
+#include "core/run/plan_run.h"
+#include "tests/support/drop_design.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <thread>
+
+using namespace hygroloom;
+
+namespace {
+
+ModelPlan plan_of(double volume_ul, Fidelity fidelity = Fidelity::draft, ExperimentType type = ExperimentType::droplet)
+{
+    Design design = drop_design();
+    if (type != ExperimentType::droplet)
+        design.experiments[0] = standard_experiment(type);
+    else
+        design.experiments[0].droplets[0].volume_ul = volume_ul;
+    return plan_run(design, design.fabrics[0], design.experiments[0], fidelity);
+}
+
+/// A run that takes that many times its own estimate. Precondition: the plan has not been corrected.
+RunRecord run_of(const ModelPlan& plan, double times)
+{
+    RunRecord run;
+    run.plan = plan;
+    run.backend = "cpu";
+    run.wall = times * plan.expected_seconds;
+    return run;
+}
+
+} // namespace
+
+class TestLearnedTimes : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    QString file_;
+
+private Q_SLOTS:
+    void init()
+    {
+        file_ = folder_.filePath(QString(QTest::currentTestFunction()) + "/times.json");
+        keep_learned_times({});
+    }
+    void cleanup() { keep_learned_times({}); }
+    void nothingIsKeptWithoutAFile()
+    {
+        const ModelPlan plan = plan_of(15);
+        learn_time(run_of(plan, 3));
+        QCOMPARE(plan_of(15).expected_seconds, plan.expected_seconds);
+    }
+    void theSameSceneIsExpectedAsItWent()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        learn_time(run_of(before, 3));
+        const ModelPlan after = plan_of(15);
+        QVERIFY(std::abs(after.expected_seconds / before.expected_seconds - 3) < 1e-9);
+        QVERIFY(after.expectation_source.find("One run of this kind on this machine took 3.0 times its") != std::string::npos);
+        keep_learned_times({}); // as the next session
+        keep_learned_times(file_.toStdString());
+        QCOMPARE(plan_of(15).expected_seconds, after.expected_seconds);
+    }
+    void theMostAlikeCountMost()
+    {
+        const ModelPlan small = plan_of(5), large = plan_of(20), drying = plan_of(0, Fidelity::draft, ExperimentType::drying);
+        keep_learned_times(file_.toStdString());
+        learn_time(run_of(small, 4));
+        learn_time(run_of(large, 1));
+        const double as_small = plan_of(6).expected_seconds, as_large = plan_of(18).expected_seconds;
+        const double other = plan_of(0, Fidelity::draft, ExperimentType::drying).expected_seconds;
+        keep_learned_times({});
+        QVERIFY(as_small > 2 * plan_of(6).expected_seconds && as_small < 4 * plan_of(6).expected_seconds);
+        QVERIFY(as_large < 2 * plan_of(18).expected_seconds && as_large > plan_of(18).expected_seconds);
+        QCOMPARE(other, drying.expected_seconds); // another kind
+    }
+    void runsThatDidNotHaveTheMachineAreNotTaken()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        RunRecord one_thread = run_of(before, 3), stopped = run_of(before, 3);
+        one_thread.threads = 1;
+        stopped.wall = 0;
+        learn_time(one_thread);
+        learn_time(stopped);
+        QVERIFY(!QFile::exists(file_));
+    }
+    void theOldestGoFirst()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        learn_time(run_of(before, 50));
+        for (int i = 0; i < 60; ++i) learn_time(run_of(before, 2));
+        QVERIFY(std::abs(plan_of(15).expected_seconds / before.expected_seconds - 2) < 1e-9);
+        QVERIFY(QFile(file_).size() < 400'000);
+    }
+    void twoThatLearnAtOnceBothAre()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        std::vector<std::jthread> learners;
+        for (int i = 0; i < 8; ++i) learners.emplace_back([&] { learn_time(run_of(before, 2)); });
+        learners.clear();
+        QVERIFY(plan_of(15).expectation_source.find("8 runs of this kind") != std::string::npos);
+    }
+    void aDamagedFileCountsAsEmpty_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("text") << QByteArray("times");
+        QTest::newRow("other") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": [1]})");
+        QTest::newRow("entries") << QByteArray(R"({"format": "hygroloom-times", "version": 1, "runs": [1, {}, {"machine": 3}]})");
+        QTest::newRow("runs") << QByteArray(R"({"format": "hygroloom-times", "version": 1, "runs": 7})");
+    }
+    void aDamagedFileCountsAsEmpty()
+    {
+        QFETCH(QByteArray, content);
+        const ModelPlan before = plan_of(15);
+        QFile file(folder_.filePath("damaged.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        keep_learned_times(folder_.filePath("damaged.json").toStdString());
+        QCOMPARE(plan_of(15).expected_seconds, before.expected_seconds);
+        learn_time(run_of(before, 3));
+        QVERIFY(std::abs(plan_of(15).expected_seconds / before.expected_seconds - 3) < 1e-9);
+    }
+    void aFolderThatCannotBeMadeChangesNothing()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times("/dev/null/hygroloom/times.json");
+        learn_time(run_of(before, 3));
+        QCOMPARE(plan_of(15).expected_seconds, before.expected_seconds);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLearnedTimes)
+#include "tst_learned_times.moc"
