@@ -2,10 +2,11 @@
 // compare: candidates on the same experiment, ranked.
 #include "app/cli_fidelity.h"
 #include "app/cli_interrupt.h"
-#include "app/cli_metrics.h"
 #include "app/cli_replicates.h"
+#include "app/cli_report.h"
 
 #include "core/analysis/comparison_report.h"
+#include "core/analysis/map_picture.h"
 #include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "gpu/backends.h"
@@ -113,7 +114,7 @@ void write_report(const Comparison& comparison, std::vector<std::optional<Candid
                 {fmt::format("{}, {}, {} x {} crossings a cell", candidate.fabric, side, crossings_per_cell, crossings_per_cell),
                  draw_map(map->map, map->width, map->height, map->image)});
     }
-    write_file(file, comparison_report_html(comparison, pictures));
+    write_report_file(file, comparison_report_html(comparison, pictures));
 }
 
 /// Without runs: what is compared, and how.
@@ -139,8 +140,7 @@ Comparison comparison_of(const CompareOptions& options, const Experiment& experi
 int compare(const CompareOptions& options)
 {
     check_fidelity(options);
-    if (!options.report.empty() && CLI::detail::to_lower(std::filesystem::path(options.report).extension().string()) != ".html")
-        throw Stop(exit_usage, "A report is an .html file, which browsers print as PDF; given is \"" + options.report + "\".");
+    check_report_name(options.report);
     RunOptions how = run_options(options);
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
@@ -215,7 +215,8 @@ void add_compare(CLI::App& app, Verb& chosen)
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);
-    verb.add_option("--report", options->report, "Write a report (.html) with verdicts, intervals, maps, curves and what is not known")
+    verb.add_option("--report", options->report,
+                    "Write a report (.html or .pdf) with verdicts, intervals, maps, curves and what is not known")
         ->type_name("FILE");
     verb.add_option("-o,--output", options->output, "Folder for the table and the maps")->type_name("FOLDER");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });

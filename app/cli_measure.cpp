@@ -4,7 +4,9 @@
 #include "app/cli_bar.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
+#include "app/cli_report.h"
 
+#include "core/analysis/map_picture.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
 #include "core/analysis/report.h"
@@ -55,15 +57,8 @@ void write_report(const Recording& recording, const Metrics& metrics, const Meas
 {
     const RunRecord& run = recording.run();
     const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
-    const Frame start = start_of_maps(run, recording.frame(0));
-    MapPicture top = map_picture(run, frame, start, MapSide::top, options.cells);
-    MapPicture bottom = map_picture(run, frame, start, MapSide::bottom, options.cells);
-    top.image.most = bottom.image.most = std::max(top.map.maximum(), bottom.map.maximum()); // one colour scale
-    std::vector<ReportPicture> pictures;
-    for (const auto& [name, picture] : {std::pair{"Top face", &top}, std::pair{"Bottom face", &bottom}})
-        pictures.push_back(
-            {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
-    write_file(options.report, report_html(run, metrics, pictures, recording.finished()));
+    const std::vector<ReportPicture> pictures = pictures_of_faces(run, frame, start_of_maps(run, recording.frame(0)), options.cells);
+    write_report_file(options.report, report_html(run, metrics, pictures, recording.finished()));
     if (!options.quiet) print_note("Report: {}\n", options.report);
 }
 
@@ -128,8 +123,7 @@ void say_what_is_missing(const Recording& recording, const MeasureOptions& optio
 
 int measure(const MeasureOptions& options)
 {
-    if (!options.report.empty() && CLI::detail::to_lower(std::filesystem::path(options.report).extension().string()) != ".html")
-        throw Stop(exit_usage, "A report is an .html file, which browsers print as PDF; given is \"" + options.report + "\".");
+    check_report_name(options.report);
     if (options.time >= 0 && options.map.empty() && options.report.empty())
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
@@ -178,30 +172,6 @@ void print_outcome(const Outcome& outcome, const std::map<std::string, Interval>
 
 } // namespace
 
-MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell)
-{
-    const Textile& t = run.textile;
-    MapPicture picture;
-    picture.map = cell_map(t, frame, start, side, crossings_per_cell);
-    picture.width = t.ends() * t.warp.pitch;
-    picture.height = t.picks() * t.weft.pitch;
-    const char* what = side == MapSide::top ? "top face" : side == MapSide::bottom ? "bottom face" : "water";
-    picture.image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
-                              fmt::format("{} after {:.4g} s, cells of {} x {}", what, frame.time, crossings_per_cell, crossings_per_cell)};
-    if (side == MapSide::total) return picture;
-    const Circle circle = wetted_circle(t, frame, side == MapSide::top ? Face::top : Face::bottom);
-    if (circle.radius > 0) {
-        picture.image.circle = circle;
-        picture.image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
-    }
-    return picture;
-}
-
-void write_picture(const MapPicture& picture, const std::filesystem::path& path)
-{
-    write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
-}
-
 void print_metrics(const RunRecord& run, const Metrics& m, bool json, const std::map<std::string, Interval>& of_replicates)
 {
     if (json) {
@@ -249,7 +219,7 @@ void add_measure(CLI::App& app, Verb& verb)
         ->check(time_validator());
     measure_verb.add_option("-o,--output", options->output, "File of the map (.csv or .png)")->type_name("FILE");
     const CLI::Validator given([](const std::string& text) { return text.empty() ? "the file name is empty" : ""; }, "");
-    measure_verb.add_option("--report", options->report, "Write a report (.html) with results, maps, charts and inputs")
+    measure_verb.add_option("--report", options->report, "Write a report (.html or .pdf) with results, maps, charts and inputs")
         ->type_name("FILE")
         ->check(given);
     CLI::Option* vtk =

@@ -1,14 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The window. Opens the project or recording named on the command line, or the shipped example.
+#include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
+#include "ui/results/report_pdf.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 
+#include <cstdio>
+#include <string_view>
+
+namespace {
+
+/// Without a window: `hygroloom --pdf page.html page.pdf`. The command line writes its reports so.
+int printPage(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {}); // of a platform that is not used
+    const QGuiApplication application(argc, argv);
+    try {
+        const std::string html = hygroloom::read_file(argv[2], std::size_t{256} << 20U);
+        hygroloom::writePdf(QString::fromStdString(html), QString::fromLocal8Bit(argv[3]));
+        return 0;
+    } catch (const std::exception& error) {
+        std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+        return 1;
+    }
+}
+
+} // namespace
+
 int main(int argc, char* argv[])
 {
+    if (argc == 4 && std::string_view(argv[1]) == "--pdf") return printPage(argc, argv);
     hygroloom::requestOpenGL();
 
     QApplication application(argc, argv);
@@ -22,6 +48,8 @@ int main(int argc, char* argv[])
     parser.setApplicationDescription(QApplication::translate("main", "Design woven fabrics and simulate how they take up water."));
     parser.addHelpOption();
     parser.addVersionOption();
+    parser.addOption(
+        {"pdf", QApplication::translate("main", "Write a report (.html) as PDF, without a window: --pdf page.html page.pdf.")});
     parser.addPositionalArgument("file", QApplication::translate("main", "A project (.hygro) or a recording (.hygrorec)."), "[file]");
     parser.process(application);
 

@@ -7,7 +7,7 @@ packages="
   cmake ninja-build ccache g++ git
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
   libgl-dev libegl-dev
-  libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev
+  libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
   libbenchmark-dev
   python3 clang-format-14
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/map_image.h"
 
-#include "core/analysis/small_font.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/base/utf8.h"
 #include "core/project/atomic_file.h"
 
+#include <cairo.h>
 #include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <memory>
+#include <numbers>
 
 namespace hygroloom {
 namespace {
 
-using Colour = std::array<double, 3>;
+using Colour = std::array<double, 3>; ///< 0 .. 255
 
 constexpr Colour paper{255, 255, 255}, ink{40, 44, 52}, dry{233, 228, 218}, ring{196, 30, 58};
-constexpr int letter_size = 2; ///< pixels per dot
-constexpr int line_height = 10 * letter_size;
+constexpr double letter_height = 15; ///< pixels
+constexpr int line_height = 20;
 constexpr int margin = 16;
 constexpr int bar_width = 18;
 
@@ -34,57 +38,94 @@ Colour blue(double share)
     return mixed;
 }
 
+/// A picture that Cairo draws into.
 class Canvas {
 public:
     Canvas(int width, int height)
-        : image_{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)}
+        : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy),
+          cairo_(cairo_create(surface_.get()), cairo_destroy)
     {
-    }
-
-    /// Laid over what is there; outside the picture nothing happens.
-    void dot(int x, int y, const Colour& colour, double opacity = 1)
-    {
-        if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return;
-        std::uint8_t* pixel =
-            &image_.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x))];
-        for (std::size_t i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>(std::lround(pixel[i] + opacity * (colour[i] - pixel[i])));
+        if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS) throw Error("The picture cannot be made: there is not enough memory.");
+        cairo_select_font_face(cairo_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_font_size(cairo_.get(), letter_height);
+        box(0, 0, width, height, paper);
     }
 
     void box(int x, int y, int width, int height, const Colour& colour)
     {
-        for (int j = 0; j < height; ++j)
-            for (int i = 0; i < width; ++i) dot(x + i, y + j, colour);
+        use(colour);
+        cairo_rectangle(cairo_.get(), x, y, width, height);
+        cairo_fill(cairo_.get());
     }
 
+    /// One pixel wide.
     void frame(int x, int y, int width, int height, const Colour& colour)
     {
-        box(x, y, width, 1, colour);
-        box(x, y + height - 1, width, 1, colour);
-        box(x, y, 1, height, colour);
-        box(x + width - 1, y, 1, height, colour);
+        use(colour);
+        cairo_set_line_width(cairo_.get(), 1);
+        cairo_rectangle(cairo_.get(), x + 0.5, y + 0.5, width - 1, height - 1);
+        cairo_stroke(cairo_.get());
     }
 
+    /// Two pixels wide, within the rectangle only.
+    void circle(double x, double y, double radius, int left, int top, int right, int bottom)
+    {
+        cairo_save(cairo_.get());
+        cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
+        cairo_clip(cairo_.get());
+        use(ring);
+        cairo_set_line_width(cairo_.get(), 2);
+        cairo_arc(cairo_.get(), x, y, radius, 0, 2 * std::numbers::pi);
+        cairo_stroke(cairo_.get());
+        cairo_restore(cairo_.get());
+    }
+
+    /// y: of the top of the letters.
     void text(int x, int y, const std::string& words)
     {
-        for (char letter : words) {
-            for (const SmallLetter& known : small_font) {
-                if (known.letter != letter) continue;
-                for (int row = 0; row < 7; ++row)
-                    for (int column = 0; column < 5; ++column)
-                        if (known.rows[static_cast<std::size_t>(row)] >> (4 - column) & 1)
-                            box(x + column * letter_size, y + row * letter_size, letter_size, letter_size, ink);
-            }
-            x += 6 * letter_size;
-        }
+        use(ink);
+        cairo_move_to(cairo_.get(), x, y + letter_height - 2);
+        cairo_show_text(cairo_.get(), printable(words).c_str());
     }
 
-    Image take() { return std::move(image_); }
+    Image take()
+    {
+        cairo_surface_flush(surface_.get());
+        const int width = cairo_image_surface_get_width(surface_.get()), height = cairo_image_surface_get_height(surface_.get());
+        Image image{width, height, {}};
+        image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        for (int j = 0; j < height; ++j) {
+            const unsigned char* row =
+                cairo_image_surface_get_data(surface_.get()) +
+                static_cast<std::size_t>(j) * static_cast<std::size_t>(cairo_image_surface_get_stride(surface_.get()));
+            for (int i = 0; i < width; ++i) {
+                std::uint32_t pixel = 0;
+                std::memcpy(&pixel, row + 4 * static_cast<std::size_t>(i), sizeof pixel);
+                for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xffU));
+            }
+        }
+        return image;
+    }
 
 private:
-    Image image_;
+    void use(const Colour& colour) { cairo_set_source_rgb(cairo_.get(), colour[0] / 255, colour[1] / 255, colour[2] / 255); }
+
+    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
 };
 
-int text_width(const std::string& words) { return 6 * letter_size * static_cast<int>(words.size()); }
+/// Pixels.
+int text_width(const std::string& words)
+{
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> none(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1),
+                                                                                  cairo_surface_destroy);
+    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(none.get()), cairo_destroy);
+    cairo_select_font_face(cairo.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo.get(), letter_height);
+    cairo_text_extents_t extents{};
+    cairo_text_extents(cairo.get(), printable(words).c_str(), &extents);
+    return static_cast<int>(std::ceil(extents.x_advance));
+}
 
 /// 1, 2 or 5 times a power of ten, at most a given length.
 double round_length(double most)
@@ -95,15 +136,7 @@ double round_length(double most)
     return power;
 }
 
-void draw_circle(Canvas& canvas, double x, double y, double radius, int left, int top, int right, int bottom)
-{
-    // Soft-edged ring of two pixels' width, within the map only.
-    for (int j = std::max(top, static_cast<int>(y - radius) - 2); j <= std::min(bottom - 1, static_cast<int>(y + radius) + 2); ++j)
-        for (int i = std::max(left, static_cast<int>(x - radius) - 2); i <= std::min(right - 1, static_cast<int>(x + radius) + 2); ++i) {
-            const double off = std::abs(std::hypot(i + 0.5 - x, j + 0.5 - y) - radius);
-            if (off < 1.5) canvas.dot(i, j, ring, std::min(1.0, 1.5 - off));
-        }
-}
+constexpr int swatch = 16;
 
 void draw_bar(Canvas& canvas, int x, int y, int height, double most)
 {
@@ -112,11 +145,27 @@ void draw_bar(Canvas& canvas, int x, int y, int height, double most)
     canvas.frame(x, y, bar_width, length, ink);
     const int beside = x + bar_width + 6;
     canvas.text(beside, y, fmt::format("{:.3g}", 1e3 * most));
-    canvas.text(beside, y + 12 * letter_size, "g/m2");
-    canvas.text(beside, y + length - 7 * letter_size, "0");
-    canvas.box(x, y + height - 8 * letter_size, bar_width, 8 * letter_size, dry);
-    canvas.frame(x, y + height - 8 * letter_size, bar_width, 8 * letter_size, ink);
-    canvas.text(beside, y + height - 8 * letter_size + 1, "dry");
+    canvas.text(beside, y + line_height, "g/m²");
+    canvas.text(beside, y + length - swatch, "0");
+    canvas.box(x, y + height - swatch, bar_width, swatch, dry);
+    canvas.frame(x, y + height - swatch, bar_width, swatch, ink);
+    canvas.text(beside, y + height - swatch, "dry");
+}
+
+/// The cells, a pixel at a time.
+void draw_cells(Canvas& canvas, const CellMap& map, double height, int top, int across, int down, double scale, double most)
+{
+    for (int j = 0; j < down; ++j) {
+        const double y = height - (j + 0.5) * height / down; // the first row lies at the bottom
+        const int row = std::clamp(static_cast<int>(y / map.cell_height), 0, map.rows - 1);
+        const auto column_at = [&](int i) { return std::min(static_cast<int>((i + 0.5) / scale / map.cell_width), map.columns - 1); };
+        for (int i = 0, next = 0; i < across; i = next) {
+            const int column = column_at(i);
+            while (next < across && column_at(next) == column) ++next;
+            const double water = map.at(column, row);
+            canvas.box(margin + i, top + j, next - i, 1, most > 0 && water >= 0.01 * most ? blue(water / most) : dry);
+        }
+    }
 }
 
 } // namespace
@@ -132,24 +181,16 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
     for (const std::string& line : options.captions) caption_width = std::max(caption_width, text_width(line));
     const int top = margin + line_height * static_cast<int>(options.captions.size()) + (options.captions.empty() ? 0 : 6);
     const int bar_left = margin + across + margin;
-    Canvas canvas(std::max(bar_left + bar_width + 6 + 8 * 6 * letter_size, caption_width + 2 * margin),
-                  top + down + margin + 2 * line_height);
+    Canvas canvas(std::max(bar_left + bar_width + 6 + 80, caption_width + 2 * margin), top + down + margin + 2 * line_height);
 
     for (std::size_t line = 0; line < options.captions.size(); ++line)
         canvas.text(margin, margin + static_cast<int>(line) * line_height, options.captions[line]);
     const double most = options.most > 0 ? options.most : map.maximum();
-    for (int j = 0; j < down; ++j)
-        for (int i = 0; i < across; ++i) {
-            const double x = (i + 0.5) / scale, y = height - (j + 0.5) * height / down; // the first row lies at the bottom
-            const int column = std::min(static_cast<int>(x / map.cell_width), map.columns - 1);
-            const int row = std::clamp(static_cast<int>(y / map.cell_height), 0, map.rows - 1);
-            const double water = map.at(column, row);
-            canvas.dot(margin + i, top + j, most > 0 && water >= 0.01 * most ? blue(water / most) : dry);
-        }
+    draw_cells(canvas, map, height, top, across, down, scale, most);
     canvas.frame(margin - 1, top - 1, across + 2, down + 2, ink);
     if (options.circle && options.circle->radius > 0)
-        draw_circle(canvas, margin + (options.circle->x + 0.5 * width) * scale, top + (0.5 * height - options.circle->y) * scale,
-                    options.circle->radius * scale, margin, top, margin + across, top + down);
+        canvas.circle(margin + (options.circle->x + 0.5 * width) * scale, top + (0.5 * height - options.circle->y) * scale,
+                      options.circle->radius * scale, margin, top, margin + across, top + down);
 
     const double length = round_length(width / 3);
     const int bar = static_cast<int>(std::lround(length * scale)), bar_top = top + down + margin;

@@ -15,12 +15,13 @@ struct Image {
 };
 
 struct MapImageOptions {
-    std::vector<std::string> captions; ///< lines over the map; ASCII, other characters become spaces
+    std::vector<std::string> captions; ///< lines over the map
     std::optional<Circle> circle;      ///< from the sample's middle, m
     double most = 0;                   ///< kg/m2 at the colour bar's end; 0: the map's own maximum
 };
 
-/// width and height: of the sample, m (cells at the far edges may reach over it). Cells below 1 % of the bar's end count as dry.
+/// width and height: of the sample, m (cells at the far edges may reach over it). Cells below 1 % of the bar's end count as dry. Throws
+/// Error when there is no memory for it.
 Image draw_map(const CellMap& map, double width, double height, const MapImageOptions& options);
 
 /// Throws Error when there is no memory for it.

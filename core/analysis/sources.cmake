@@ -12,6 +12,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/line_chart.cpp
   analysis/management.cpp
   analysis/map_image.cpp
+  analysis/map_picture.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
   analysis/moisture_tester.cpp

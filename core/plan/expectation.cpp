@@ -42,7 +42,7 @@ MeasuredScene scene_from(const Json& json)
     const Json& load = json.at("provenance").at("load_at_start");
     if (!load.is_null()) scene.load = load;
     for (const Json& step : json.at("convergence"))
-        if (step.at("to") == "reference") scene.reference_errors = metric_errors(step.at("errors"));
+        for (const auto& [metric, error] : metric_errors(step.at("errors"))) scene.reference_errors[metric] += error;
     for (const Json& p : json.at("points")) {
         if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
         MeasuredRun run;
@@ -171,25 +171,21 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
     return nearest;
 }
 
-/// Of each metric the largest error that a run so set has in any scene of the kind, with that of its reference; wider, the less alike the
-/// nearest of them is.
-std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+/// How far the scene's reference lies from where it stops moving, by metric; of the same scene on the other backend where this one's
+/// reference was not refined.
+const std::map<std::string, double>& errors_of_reference(const MeasuredScene& scene, const std::vector<MeasuredScene>& all)
 {
-    std::map<std::string, double> errors;
-    double nearest = 1;
-    for (const MeasuredScene& scene : measured)
-        for (const MeasuredRun& run : scene.runs) {
-            const double far = distance(plan, run.plan);
-            if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
-            nearest = std::min(nearest, far);
-            for (const auto& [metric, error] : run.errors) {
-                const auto own = scene.reference_errors.find(metric);
-                const double with_own = error + (own == scene.reference_errors.end() ? 0 : own->second);
-                errors[metric] = std::max(errors[metric], with_own);
-            }
-        }
-    for (auto& [metric, error] : errors) error *= 1 + nearest;
-    return errors;
+    if (!scene.reference_errors.empty()) return scene.reference_errors;
+    const auto same = [&](const MeasuredScene& other) {
+        return other.fabric == scene.fabric && other.experiment == scene.experiment && !other.reference_errors.empty();
+    };
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    return found == all.end() ? scene.reference_errors : found->reference_errors;
+}
+
+bool is_cut(const ModelPlan& plan)
+{
+    return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
 }
 
 [[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
@@ -215,14 +211,21 @@ try {
     throw Error(fmt::format("{}: The measured trade-off cannot be read: {}", file, e.what()));
 }
 
+const std::vector<MeasuredScene>& shipped_measurements()
+{
+    static const std::vector<MeasuredScene> scenes = [] {
+        std::vector<MeasuredScene> list;
+        for (const Json& scene : Json::parse(measured_scenes_json)) list.push_back(scene_from(scene));
+        return list;
+    }();
+    return scenes;
+}
+
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend)
 {
     static const std::map<std::string, std::vector<MeasuredScene>> scenes = [] {
         std::map<std::string, std::vector<MeasuredScene>> lists;
-        for (const Json& scene : Json::parse(measured_scenes_json)) {
-            MeasuredScene read = scene_from(scene);
-            lists[read.backend].push_back(std::move(read));
-        }
+        for (const MeasuredScene& scene : shipped_measurements()) lists[scene.backend].push_back(scene);
         return lists;
     }();
     static const std::vector<MeasuredScene> none;
@@ -326,7 +329,6 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
-    plan.expected_errors.clear();
     if (!nearest.run) {
         const std::string backend = measured.empty() ? "cpu" : measured.front().backend;
         plan.expected_seconds = rough_work(plan, backend);
@@ -340,11 +342,10 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     plan.expected_seconds =
         std::max(start_on(scene.backend), run.seconds * rough_work(plan, scene.backend) / rough_work(run.plan, scene.backend));
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
-    const bool cut = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
     const bool is_reference = run.plan.fidelity == Fidelity::reference;
-    const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference, as_set = set_alike(run.plan, plan) && !cut && !otherwise;
+    const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
+               as_set = set_alike(run.plan, plan) && !is_cut(plan) && !otherwise;
     if (as_set) plan.expected_error = run.error;
-    if (as_set) plan.expected_errors = errors_of_kind(plan, measured);
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
@@ -355,6 +356,27 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
                     : otherwise         ? fmt::format(" It was measured with the closure {}; with {} neither times nor errors are.",
                                                       run.plan.counts.closure, plan.counts.closure)
                                         : " The numerical error with these knobs and parts was not measured.");
+}
+
+void expect_errors(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    plan.expected_errors.clear();
+    if (is_cut(plan)) return;
+    double nearest = 1;
+    for (const MeasuredScene& scene : measured) {
+        const std::map<std::string, double>& own = errors_of_reference(scene, measured);
+        for (const MeasuredRun& run : scene.runs) {
+            const double far = distance(plan, run.plan);
+            if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
+            nearest = std::min(nearest, far);
+            for (const auto& [metric, error] : run.errors) {
+                const auto of_reference = own.find(metric);
+                const double with_own = error + (of_reference == own.end() ? 0 : of_reference->second);
+                plan.expected_errors[metric] = std::max(plan.expected_errors[metric], with_own);
+            }
+        }
+    }
+    for (auto& [metric, error] : plan.expected_errors) error *= 1 + nearest;
 }
 
 void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)

@@ -22,9 +22,10 @@ struct MeasuredRun {
 
 struct MeasuredScene {
     std::string fabric, experiment, backend, device, date;
-    double load = -1;                               ///< processes that ran or waited when it began; less than 0: not known
-    std::vector<MeasuredRun> runs;                  ///< those with a time
-    std::map<std::string, double> reference_errors; ///< of each metric: of the reference against one half as fine
+    double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
+    std::vector<MeasuredRun> runs; ///< those with a time
+    std::map<std::string, double>
+        reference_errors; ///< of each metric: of the reference against one twice, and that against one four times as fine
 };
 
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.
@@ -32,6 +33,8 @@ MeasuredScene measured_scene(const std::string& json, const std::string& file);
 
 /// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
+/// Of all backends.
+const std::vector<MeasuredScene>& shipped_measurements();
 
 /// Estimated work of the free liquid of a run: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
 /// times the steps and the particles that it takes at standard).
@@ -55,6 +58,11 @@ double rough_bytes(const ModelPlan& plan);
 /// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
+
+/// Fills in the numerical error of each metric: the largest that a run so set has in any measured scene of the kind, with that of the
+/// scene's reference; wider, the less alike the nearest of them is. Nothing is known of a run in which parts are forced off. measured: on
+/// all backends, which compute the same.
+void expect_errors(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 
 /// What a run of this machine took against what was expected of it.
 struct LearnedRun {

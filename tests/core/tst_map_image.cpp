@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/map_image.h"
-#include "core/analysis/small_font.h"
 #include "core/base/error.h"
 
 #include <QTemporaryDir>
@@ -77,10 +76,16 @@ private Q_SLOTS:
         const Pixel p = pixel(draw_map(map, 10e-3, 5e-3, {}), 30, 30);
         QVERIFY(p.r > p.b);
     }
-    void lettersDifferFromEachOther()
+    void captionsAreWrittenInAnyScript()
     {
-        for (const SmallLetter& a : small_font)
-            for (const SmallLetter& b : small_font) QVERIFY(&a == &b || (a.letter != b.letter && a.rows != b.rows));
+        const auto drawn = [](const char* words) {
+            MapImageOptions options;
+            options.captions = {words};
+            return draw_map(drop_in_a_corner(), 10e-3, 5e-3, options).rgb;
+        };
+        QVERIFY(drawn("cells of 2 × 2") != drawn("cells of 2 x 2"));
+        QVERIFY(drawn("Röhre") != drawn("Rohre") && drawn("a") != drawn(" "));
+        QVERIFY(!drawn("broken \xff\xfe").empty());
     }
     void picturesAreWrittenAsPng()
     {

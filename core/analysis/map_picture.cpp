@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/analysis/map_picture.h"
+
+#include "core/analysis/cell_map.h"
+#include "core/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell)
+{
+    const Textile& t = run.textile;
+    MapPicture picture;
+    picture.map = cell_map(t, frame, start, side, crossings_per_cell);
+    picture.width = t.ends() * t.warp.pitch;
+    picture.height = t.picks() * t.weft.pitch;
+    const char* what = side == MapSide::top ? "top face" : side == MapSide::bottom ? "bottom face" : "water";
+    picture.image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
+                              fmt::format("{} after {:.4g} s, cells of {} × {}", what, frame.time, crossings_per_cell, crossings_per_cell)};
+    if (side == MapSide::total) return picture;
+    const Circle circle = wetted_circle(t, frame, side == MapSide::top ? Face::top : Face::bottom);
+    if (circle.radius > 0) {
+        picture.image.circle = circle;
+        picture.image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
+    }
+    return picture;
+}
+
+void write_picture(const MapPicture& picture, const std::filesystem::path& path)
+{
+    write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
+}
+
+std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell)
+{
+    MapPicture top = map_picture(run, frame, start, MapSide::top, crossings_per_cell);
+    MapPicture bottom = map_picture(run, frame, start, MapSide::bottom, crossings_per_cell);
+    top.image.most = bottom.image.most = std::max(top.map.maximum(), bottom.map.maximum());
+    std::vector<ReportPicture> pictures;
+    for (const auto& [name, picture] : {std::pair{"Top face", &top}, std::pair{"Bottom face", &bottom}})
+        pictures.push_back(
+            {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
+    return pictures;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The water map of one side of a run at one time, with its captions, as a picture.
+#pragma once
+
+#include "core/analysis/map_image.h"
+#include "core/analysis/report_parts.h"
+#include "core/run/run_record.h"
+
+namespace hygroloom {
+
+struct MapPicture {
+    CellMap map;
+    MapImageOptions image;
+    double width = 0, height = 0; ///< m, of the sample
+};
+/// start: see start_of_maps().
+MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell);
+
+/// As PNG. Throws FileError.
+void write_picture(const MapPicture& picture, const std::filesystem::path& path);
+
+/// Of both faces on one colour scale, for a report.
+std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell);
+
+} // namespace hygroloom

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Reports as PDF: the pages that core/analysis writes as HTML, set by Qt.
+#pragma once
+
+#include <QString>
+
+namespace hygroloom {
+
+/// Writes a page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
+/// The file is whole or, where writing fails, as it was. Throws Error. Precondition: there is a QGuiApplication.
+void writePdf(const QString& html, const QString& file);
+
+} // namespace hygroloom
