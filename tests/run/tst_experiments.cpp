@@ -240,6 +240,21 @@ private Q_SLOTS:
         QVERIFY2(std::abs(std::sqrt(warp * weft) - 1) < 0.03, qPrintable(QString::number(warp * weft)));
         QVERIFY2(std::abs(warp - 1) < 0.08 && std::abs(weft - 1) < 0.08, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
     }
+    void theLastOfADropIsAbsorbedHoweverOftenYarnsAbsorb() // many small particles then touch each yarn
+    {
+        Design design = drop_design(35, 0.5);
+        design.fabrics = {library_fabric("Viscose challis")};
+        Experiment& experiment = design.experiments[0];
+        experiment.closure = Closure::pores;
+        experiment.sample_mm = {20, 20};
+        experiment.droplets[0].volume_ul = 10;
+        experiment.droplets[0].height_mm = 2;
+        const auto time = [&](double steps) {
+            return run(design, Fidelity::draft, {}, {{"steps_between_absorption", steps}}).metrics.absorbency_time.value_or(1);
+        };
+        const double usual = time(8), each = time(1);
+        QVERIFY2(usual / each < 1.3 && each / usual < 1.3, qPrintable(QString("%1 %2").arg(usual).arg(each)));
+    }
     void aSatinOfRepellentWarpShowsItsWaterOnItsBack()
     {
         Design design = small(ExperimentType::moisture_management);

@@ -65,7 +65,7 @@ struct TouchSegments {
 };
 
 /// The noted particle gives its segments what suction lets through their skins in this step, in whole quanta, never more than the
-/// pores hold. A segment absorbs from one particle only, so nothing is given twice. A particle shrinks until it is empty, and
+/// pores hold. A segment absorbs from one particle in each turn, so nothing is given twice. A particle shrinks until it is empty, and
 /// then is gone.
 struct GiveToSegments {
     Particles p;
@@ -73,6 +73,7 @@ struct GiveToSegments {
     Segments s;
     double density;
     const double* dt; ///< s, for which they absorb
+    double share;     ///< of that time, in this turn
     Reach reach;
     std::int64_t* absorbed; ///< quanta
 
@@ -89,7 +90,7 @@ struct GiveToSegments {
         const Taker taker{s, density, segment};
         const double room = taker.room();
         if (room <= 0) return;
-        const double wanted = taker.draws(*dt, room, true);
+        const double wanted = taker.draws(share * *dt, room, true);
         const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;
@@ -150,10 +151,10 @@ struct ForgetContact {
     Particles p;
     TextileShape textile;
     int* contact;
-    int* left; ///< becomes 1 if any particle still holds liquid
+    std::int64_t* left; ///< quanta that particles still hold; nullptr: not counted
     HL_FN void operator()(int i) const
     {
-        if (p.alive[i]) atomic_max(left, 1);
+        if (left != nullptr && p.alive[i]) atomic_add(left, p.content[i]);
         if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { forget(contact[segment], i); });
     }

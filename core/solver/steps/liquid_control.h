@@ -37,7 +37,7 @@ struct LiquidRules {
     double correction_time = 0; ///< s, over which what a step finds pressed together is corrected, however short the step
     int steps_between_absorption = 1;
     double stiffness = 0;    ///< delta x dt2
-    double settle_share = 0; ///< of the liquid, that must have been absorbed before what sleeps wakes; 0: it never sleeps
+    double settle_share = 0; ///< of the liquid left, that must have been absorbed before what sleeps wakes; 0: it never sleeps
     double drag = 0;         ///< m2/s, 20 nu
     double thinnest2 = 0;    ///< m2, square of the thinnest yarn's half height
 
@@ -98,7 +98,7 @@ struct LiquidControl {
     // Many elements add to these.
     int moved[6] = {};                             ///< see BeginStep
     int box[6] = {};                               ///< see FindBox
-    int left = 0;                                  ///< whether any particle held liquid after yarns last absorbed
+    std::int64_t left = 0;                         ///< quanta that particles held after yarns last absorbed
     int farthest = 0;                              ///< see FindFarthestMoved
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
@@ -141,17 +141,18 @@ HL_FN void forget_moves(LiquidControl& c)
     c.dead = 0;
 }
 
-/// Wakes the liquid when enough was absorbed since it fell asleep to change its shape. What has changed is as large as that, and so
-/// is the time in which it settles.
+/// Wakes the liquid when enough of what is left was absorbed since it fell asleep to change its shape. What has changed is as large as
+/// that, and so is the time in which it settles.
 HL_FN void wake(LiquidControl& c, const LiquidRules& rules)
 {
     const double absorbed = static_cast<double>(c.absorbed) * water_quantum / rules.particle_mass;
-    if (absorbed < 1.0 || absorbed < rules.settle_share * c.count) return;
+    const double left = static_cast<double>(c.left) * water_quantum / rules.particle_mass;
+    if (absorbed < 1.0 || absorbed < rules.settle_share * left) return;
     c.asleep = 0;
     c.roused = c.time;
     c.settling = rules.capillary_time(absorbed * rules.particle_mass / rules.density);
     // To move as it would have meanwhile, it is less dragged on. Beyond the time a whole drop needs, little is left to move.
-    const double slept = c.time - c.fell_asleep, whole = rules.capillary_time(c.count * rules.particle_mass / rules.density);
+    const double slept = c.time - c.fell_asleep, whole = rules.capillary_time(left * rules.particle_mass / rules.density);
     const double due = slept / (most_hurry - 1) < whole ? slept / (most_hurry - 1) : whole;
     if (c.settling < due) c.settling = due;
     const double hurry = 1 + slept / c.settling;
