@@ -171,21 +171,39 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
     return nearest;
 }
 
-/// How far the scene's reference lies from where it stops moving, by metric; of the same scene on the other backend where this one's
-/// reference was not refined.
-const std::map<std::string, double>& errors_of_reference(const MeasuredScene& scene, const std::vector<MeasuredScene>& all)
-{
-    if (!scene.reference_errors.empty()) return scene.reference_errors;
-    const auto same = [&](const MeasuredScene& other) {
-        return other.fabric == scene.fabric && other.experiment == scene.experiment && !other.reference_errors.empty();
-    };
-    const auto found = std::find_if(all.begin(), all.end(), same);
-    return found == all.end() ? scene.reference_errors : found->reference_errors;
-}
-
 bool is_cut(const ModelPlan& plan)
 {
     return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
+}
+
+/// Of each metric the largest error that a run so set has in any scene of the kind, with that of its reference; wider, the less alike the
+/// nearest of them is.
+std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+{
+    std::map<std::string, double> errors;
+    double nearest = 1;
+    for (const MeasuredScene& scene : measured)
+        for (const MeasuredRun& run : scene.runs) {
+            const double far = distance(plan, run.plan);
+            if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
+            nearest = std::min(nearest, far);
+            for (const auto& [metric, error] : run.errors) {
+                const auto own = scene.reference_errors.find(metric);
+                const double with_own = error + (own == scene.reference_errors.end() ? 0 : own->second);
+                errors[metric] = std::max(errors[metric], with_own);
+            }
+        }
+    for (auto& [metric, error] : errors) error *= 1 + nearest;
+    return errors;
+}
+
+/// Both backends compute the same: where a scene's reference was refined on one of them only, its own error holds on the other as well.
+void share_errors_of_references(std::vector<MeasuredScene>& scenes)
+{
+    for (MeasuredScene& scene : scenes)
+        for (const MeasuredScene& other : scenes)
+            if (scene.reference_errors.empty() && other.fabric == scene.fabric && other.experiment == scene.experiment)
+                scene.reference_errors = other.reference_errors;
 }
 
 [[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
@@ -216,6 +234,7 @@ const std::vector<MeasuredScene>& shipped_measurements()
     static const std::vector<MeasuredScene> scenes = [] {
         std::vector<MeasuredScene> list;
         for (const Json& scene : Json::parse(measured_scenes_json)) list.push_back(scene_from(scene));
+        share_errors_of_references(list);
         return list;
     }();
     return scenes;
@@ -329,6 +348,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
+    plan.expected_errors.clear();
     if (!nearest.run) {
         const std::string backend = measured.empty() ? "cpu" : measured.front().backend;
         plan.expected_seconds = rough_work(plan, backend);
@@ -346,6 +366,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
                as_set = set_alike(run.plan, plan) && !is_cut(plan) && !otherwise;
     if (as_set) plan.expected_error = run.error;
+    if (as_set) plan.expected_errors = errors_of_kind(plan, measured);
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
@@ -356,27 +377,6 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
                     : otherwise         ? fmt::format(" It was measured with the closure {}; with {} neither times nor errors are.",
                                                       run.plan.counts.closure, plan.counts.closure)
                                         : " The numerical error with these knobs and parts was not measured.");
-}
-
-void expect_errors(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
-{
-    plan.expected_errors.clear();
-    if (is_cut(plan)) return;
-    double nearest = 1;
-    for (const MeasuredScene& scene : measured) {
-        const std::map<std::string, double>& own = errors_of_reference(scene, measured);
-        for (const MeasuredRun& run : scene.runs) {
-            const double far = distance(plan, run.plan);
-            if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
-            nearest = std::min(nearest, far);
-            for (const auto& [metric, error] : run.errors) {
-                const auto of_reference = own.find(metric);
-                const double with_own = error + (of_reference == own.end() ? 0 : of_reference->second);
-                plan.expected_errors[metric] = std::max(plan.expected_errors[metric], with_own);
-            }
-        }
-    }
-    for (auto& [metric, error] : plan.expected_errors) error *= 1 + nearest;
 }
 
 void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)

@@ -59,11 +59,6 @@ double rough_bytes(const ModelPlan& plan);
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
 
-/// Fills in the numerical error of each metric: the largest that a run so set has in any measured scene of the kind, with that of the
-/// scene's reference; wider, the less alike the nearest of them is. Nothing is known of a run in which parts are forced off. measured: on
-/// all backends, which compute the same.
-void expect_errors(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
-
 /// What a run of this machine took against what was expected of it.
 struct LearnedRun {
     ModelPlan plan;
