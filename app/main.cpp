@@ -3,7 +3,7 @@
 #include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
-#include "ui/results/report_pdf.h"
+#include "ui/results/report_file.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>

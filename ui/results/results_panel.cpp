@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/results_panel.h"
 
+#include "core/analysis/cell_map.h"
+#include "core/analysis/map_picture.h"
 #include "core/analysis/outcomes.h"
+#include "core/analysis/report.h"
 #include "core/base/text.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/plan_dialog.h"
@@ -225,6 +228,17 @@ void ResultsPanel::refresh()
     table_->setVisible(!results.empty());
     notes_->setText(notes.join('\n'));
     notes_->setVisible(!notes.isEmpty());
+}
+
+QString ResultsPanel::report() const
+{
+    const auto run = playback_.run();
+    const auto frame = playback_.frame(), first = playback_.firstFrame();
+    const auto metrics = playback_.metrics();
+    if (!run || !frame || !first || !metrics) { return {}; }
+    constexpr int crossings_per_cell = 2;
+    const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell);
+    return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0));
 }
 
 void ResultsPanel::showPlan()

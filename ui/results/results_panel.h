@@ -34,6 +34,8 @@ public:
 
     /// All that is shown, line by line, for the clipboard.
     QString text() const;
+    /// The shown run as a page of HTML, with maps at the shown time; empty while there is nothing to show.
+    QString report() const;
     /// Opens the plan of the shown run, if there is one.
     void showPlan();
 

@@ -78,6 +78,10 @@ void SimulateWorkspace::fillFileMenu(QMenu* menu)
 {
     actions_.save_recording = addCommand(menu, {}, tr("Save Re&cording As…"), {}, tr("Save the run that is shown."));
     connect(actions_.save_recording, &QAction::triggered, this, &SimulateWorkspace::saveRecordingAs);
+    actions_.save_report =
+        addCommand(menu, {}, tr("Save Repor&t…"), {},
+                   tr("Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page."));
+    connect(actions_.save_report, &QAction::triggered, this, &SimulateWorkspace::saveReport);
 }
 
 void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
@@ -119,6 +123,7 @@ void SimulateWorkspace::refreshActions()
     a.pause->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
     a.stop->setEnabled(running);
     a.save_recording->setEnabled(any && !playback_.live() && !playback_.path().isEmpty());
+    a.save_report->setEnabled(any);
     a.take_design->setEnabled(any);
     a.play->setEnabled(any);
     a.shown_plan->setEnabled(any);

@@ -43,6 +43,7 @@ public:
         QAction* shown_plan = nullptr;
         QAction* take_design = nullptr;
         QAction* save_recording = nullptr;
+        QAction* save_report = nullptr;
     };
 
     SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window);
@@ -116,6 +117,7 @@ private:
     void keepRun();
     bool mayTakeDesign() const;
     void saveRecordingAs();
+    void saveReport();
     void copyRecording(const QString& from, const QString& to);
 
     Document& document_;

@@ -8,6 +8,8 @@
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/viewport.h"
 #include "ui/results/project_runs.h"
+#include "ui/results/report_file.h"
+#include "ui/results/results_panel.h"
 #include "ui/results/run_history.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/window/file_names.h"
@@ -199,6 +201,20 @@ void SimulateWorkspace::saveRecordingAs()
     if (chosen.isEmpty()) { return; }
     const QString to = withEnding(chosen, ".hygrorec");
     if (QFileInfo(playback_.path()) != QFileInfo(to)) { copyRecording(playback_.path(), to); }
+}
+
+void SimulateWorkspace::saveReport()
+{
+    if (!playback_.run()) { return; }
+    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment);
+    const QString file = askForReport(&window_, QDir(folderOf(document_)).filePath(name));
+    if (file.isEmpty()) { return; }
+    try {
+        writeReport(results_->report(), file);
+        Q_EMIT messageShown(tr("Saved %1").arg(file), 4000);
+    } catch (const std::exception& error) {
+        Q_EMIT problemFound(QString::fromStdString(error.what()));
+    }
 }
 
 /// In the background: recordings may be large.

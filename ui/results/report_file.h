@@ -10,4 +10,7 @@ namespace hygroloom {
 /// The file is whole or, where writing fails, as it was. Throws Error. Precondition: there is a QGuiApplication.
 void writePdf(const QString& html, const QString& file);
 
+/// As PDF where the file's name ends so, else as it is. Throws Error.
+void writeReport(const QString& html, const QString& file);
+
 } // namespace hygroloom

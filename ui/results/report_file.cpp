@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/results/report_pdf.h"
+#include "ui/results/report_file.h"
 
 #include "core/project/atomic_file.h"
 
@@ -195,6 +195,12 @@ void writePdf(const QString& html, const QString& file)
     write_file(file.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
+void writeReport(const QString& html, const QString& file)
+{
+    if (file.endsWith(".pdf", Qt::CaseInsensitive)) return writePdf(html, file);
+    write_file(file.toStdString(), html.toStdString());
+}
+
 } // namespace hygroloom
 
-#include "report_pdf.moc"
+#include "report_file.moc"
