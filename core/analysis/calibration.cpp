@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace hygroloom {
 namespace {
@@ -298,8 +299,8 @@ Design calibrated_design(const Design& design, const Calibration& calibration)
     for (const FittedInput& input : calibration.inputs) values.push_back(input.value);
     Design other = with_inputs(design, calibration.fabric, inputs, values);
     Fabric& fabric = other.fabrics[static_cast<std::size_t>(find_fabric(other, calibration.fabric) - other.fabrics.data())];
-    Calibrated from{calibration.data.file,     calibration.experiment,   name_of(calibration.fidelity),
-                    calibration.data.quantity, calibration.residual_rms, {}};
+    const std::string file = std::filesystem::path(calibration.data.file).filename().string(); // folders are this machine's
+    Calibrated from{file, calibration.experiment, name_of(calibration.fidelity), calibration.data.quantity, calibration.residual_rms, {}};
     for (const FittedInput& input : calibration.inputs) {
         uncertainty_of(fabric, input.key) = input.half;
         before_of(from, input.key) = input.given;
