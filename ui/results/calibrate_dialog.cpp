@@ -40,8 +40,9 @@ QString inputTitle(const std::string& key)
 
 CalibrateDialog::CalibrateDialog(Document& document, Fidelity fidelity, const std::string& backend, QWidget* parent)
     : QDialog(parent), document_(document), backend_(backend), experiments_(new QComboBox), fidelity_(new QComboBox), file_(new QLineEdit),
-      chart_(new FitChart), table_(new QTableWidget), message_(new QLabel), progress_(new QProgressBar), start_(new QPushButton),
-      apply_(new QPushButton(tr("&Apply"))), report_(new QPushButton(tr("&Save Report…")))
+      browse_(new QPushButton(tr("&Browse…"))), chart_(new FitChart), table_(new QTableWidget), message_(new QLabel),
+      progress_(new QProgressBar), start_(new QPushButton), apply_(new QPushButton(tr("&Apply"))),
+      report_(new QPushButton(tr("&Save Report…")))
 {
     setWindowTitle(tr("Calibrate"));
     for (const Fidelity one : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
@@ -58,7 +59,7 @@ CalibrateDialog::CalibrateDialog(Document& document, Fidelity fidelity, const st
     });
     connect(&run_, &CalibrationRun::ended, this, &CalibrateDialog::showEnd);
     refresh();
-    resize(760, 640);
+    resize(760, 700);
 }
 
 void CalibrateDialog::buildForm(QFormLayout* form)
@@ -71,12 +72,13 @@ void CalibrateDialog::buildForm(QFormLayout* form)
     experiments_->setAccessibleName(tr("Experiment"));
     form->addRow(tr("&Experiment"), experiments_);
     auto* row = new QHBoxLayout;
-    auto* choose = new QPushButton(tr("&Browse…"));
     file_->setPlaceholderText(tr("CSV: time_s and a series such as wick_height_mm, or a table of metrics"));
     file_->setAccessibleName(tr("Measured file"));
     row->addWidget(file_, 1);
-    row->addWidget(choose);
-    form->addRow(tr("&Measured"), row);
+    row->addWidget(browse_);
+    auto* label = new QLabel(tr("&Measured"));
+    label->setBuddy(file_);
+    form->addRow(label, row);
     auto* free = new QVBoxLayout;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
         Input& input = inputs_[i];
@@ -102,7 +104,7 @@ void CalibrateDialog::buildForm(QFormLayout* form)
     form->addRow(tr("Fit"), free);
     fidelity_->setAccessibleName(tr("Fidelity"));
     form->addRow(tr("F&idelity"), fidelity_);
-    connect(choose, &QPushButton::clicked, this, &CalibrateDialog::browse);
+    connect(browse_, &QPushButton::clicked, this, &CalibrateDialog::browse);
     connect(file_, &QLineEdit::editingFinished, this, &CalibrateDialog::readFile);
     connect(experiments_, &QComboBox::currentIndexChanged, this, &CalibrateDialog::readFile);
 }
@@ -115,10 +117,11 @@ void CalibrateDialog::buildResult()
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setAccessibleName(tr("Fitted inputs"));
-    table_->setMaximumHeight(5 * fontMetrics().lineSpacing() + 30);
+    table_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     message_->setTextFormat(Qt::PlainText);
     message_->setWordWrap(true);
-    message_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+    message_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     message_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     message_->setAccessibleName(tr("Result of the calibration"));
@@ -128,6 +131,7 @@ void CalibrateDialog::buildResult()
     stays.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(stays);
     progress_->hide();
+    table_->hide();
 }
 
 void CalibrateDialog::arrange(QFormLayout* form)
@@ -215,9 +219,8 @@ void CalibrateDialog::refresh()
 {
     const bool running = run_.running();
     for (const Input& input : inputs_) { input.box->setEnabled(!running && input.input); }
-    for (QWidget* field : {static_cast<QWidget*>(experiments_), static_cast<QWidget*>(fidelity_), static_cast<QWidget*>(file_)}) {
-        field->setEnabled(!running);
-    }
+    const std::initializer_list<QWidget*> fields{experiments_, fidelity_, file_, browse_};
+    for (QWidget* field : fields) { field->setEnabled(!running); }
     const QString why = complaint();
     start_->setText(running ? tr("&Cancel") : tr("&Run"));
     start_->setEnabled(running || why.isEmpty());
@@ -232,6 +235,7 @@ void CalibrateDialog::refresh()
 void CalibrateDialog::showInputs()
 {
     table_->setRowCount(0);
+    table_->setVisible(result_ != nullptr);
     if (!result_) { return; }
     for (const FittedInput& input : result_->inputs) {
         const int row = table_->rowCount();

@@ -68,6 +68,7 @@ private:
     QComboBox* experiments_;
     QComboBox* fidelity_;
     QLineEdit* file_;
+    QPushButton* browse_;
     std::optional<MeasuredData> data_;
     QString file_complaint_;
     FitChart* chart_;

@@ -11,8 +11,20 @@
 #include <QValueAxis>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
+
+namespace {
+
+/// 1, 2 or 5 times a power of ten, the nearest to a rough step.
+double roundStep(double rough)
+{
+    const double power = std::pow(10, std::floor(std::log10(rough))), share = rough / power;
+    return power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+}
+
+} // namespace
 
 FitChart::FitChart(QWidget* parent)
     : QChartView(parent), measured_(new QScatterSeries), before_(new QLineSeries), fitted_(new QLineSeries), time_(new QValueAxis),
@@ -34,10 +46,10 @@ FitChart::FitChart(QWidget* parent)
         series->attachAxis(value_);
     }
     time_->setTitleText(tr("time, s"));
-    time_->setLabelFormat("%g");
-    value_->setLabelFormat("%g");
+    time_->setLabelFormat("%.3g");
+    value_->setLabelFormat("%.4g");
     setAccessibleName(tr("Measured and simulated curves"));
-    setMinimumHeight(200);
+    setMinimumHeight(240);
     applyPalette();
 }
 
@@ -61,10 +73,14 @@ void FitChart::show(const Calibration& calibration)
     measured_->replace(measured);
     before_->replace(before);
     fitted_->replace(fitted);
-    time_->setRange(0, latest > 0 ? latest : 1);
-    value_->setRange(lowest, highest > lowest ? highest + 0.05 * (highest - lowest) : lowest + 1);
-    value_->applyNiceNumbers();
-    value_->setTitleText(QString::fromStdString(calibration.data.quantity));
+    time_->setRange(0, latest > 0 ? 1.02 * latest : 1); // with room for the last point
+    time_->setTickType(QValueAxis::TicksDynamic);
+    time_->setTickInterval(roundStep(latest > 0 ? latest / 5 : 0.2));
+    const double span = highest > lowest ? highest - lowest : 1;
+    value_->setRange(lowest, lowest + 1.05 * span);
+    value_->setTickType(QValueAxis::TicksDynamic);
+    value_->setTickInterval(roundStep(span / 4));
+    chart()->setTitle(QString::fromStdString(calibration.data.quantity));
 }
 
 void FitChart::applyPalette()
@@ -75,6 +91,7 @@ void FitChart::applyPalette()
     grid.setAlphaF(0.12F);
     chart()->setBackgroundBrush(palette().color(QPalette::Window));
     chart()->legend()->setLabelColor(ink);
+    chart()->setTitleBrush(ink);
     for (QValueAxis* axis : {time_, value_}) {
         axis->setLabelsColor(ink);
         axis->setTitleBrush(ink);
