@@ -46,8 +46,8 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
 /// Before any run: too few numbers, or all the same. Empty: it may be tried.
 std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& inputs);
 
-/// A model of real runs, side by side on the backends. started(points) and ended(i, run) may be called from any thread. Throws Cancelled
-/// and Error.
+/// A model of real runs, side by side on the backends. started() is called before the runs of some points, progress() from the threads of
+/// the runs. Throws Cancelled and Error.
 struct CalibrationRuns {
     const Design& design;
     std::string fabric, experiment;

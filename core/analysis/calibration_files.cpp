@@ -135,12 +135,15 @@ std::string calibration_table(const Calibration& calibration)
 std::string calibration_json(const Calibration& calibration)
 {
     Json parameters = Json::object(), data = Json::array();
-    for (const FittedInput& input : calibration.inputs)
-        parameters[input.key] = {{"value", input.value},
-                                 {"low", input.value - input.half},
-                                 {"high", input.value + input.half},
+    const bool fitted = !calibration.fitted.empty();
+    for (const FittedInput& input : calibration.inputs) {
+        const bool known = fitted && input.half > 0; // otherwise there is no interval
+        parameters[input.key] = {{"value", fitted ? Json(input.value) : Json(nullptr)},
+                                 {"low", known ? Json(input.value - input.half) : Json(nullptr)},
+                                 {"high", known ? Json(input.value + input.half) : Json(nullptr)},
                                  {"before", input.given},
                                  {"range", {input.low, input.high}}};
+    }
     for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
         const MeasuredNumber& number = calibration.data.numbers[i];
         Json row{{"key", number.key}, {"unit", number.unit}};

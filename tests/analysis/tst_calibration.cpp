@@ -253,6 +253,12 @@ private Q_SLOTS:
         QVERIFY(angle.low == 15 && angle.given == 35 && angle.high == 55);
         QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "contact_angel_deg"); }), "did you mean"));
         QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "receding_angle_deg"); }), "is known")); // 0 on cotton
+        design.fabrics[0].uncertainty.packing_factor = 0.3; // up to 0.8, at which these yarns hold more fibre than the weave has room for
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->diameter_mm = 0.33;
+        const FreeInput packing = free_input(design, design.fabrics[0], "packing_factor");
+        QVERIFY(packing.low == 0.2 && packing.given == 0.5 && packing.high > 0.5 && packing.high < 0.79);
+        QVERIFY(validate_and_fit(with_inputs(design, "cloth", {packing}, {packing.high})).fabrics[0]);
+        QVERIFY(!validate_and_fit(with_inputs(design, "cloth", {packing}, {packing.high + 0.01})).fabrics[0]);
         design.fabrics[0].uncertainty.contact_angle_deg = 0;
         QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "contact_angle_deg"); }), "is known"));
     }
