@@ -264,6 +264,7 @@ int run(int count, char** values)
     add_presets(app, verb);
     add_devices(app, verb);
     add_compare(app, verb);
+    add_calibrate(app, verb);
     add_tradeoff(app, verb);
     add_verify(app, verb);
     add_reference(app, verb);

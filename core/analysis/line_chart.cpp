@@ -56,10 +56,21 @@ struct Stroke {
 constexpr std::array<Stroke, 5> strokes{
     {{"#1565c0", "none"}, {"#c2410c", "8 3"}, {"#15803d", "2 3"}, {"#6d28d9", "10 3 2 3"}, {"#525252", "5 5"}}};
 
-std::string curve_of(const LineChart& chart, const std::vector<double>& values, const Axis& x, const Axis& y, const Stroke& stroke)
+std::string svg_circle(double x, double y, const char* colour)
 {
+    return fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", x, y, colour);
+}
+
+std::string curve_of(const LineChart& chart, const LineChart::Curve& shape, const Axis& x, const Axis& y, const Stroke& stroke)
+{
+    const std::vector<double>& values = shape.values;
     std::string path;
     bool drawing = false;
+    if (shape.points) {
+        for (std::size_t i = 0; i < std::min(chart.x.size(), values.size()); ++i)
+            if (std::isfinite(values[i])) path += svg_circle(x.at(chart.x[i]), y.at(values[i]), stroke.colour);
+        return path;
+    }
     for (std::size_t i = 0; i < std::min(chart.x.size(), values.size()); ++i) {
         if (std::isfinite(values[i])) path += fmt::format("{}{:.2f} {:.2f}", drawing ? 'L' : 'M', x.at(chart.x[i]), y.at(values[i]));
         drawing = std::isfinite(values[i]);
@@ -86,10 +97,13 @@ std::string svg_of(const LineChart& chart)
     double legend = 36;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const Stroke& stroke = strokes[i % strokes.size()];
-        svg += curve_of(chart, chart.curves[i].values, x, y, stroke);
-        svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{2:.1f}\" x2=\"{1:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\" stroke-width=\"2\" "
-                           "stroke-dasharray=\"{4}\"/>\n",
-                           legend, legend + 22, height - 16, stroke.colour, stroke.dashes);
+        svg += curve_of(chart, chart.curves[i], x, y, stroke);
+        if (chart.curves[i].points)
+            svg += svg_circle(legend + 11, height - 16, stroke.colour);
+        else
+            svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{2:.1f}\" x2=\"{1:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\" stroke-width=\"2\" "
+                               "stroke-dasharray=\"{4}\"/>\n",
+                               legend, legend + 22, height - 16, stroke.colour, stroke.dashes);
         svg += svg_text(legend + 26, height - 12, "start", chart.curves[i].name);
         constexpr double letter = 6;
         legend += 36 + letter * static_cast<double>(chart.curves[i].name.size());

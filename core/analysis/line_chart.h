@@ -11,9 +11,10 @@ struct LineChart {
     struct Curve {
         std::string name;
         std::vector<double> values; ///< one for each x
+        bool points = false;        ///< circles instead of a line
     };
     std::string title, x_label, y_label;
-    std::vector<double> x; ///< rising
+    std::vector<double> x; ///< rising, of points at least not falling
     std::vector<Curve> curves;
 };
 

@@ -2,6 +2,7 @@
 #include "core/analysis/metrics_json.h"
 
 #include "core/analysis/outcomes.h"
+#include "core/analysis/series_keys.h"
 #include "core/base/units.h"
 #include "core/plan/plan_json.h"
 
@@ -12,48 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A series of the file: factor times its values plus offset.
-struct SeriesKey {
-    const char* key;
-    std::vector<double> Series::*values;
-    double factor = 1, offset = 0;
-};
-
-constexpr double mm = 1e3, gram = 1e3;
-
-/// Of every run.
-constexpr SeriesKey series_keys[] = {{"time_s", &Series::time},
-                                     {"wetted_radius_top_mm", &Series::radius_top, mm},
-                                     {"wetted_radius_bottom_mm", &Series::radius_bottom, mm},
-                                     {"water_top_g", &Series::water_top, gram},
-                                     {"water_bottom_g", &Series::water_bottom, gram},
-                                     {"free_water_g", &Series::free_water, gram},
-                                     {"yarn_water_g", &Series::yarn_water, gram},
-                                     {"bound_water_g", &Series::bound_water, gram},
-                                     {"evaporated_g", &Series::evaporated, gram},
-                                     {"dripped_g", &Series::dripped, gram},
-                                     {"temperature_mean_c", &Series::temperature_mean, 1, -zero_celsius},
-                                     {"temperature_min_c", &Series::temperature_min, 1, -zero_celsius},
-                                     {"temperature_max_c", &Series::temperature_max, 1, -zero_celsius},
-                                     {"regain_mean", &Series::regain_mean},
-                                     {"air_temperature_c", &Series::air_temperature, 1, -zero_celsius}};
-
-/// Of some types of experiment; absent where empty.
-constexpr SeriesKey series_of_types[] = {{"wick_height_mm", &Series::wick_height, mm},
-                                         {"water_content_top_pct", &Series::content_top},
-                                         {"water_content_bottom_pct", &Series::content_bottom}};
-
 Json series_value(const Series& series)
 {
     Json json = Json::object();
-    const auto add = [&](const SeriesKey& of) {
-        std::vector<double> values = series.*of.values;
-        for (double& v : values) v = v * of.factor + of.offset;
-        json[of.key] = values;
-    };
-    for (const SeriesKey& of : series_keys) add(of);
-    for (const SeriesKey& of : series_of_types)
-        if (!(series.*of.values).empty()) add(of);
+    for (const SeriesKey& of : series_keys())
+        if (of.of_all || !(series.*of.values).empty()) json[of.key] = values_of(of, series);
     return json;
 }
 

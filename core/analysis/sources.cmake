@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  analysis/calibration.cpp
+  analysis/calibration_files.cpp
+  analysis/calibration_runs.cpp
   analysis/cell_map.cpp
   analysis/closed_forms.cpp
   analysis/comparison.cpp
@@ -12,7 +15,11 @@ target_sources(hygroloom_core PRIVATE
   analysis/line_chart.cpp
   analysis/management.cpp
   analysis/map_image.cpp
+<<<<<<< HEAD
   analysis/map_picture.cpp
+=======
+  analysis/measured_data.cpp
+>>>>>>> calibrate
   analysis/metrics.cpp
   analysis/metrics_json.cpp
   analysis/moisture_tester.cpp
@@ -20,6 +27,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/plots.cpp
   analysis/report.cpp
   analysis/report_parts.cpp
+  analysis/series_keys.cpp
   analysis/sweep.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp

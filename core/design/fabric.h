@@ -44,6 +44,22 @@ struct Uncertainty {
     bool operator==(const Uncertainty&) const = default;
 };
 
+/// Which measurement a fabric's fitted inputs come from, see core/analysis/calibration.h. It acts on nothing.
+struct Calibrated {
+    /// The inputs that were fitted, as they were before.
+    struct Before {
+        std::optional<double> contact_angle_deg;
+        std::optional<double> receding_angle_deg;
+        std::optional<double> packing_factor;
+        bool operator==(const Before&) const = default;
+    };
+    std::string file, experiment, fidelity;
+    std::string quantity;    ///< key of the series, or "metrics"
+    double residual_rms = 0; ///< in the quantity's unit; of metrics in their spreads
+    Before before;
+    bool operator==(const Calibrated&) const = default;
+};
+
 struct Fabric {
     std::string name;
     Yarn warp;
@@ -63,6 +79,7 @@ struct Fabric {
     std::optional<double> finish_back;       ///< the same of the lower face
     Measured measured;
     Uncertainty uncertainty;
+    std::optional<Calibrated> calibrated;
     bool operator==(const Fabric&) const = default;
 };
 

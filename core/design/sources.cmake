@@ -9,6 +9,7 @@ target_sources(hygroloom_core PRIVATE
   design/experiment.cpp
   design/fabric_quantities.cpp
   design/fitted_fabric.cpp
+  design/free_inputs.cpp
   design/flyaway.cpp
   design/interlacing.cpp
   design/jam.cpp

@@ -30,7 +30,7 @@ std::string fibres_of(const Yarn& yarn)
 
 UnknownInput within(std::string name, double given, double low, double high, const char* unit, std::string source)
 {
-    return {std::move(name), std::min(low, given), given, std::max(high, given), unit, std::move(source)};
+    return {std::move(name), std::min(low, given), given, std::max(high, given), unit, std::move(source), {}};
 }
 
 UnknownInput either_way(std::string name, double given, double off, double least, double most, const char* unit, std::string source)
@@ -177,17 +177,18 @@ std::vector<UnknownInput> unknown_inputs(const Design& design, const Fabric& fab
 {
     std::vector<UnknownInput> all;
     std::set<std::string> seen;
-    const auto add = [&](const UnknownInput& input) {
-        if (input.high > input.low && seen.insert(input.name).second) all.push_back(input);
+    const auto add = [&](UnknownInput input, const char* key) {
+        input.key = key;
+        if (input.high > input.low && seen.insert(input.name).second) all.push_back(std::move(input));
     };
-    if (fabric.contact_angle_deg) add(finish_angle(fabric));
+    if (fabric.contact_angle_deg) add(finish_angle(fabric), "contact_angle_deg");
     for (const Material* fibre : fibres_in(design, fabric)) {
-        if (!fabric.contact_angle_deg) add(fibre_angle(fabric, *fibre));
-        add(hysteresis(fabric, *fibre));
+        if (!fabric.contact_angle_deg) add(fibre_angle(fabric, *fibre), "contact_angle_deg");
+        add(hysteresis(fabric, *fibre), "receding_angle_deg");
     }
     Fabric copy = fabric;
     for (const Yarn* yarn : yarns_of(copy))
-        if (leaves_packing_open(*yarn)) add(packing(fabric, *yarn));
+        if (leaves_packing_open(*yarn)) add(packing(fabric, *yarn), "packing_factor");
     return all;
 }
 

@@ -15,6 +15,7 @@ struct UnknownInput {
     double low = 0, given = 0, high = 0;
     std::string unit;
     std::string source; ///< of the range
+    std::string key;    ///< of the fabric's `uncertainty`
 };
 
 /// Of a fabric, those with a width; one row for each fibre and each yarn. Precondition: validate() found no error.

@@ -299,6 +299,8 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     list.range_if_given(where + ".uncertainty.receding_angle_deg", "uncertainty of the receding angle", off.receding_angle_deg, 0, 90,
                         "degrees");
     list.range_if_given(where + ".uncertainty.packing_factor", "uncertainty of the packing factor", off.packing_factor, 0, 0.3);
+    if (fabric.calibrated)
+        list.range(where + ".calibrated.residual_rms", "residual of a calibration", fabric.calibrated->residual_rms, 0, 1e9);
 
     // The arithmetic needs sound numbers, those of the materials included.
     std::vector<const Yarn*> yarns{&fabric.warp, &fabric.weft};

@@ -99,6 +99,8 @@ CsvTable read_csv(const std::string& text, const std::string& file, const std::v
     return table;
 }
 
+std::vector<std::string> csv_header(const std::string& text, const std::string& file) { return lines_of(text, file).front().fields; }
+
 double number_in(const CsvTable& table, std::size_t row, std::size_t column, const std::string& name)
 {
     const std::string& text = table.rows[row][column];

@@ -20,6 +20,9 @@ struct CsvTable {
 CsvTable read_csv(const std::string& text, const std::string& file, const std::vector<std::string>& required,
                   const std::vector<std::string>& optional);
 
+/// The columns' names, read as read_csv() does. Throws the same.
+std::vector<std::string> csv_header(const std::string& text, const std::string& file);
+
 /// The number in a field. Throws Error naming file, line and column.
 double number_in(const CsvTable& table, std::size_t row, std::size_t column, const std::string& name);
 

@@ -184,6 +184,28 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     return yarn;
 }
 
+std::optional<Calibrated> read_calibrated(ObjectReader& fabric)
+{
+    const ProjectJson* value = fabric.find("calibrated");
+    if (!value) return {};
+    ObjectReader object(*value, fabric.file(), fabric.path_of("calibrated"));
+    Calibrated calibrated;
+    object.read("file", calibrated.file);
+    object.read("experiment", calibrated.experiment);
+    object.read("fidelity", calibrated.fidelity);
+    object.read("quantity", calibrated.quantity);
+    object.read("residual_rms", calibrated.residual_rms);
+    if (const ProjectJson* old = object.find("before")) {
+        ObjectReader before(*old, object.file(), object.path_of("before"));
+        before.read("contact_angle_deg", calibrated.before.contact_angle_deg);
+        before.read("receding_angle_deg", calibrated.before.receding_angle_deg);
+        before.read("packing_factor", calibrated.before.packing_factor);
+        before.finish();
+    }
+    object.finish({"file", "experiment", "fidelity", "quantity", "residual_rms", "before"});
+    return calibrated;
+}
+
 Fabric read_fabric(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
@@ -227,6 +249,7 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
         either_way.read("packing_factor", fabric.uncertainty.packing_factor);
         either_way.finish();
     }
+    fabric.calibrated = read_calibrated(object);
     object.finish({"name", "warp", "weft", "weave", "ends_per_cm", "picks_per_cm"});
     return fabric;
 }

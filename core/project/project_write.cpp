@@ -100,6 +100,16 @@ ProjectJson write_order(const std::vector<YarnRun>& order)
     return json;
 }
 
+ProjectJson write_calibrated(const Calibrated& calibrated)
+{
+    ProjectJson before = ProjectJson::object();
+    write_if_given(before, "contact_angle_deg", calibrated.before.contact_angle_deg);
+    write_if_given(before, "receding_angle_deg", calibrated.before.receding_angle_deg);
+    write_if_given(before, "packing_factor", calibrated.before.packing_factor);
+    return {{"file", calibrated.file},         {"experiment", calibrated.experiment},     {"fidelity", calibrated.fidelity},
+            {"quantity", calibrated.quantity}, {"residual_rms", calibrated.residual_rms}, {"before", before}};
+}
+
 ProjectJson write_fabric(const Fabric& fabric)
 {
     ProjectJson json{{"name", fabric.name}};
@@ -132,6 +142,7 @@ ProjectJson write_fabric(const Fabric& fabric)
     write_if_given(uncertainty, "receding_angle_deg", fabric.uncertainty.receding_angle_deg);
     write_if_given(uncertainty, "packing_factor", fabric.uncertainty.packing_factor);
     if (!uncertainty.empty()) json["uncertainty"] = uncertainty;
+    if (fabric.calibrated) json["calibrated"] = write_calibrated(*fabric.calibrated);
     return json;
 }
 

@@ -57,6 +57,7 @@ inline Design rich()
     fabric.weft.twist_direction = TwistDirection::s;
     fabric.weave = weave_from_pattern("satin 5/2").toggled(1, 0);
     fabric.contact_angle_deg = 1e-7;
+    fabric.calibrated = Calibrated{"strip \"β\".csv", "strip", "draft", "wick_height_mm", 0.1 + 0.2, {35.5, {}, 1.0 / 3.0}};
     fabric.finish_face = 110.5;
     fabric.finish_back = 0;
     fabric.weft.irregularity_cv = 0.125;

@@ -2,10 +2,12 @@
 // Panels, commands and the picture. Runs and recordings: simulate_workspace_runs.cpp.
 #include "ui/window/simulate_workspace.h"
 
+#include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/viewport.h"
+#include "ui/results/calibrate_dialog.h"
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
 #include "ui/results/run_history.h"
@@ -99,6 +101,11 @@ void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
     a.shown_plan =
         addCommand(menu, {}, tr("What W&as Modelled, and Why…"), {}, tr("Which physics the run on screen modelled, and the reasons."));
     connect(a.shown_plan, &QAction::triggered, results_, &ResultsPanel::showPlan);
+    connect(addCommand(menu, {}, tr("&Calibrate…"), {}, tr("Fit what is not known of the selected fabric to a measurement.")),
+            &QAction::triggered, this, [this] {
+                commitTypedValue(window_);
+                CalibrateDialog(document_, simulation_->fidelity(), simulation_->backend(), &window_).exec();
+            });
     menu->addSeparator();
     a.play = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Play back the run."));
     connect(a.play, &QAction::triggered, timeline_, &Timeline::togglePlaying);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Fits the few inputs of a fabric that are not known to what a laboratory measured, and says how sure they are, or why they cannot be told.
+#pragma once
+
+#include "core/analysis/measured_data.h"
+#include "core/design/free_inputs.h"
+#include "core/run/run_options.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hygroloom {
+
+class Backend;
+
+struct FittedInput : FreeInput {
+    double value = 0;
+    double half = 0; ///< half width of the 90 % interval
+};
+
+struct Calibration {
+    std::string fabric, experiment;
+    Fidelity fidelity = Fidelity::standard;
+    MeasuredData data;
+    std::vector<FittedInput> inputs;
+    std::vector<double> before, fitted;           ///< simulated, of each measured number: with the inputs as given, and as fitted
+    double residual_rms_before = 0;               ///< root mean square of measured less simulated, in the curve's unit; of metrics
+    double residual_rms = 0;                      ///< in their spreads, where they have them
+    std::vector<std::vector<double>> correlation; ///< of the fitted inputs' errors
+    std::vector<std::string> notes;               ///< what limits the result, in sentences
+    std::string refusal;                          ///< why the data do not tell the inputs, in a sentence; empty: they do
+    bool identifiable() const { return refusal.empty(); }
+};
+
+/// What the experiment gives of each measured number with the inputs at each of some points, in their order.
+using Model = std::function<std::vector<std::vector<double>>(const std::vector<std::vector<double>>& points)>;
+
+/// Fits by least squares (Levenberg-Marquardt, from the given values, within the ranges). Residuals are weighed by the spreads, if given.
+/// The intervals follow from the Jacobian: by the spreads where given, widened where the residuals are larger; else by Student's law from
+/// the residuals, whose size may change along a curve (MacKinnon and White 1985, HC3) and of which neighbours that deviate alike count as
+/// fewer. Throws what the model throws.
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model);
+
+/// Before any run: too few numbers, or all the same. Empty: it may be tried.
+std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& inputs);
+
+/// A model of real runs, side by side on the backends. started() is called before the runs of some points, progress() from the threads of
+/// the runs. Throws Cancelled and Error.
+struct CalibrationRuns {
+    const Design& design;
+    std::string fabric, experiment;
+    const MeasuredData& data;
+    const std::vector<FreeInput>& inputs;
+    RunOptions how;
+    const std::vector<std::unique_ptr<Backend>>& backends;
+    RunControl& control;
+    std::function<void(std::size_t points)> started = {};
+    std::function<void(std::size_t point, const RunProgress&)> progress = {};
+
+    std::vector<std::vector<double>> operator()(const std::vector<std::vector<double>>& points) const;
+};
+
+/// The project with the fitted values in its fabric, its `uncertainty` as the intervals are, and where they come from. Precondition: the
+/// data tell the inputs.
+Design calibrated_design(const Design& design, const Calibration& calibration);
+
+/// A table for people: inputs, then measured and simulated numbers.
+std::string calibration_table(const Calibration& calibration);
+std::string calibration_json(const Calibration& calibration);
+/// One page with the fit and its residuals as pictures.
+std::string calibration_report_html(const Calibration& calibration);
+/// The measured points with the curves before and after; empty unless there is a curve of two times at least.
+std::string fit_svg(const Calibration& calibration);
+
+} // namespace hygroloom

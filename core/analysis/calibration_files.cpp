@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A calibration as text, JSON and a page.
+#include "core/analysis/calibration.h"
+#include "core/analysis/intervals.h"
+#include "core/analysis/line_chart.h"
+#include "core/analysis/report_parts.h"
+#include "core/analysis/svg.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string value_text(double value, const std::string& unit) { return fmt::format("{:.4g}{}", value, unit); }
+
+/// "45.2 ± 1.3°"; without an interval where there is none.
+std::string fitted_text(const FittedInput& input)
+{
+    return input.half > 0 ? fmt::format("{:.4g} ± {:.2g}{}", input.value, input.half, input.unit) : value_text(input.value, input.unit);
+}
+
+std::string range_text(const FreeInput& input) { return fmt::format("{:.4g} to {:.4g}{}", input.low, input.high, input.unit); }
+
+/// "wick_height_mm at 4 s", or the metric.
+std::string name_of(const Calibration& calibration, const MeasuredNumber& number)
+{
+    return calibration.data.is_curve() ? fmt::format("{} at {:.4g} s", number.key, number.time) : number.key;
+}
+
+/// Of the curve, or that the residuals are in spreads.
+std::string residual_unit(const Calibration& calibration)
+{
+    if (calibration.data.is_curve()) return calibration.data.unit;
+    return calibration.data.numbers.front().spread ? "spreads" : calibration.data.numbers.front().unit;
+}
+
+std::string residual_text(const Calibration& calibration)
+{
+    return fmt::format("Residual (root mean square): {:.3g} {unit} before, {:.3g} {unit} after.", calibration.residual_rms_before,
+                       calibration.residual_rms, fmt::arg("unit", residual_unit(calibration)));
+}
+
+std::string basis_text(const Calibration& calibration)
+{
+    return fmt::format("Intervals hold {:.0f} %, from {}.", 100 * of_intervals.held,
+                       calibration.data.numbers.front().spread ? "the spreads that the file gives" : "the residuals, by Student's law");
+}
+
+/// A chart of the data's times; its curves are to be added.
+LineChart chart_of(const Calibration& calibration, const std::string& title)
+{
+    LineChart chart{title, "time, s", calibration.data.unit.empty() ? "1" : calibration.data.unit, {}, {}};
+    for (const MeasuredNumber& number : calibration.data.numbers) chart.x.push_back(number.time);
+    return chart;
+}
+
+bool has_picture(const Calibration& calibration)
+{
+    const MeasuredData& data = calibration.data;
+    return data.is_curve() && !calibration.fitted.empty() && data.numbers.back().time > data.numbers.front().time;
+}
+
+std::string residuals_svg(const Calibration& calibration)
+{
+    LineChart chart = chart_of(calibration, "Measured less simulated");
+    LineChart::Curve off{"residual", {}, true}, none{"0", {}};
+    for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
+        off.values.push_back(calibration.data.numbers[i].value - calibration.fitted[i]);
+        none.values.push_back(0);
+    }
+    chart.curves = {none, off};
+    return svg_of(chart);
+}
+
+std::string inputs_html(const Calibration& calibration)
+{
+    std::string rows = "<tr><th></th><th>before</th><th>fitted</th><th>range</th></tr>\n";
+    for (const FittedInput& input : calibration.inputs)
+        rows += fmt::format("<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+                            escaped_markup(input.title), value_text(input.given, input.unit),
+                            calibration.fitted.empty() ? "–" : fitted_text(input), range_text(input));
+    return table(rows);
+}
+
+std::string numbers_html(const Calibration& calibration)
+{
+    if (calibration.fitted.empty()) return {};
+    std::string rows = "<tr><th></th><th>measured</th><th>before</th><th>fitted</th><th>residual</th><th></th></tr>\n";
+    for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
+        const MeasuredNumber& number = calibration.data.numbers[i];
+        rows += fmt::format("<tr><th>{}</th><td class=\"number\">{:.4g}{}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.4g}"
+                            "</td><td class=\"number\">{:.2g}</td><td>{}</td></tr>\n",
+                            escaped_markup(name_of(calibration, number)), number.value,
+                            number.spread ? fmt::format(" ± {:.2g}", *number.spread) : "", calibration.before[i], calibration.fitted[i],
+                            number.value - calibration.fitted[i], escaped_markup(number.unit));
+    }
+    return table(rows);
+}
+
+} // namespace
+
+std::string fit_svg(const Calibration& calibration)
+{
+    if (!has_picture(calibration)) return {};
+    LineChart chart = chart_of(calibration, calibration.data.quantity);
+    LineChart::Curve measured{"measured", {}, true};
+    for (const MeasuredNumber& number : calibration.data.numbers) measured.values.push_back(number.value);
+    chart.curves = {{"fitted", calibration.fitted}, {"before", calibration.before}, measured};
+    return svg_of(chart);
+}
+
+std::string calibration_table(const Calibration& calibration)
+{
+    std::string text = fmt::format("{:<18}{:>12}{:>20}    {}\n", "", "before", "fitted", "range");
+    for (const FittedInput& input : calibration.inputs)
+        text += fmt::format("{:<18}{:>12}{:>20}    {}\n", input.title, value_text(input.given, input.unit),
+                            calibration.fitted.empty() ? "–" : fitted_text(input), range_text(input));
+    if (calibration.fitted.empty()) return text;
+    text += fmt::format("\n{:<34}{:>10}{:>10}{:>10}{:>10}\n", "", "measured", "before", "fitted", "residual");
+    for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
+        const MeasuredNumber& number = calibration.data.numbers[i];
+        text += fmt::format("{:<34}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.2g}\n", name_of(calibration, number), number.value,
+                            calibration.before[i], calibration.fitted[i], number.value - calibration.fitted[i]);
+    }
+    text += "\n" + residual_text(calibration) + "\n" + basis_text(calibration) + "\n";
+    for (const std::string& note : calibration.notes) text += note + "\n";
+    return text;
+}
+
+std::string calibration_json(const Calibration& calibration)
+{
+    Json parameters = Json::object(), data = Json::array();
+    const bool fitted = !calibration.fitted.empty();
+    for (const FittedInput& input : calibration.inputs) {
+        const bool known = fitted && input.half > 0; // otherwise there is no interval
+        parameters[input.key] = {{"value", fitted ? Json(input.value) : Json(nullptr)},
+                                 {"low", known ? Json(input.value - input.half) : Json(nullptr)},
+                                 {"high", known ? Json(input.value + input.half) : Json(nullptr)},
+                                 {"before", input.given},
+                                 {"range", {input.low, input.high}}};
+    }
+    for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
+        const MeasuredNumber& number = calibration.data.numbers[i];
+        Json row{{"key", number.key}, {"unit", number.unit}};
+        if (calibration.data.is_curve()) row["time_s"] = number.time;
+        row.update({{"measured", number.value}, {"before", calibration.before[i]}, {"fitted", calibration.fitted[i]}});
+        if (number.spread) row["spread"] = *number.spread;
+        data.push_back(row);
+    }
+    Json json{{"fabric", calibration.fabric},
+              {"experiment", calibration.experiment},
+              {"fidelity", hygroloom::name_of(calibration.fidelity)},
+              {"file", calibration.data.file},
+              {"quantity", calibration.data.quantity},
+              {"level", of_intervals.held},
+              {"parameters", parameters},
+              {"residual_rms_before", calibration.residual_rms_before},
+              {"residual_rms", calibration.residual_rms},
+              {"correlation", calibration.correlation},
+              {"identifiable", calibration.identifiable()}};
+    if (!calibration.refusal.empty()) json["error"] = calibration.refusal;
+    json["notes"] = calibration.notes;
+    json["data"] = data;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string calibration_report_html(const Calibration& calibration)
+{
+    const std::string answer =
+        calibration.identifiable() ? "" : "<p><b>The data do not tell these inputs.</b> " + escaped_markup(calibration.refusal) + "</p>\n";
+    std::string pictures;
+    if (has_picture(calibration))
+        pictures = "<figure>" + fit_svg(calibration) + "</figure>\n<figure>" + residuals_svg(calibration) + "</figure>\n";
+    std::vector<std::string> basis = calibration.notes;
+    if (!calibration.fitted.empty()) basis.insert(basis.begin(), {residual_text(calibration), basis_text(calibration)});
+    return page("Calibration: " + calibration.fabric,
+                fmt::format("<p>Which inputs of “{}” does the measurement {} tell, by the experiment “{}”, {}?</p>\n",
+                            escaped_markup(calibration.fabric), escaped_markup(calibration.data.file),
+                            escaped_markup(calibration.experiment), hygroloom::name_of(calibration.fidelity)) +
+                    answer + section("Inputs", inputs_html(calibration)) + section("Fit", pictures) +
+                    section("Numbers", numbers_html(calibration)) + section("What it rests on", list(basis)) +
+                    section("Computation", table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") +
+                                                 row("commit", HYGROLOOM_COMMIT, ""))));
+}
+
+} // namespace hygroloom

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A calibration returns what made the data, says how sure it is, and refuses where the data do not tell. HYGROLOOM_CALIBRATIONS asks for
+// another number of noisy strips. What was found stands in resources/help/limits.md.
+#include "core/analysis/calibration.h"
+#include "core/analysis/comparison.h"
+#include "core/analysis/sweep.h"
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/project/project_file.h"
+#include "core/verify/set_ups.h"
+
+#include <QTest>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr double noise = 0.03; ///< of each value, standard deviation
+
+int strips_to_fit()
+{
+    const int asked = qEnvironmentVariableIntValue("HYGROLOOM_CALIBRATIONS");
+    return asked > 0 ? asked : 100;
+}
+
+/// Cotton cloth with a finish whose contact angle is given as 35 degrees and known within 20, a strip of it, and a drop on it.
+Design cloth_with_strip()
+{
+    Design design = drop_on_cotton(3, 2, 35);
+    Fabric& cloth = design.fabrics[0];
+    cloth.name = "cloth";
+    cloth.contact_angle_deg = 35;
+    cloth.uncertainty.contact_angle_deg = 20;
+    cloth.uncertainty.packing_factor = 0;
+    Experiment drop = design.experiments[0];
+    drop.name = "drop";
+    drop.sample_mm = {10, 10};
+    Experiment strip = standard_experiment(ExperimentType::vertical_wicking);
+    strip.name = "strip";
+    strip.sample_mm = {3, 60};
+    strip.duration_s = 10;
+    Experiment across = strip;
+    across.name = "across";
+    across.along_weft = true;
+    across.sample_mm = {3, 40};
+    design.experiments = {strip, drop, across};
+    return design;
+}
+
+RunOptions draft()
+{
+    RunOptions how;
+    how.fidelity = Fidelity::draft;
+    how.threads = 1;
+    return how;
+}
+
+/// Heights at 1, 2 ... 10 s, yet to be measured.
+MeasuredData heights()
+{
+    MeasuredData data{"strip.csv", "wick_height_mm", "mm", {}};
+    for (int t = 1; t <= 10; ++t) data.numbers.push_back({"wick_height_mm", "mm", static_cast<double>(t), 0, {}});
+    return data;
+}
+
+/// The strips of a cloth, by real runs.
+struct Strips {
+    Design design = cloth_with_strip();
+    std::vector<FreeInput> inputs{free_input(design, design.fabrics[0], "contact_angle_deg")};
+    MeasuredData data = heights();
+    RunControl control;
+    std::vector<std::unique_ptr<Backend>> backends;
+
+    Strips()
+    {
+        for (int i = 0; i < 2; ++i) backends.push_back(make_cpu_backend());
+    }
+    Model model() { return CalibrationRuns{design, "cloth", "strip", data, inputs, draft(), backends, control}; }
+};
+
+/// Normal numbers by Box and Muller.
+double normal_number(std::uint64_t seed, std::uint64_t i)
+{
+    const double u = std::max(1e-12, random_uniform(seed, 1, i)), v = random_uniform(seed, 2, i);
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * pi * v);
+}
+
+MeasuredData measured(MeasuredData data, const std::vector<double>& truth, std::uint64_t seed, bool with_spreads)
+{
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        data.numbers[i].value = truth[i] * (1 + noise * normal_number(seed, i));
+        if (with_spreads) data.numbers[i].spread = noise * truth[i];
+    }
+    return data;
+}
+
+/// Runs at angles 2 degrees apart, between which it goes by a line: many fits for the price of few runs.
+Model table_of(Strips& strips, const FreeInput& input)
+{
+    constexpr double apart = 2;
+    std::vector<std::vector<double>> points;
+    for (double angle = input.low; angle <= input.high + 1e-9; angle += apart) points.push_back({angle});
+    const std::vector<std::vector<double>> table = strips.model()(points);
+    return [table, low = input.low](const std::vector<std::vector<double>>& asked) {
+        std::vector<std::vector<double>> found;
+        for (const std::vector<double>& point : asked) {
+            const double at = std::clamp((point[0] - low) / apart, 0.0, static_cast<double>(table.size()) - 1);
+            const auto below = std::min(static_cast<std::size_t>(at), table.size() - 2);
+            const double share = at - static_cast<double>(below);
+            found.push_back(table[below]);
+            for (std::size_t i = 0; i < found.back().size(); ++i) found.back()[i] += share * (table[below + 1][i] - table[below][i]);
+        }
+        return found;
+    };
+}
+
+/// y = a + b t, and a third input that does the same as the first.
+std::vector<std::vector<double>> straight(const MeasuredData& data, const std::vector<std::vector<double>>& points)
+{
+    std::vector<std::vector<double>> found;
+    for (const std::vector<double>& p : points) {
+        found.emplace_back();
+        for (const MeasuredNumber& number : data.numbers)
+            found.back().push_back(p[0] + (p.size() > 1 ? p[1] * number.time : 0) + (p.size() > 2 ? p[2] : 0));
+    }
+    return found;
+}
+
+MeasuredData line_data(const std::vector<double>& values)
+{
+    MeasuredData data{"line.csv", "wick_height_mm", "mm", {}};
+    for (std::size_t i = 0; i < values.size(); ++i) data.numbers.push_back({"wick_height_mm", "mm", static_cast<double>(i), values[i], {}});
+    return data;
+}
+
+Calibration fit_line(const MeasuredData& data, const std::vector<FreeInput>& inputs)
+{
+    return calibrate(data, inputs, [&](const auto& points) { return straight(data, points); });
+}
+
+const FreeInput level{"contact_angle_deg", "contact angle", "°", -10, 1, 10}, slope{"packing_factor", "packing factor", "", -10, 0, 10};
+
+/// A number's interval over replicates.
+Interval predicted(const Design& design, const std::string& experiment, const std::string& key)
+{
+    constexpr int replicates = 6;
+    std::vector<double> values(replicates);
+    std::vector<std::vector<double>> places(replicates);
+    tbb::parallel_for(0, replicates, [&](int number) {
+        const Drawn one = drawn(design, "cloth", experiment, {1, number, replicates});
+        RunOptions how = draft();
+        how.seed = one.seed;
+        RunControl control;
+        const auto backend = make_cpu_backend();
+        const FinishedRun run = run_and_measure(one.design, "cloth", experiment, how, *backend, control);
+        for (const Outcome& outcome : outcomes_of(run.run, run.metrics))
+            if (outcome.key == key) values[static_cast<std::size_t>(number)] = *outcome.value;
+        places[static_cast<std::size_t>(number)] = one.places;
+    });
+    return interval_of(values, places, 0.0);
+}
+
+std::string message_of(const std::function<void()>& act)
+{
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+} // namespace
+
+class TestCalibration : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aLineGetsTheIntervalsOfTheTextbook()
+    {
+        // Heights 1 + 2 t with errors +1, -1, -1, +1 on t = 0 to 3: they change no coefficient, and leave 4 / 2 = 2 as variance. Then
+        // var b = 2 / 5, var a = 2 (1 / 4 + 1.5^2 / 5); Student's factor at 2 is 2.920.
+        const MeasuredData data = line_data({2, 2, 4, 8});
+        const Calibration fit = fit_line(data, {level, slope});
+        QVERIFY2(fit.identifiable(), fit.refusal.c_str());
+        QVERIFY(std::abs(fit.inputs[0].value - 1) < 1e-3 && std::abs(fit.inputs[1].value - 2) < 1e-3);
+        QVERIFY(std::abs(fit.residual_rms - 1) < 1e-3);
+        QVERIFY(fit.inputs[1].half > 0.999 * 2.920 * std::sqrt(2.0 / 5));
+        QVERIFY(std::abs(fit.correlation[0][1] + 1.5 / std::sqrt(3.5)) < 1e-3); // -mean t / root of mean t2
+        MeasuredData known = data;
+        for (MeasuredNumber& number : known.numbers) number.spread = 10;
+        const Calibration by_spread = fit_line(known, {level, {"packing_factor", "packing factor", "", -100, 0, 100}});
+        QVERIFY(std::abs(by_spread.inputs[1].half - 1.645 * 10 / std::sqrt(5.0)) < 0.01);
+    }
+    void whatDeviatesAlikeMakesAWiderInterval()
+    {
+        std::vector<double> shuffled, waves;
+        for (int i = 0; i < 16; ++i) {
+            shuffled.push_back(i % 2 == 0 ? 1 : -1);
+            waves.push_back(i % 8 < 4 ? 1 : -1);
+        }
+        const FreeInput wide{"contact_angle_deg", "contact angle", "°", -50, 1, 50};
+        QVERIFY(fit_line(line_data(waves), {wide}).inputs[0].half > 1.5 * fit_line(line_data(shuffled), {wide}).inputs[0].half);
+    }
+    void dataThatDoNotTellAreRefused()
+    {
+        MeasuredData one = line_data({3});
+        one.numbers[0].spread = 0.1;
+        QVERIFY(has(fit_line(one, {level, slope}).refusal, "1 measured number cannot tell 2 inputs"));
+        QVERIFY(fit_line(one, {level}).identifiable());
+        QVERIFY(has(fit_line(line_data({1, 2}), {level, slope}).refusal, "nothing to judge the error by"));
+        QVERIFY(has(fit_line(line_data({4, 4, 4, 4}), {level}).refusal, "constant at 4 mm"));
+        FreeInput same = level;
+        same.key = same.title = "receding angle";
+        QVERIFY(has(fit_line(line_data({1, 3.1, 5, 7}), {level, slope, same}).refusal, "cannot tell the contact angle from the receding"));
+        QVERIFY(has(fit_line(line_data({12, 12.1, 11.9, 12}), {level}).refusal, "ends at the edge of its range, 10°"));
+        QVERIFY(has(fit_line(line_data({-8, 8, -7, 8, -8, 7}), {level, slope}).refusal, "wider than its range"));
+        const MeasuredData data = line_data({1, 3, 5.1, 7});
+        const Calibration deaf = calibrate(data, {level}, [&](const auto& points) {
+            return std::vector<std::vector<double>>(points.size(), std::vector<double>(data.numbers.size(), 1.0));
+        });
+        QVERIFY(has(deaf.refusal, "do not depend on the contact angle"));
+    }
+    void measuredFilesSayWhatTheyAre()
+    {
+        const Design design = cloth_with_strip();
+        const Fabric& cloth = design.fabrics[0];
+        const auto read = [&](const std::string& text, int experiment) {
+            return read_measured_data(text, "m.csv", design, cloth, design.experiments[static_cast<std::size_t>(experiment)]);
+        };
+        const MeasuredData curve = read("time_s,wick_height_mm,spread\n4,20,1\n1,10,0.5\n", 0);
+        QVERIFY(curve.is_curve() && curve.unit == "mm" && curve.numbers[0].time == 1 && *curve.numbers[1].spread == 1);
+        const MeasuredData table = read("fabric,metric,value,unit\ncloth,absorbency_time_s,1.5,s\n", 1);
+        QVERIFY(!table.is_curve() && table.numbers.size() == 1 && table.numbers[0].value == 1.5);
+        QVERIFY(has(message_of([&] { read("time_s,wick_height_mm\n1,2\n", 1); }), "which \"drop\" gives"));
+        QVERIFY(has(message_of([&] { read("time_s,wick_height_mm\n11,2\n", 0); }), "line 2: time_s must be from 0 to 10"));
+        QVERIFY(has(message_of([&] { read("time_s,wick_height_mm,spread\n1,2,0\n", 0); }), "more than 0"));
+        QVERIFY(has(message_of([&] { read("time_s,wick_height_mm,spread\n1,2,1\n2,3,\n", 0); }), "1 of 2 have one"));
+        QVERIFY(has(message_of([&] { read("fabric,metric,value,unit\ncloth,wick_height_mm,1,mm\ncloth,wick_rate_mm_s05,1,mm/√s\n", 0); }),
+                    "need a spread each"));
+        QVERIFY(has(message_of([&] { read("fabric,metric,value,unit\ncloth,wick_height_mm,1,mm\n", 1); }), "no metric"));
+    }
+    void inputsAreThoseThatAreNotKnown()
+    {
+        Design design = cloth_with_strip();
+        const FreeInput angle = free_input(design, design.fabrics[0], "contact_angle_deg");
+        QVERIFY(angle.low == 15 && angle.given == 35 && angle.high == 55);
+        QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "contact_angel_deg"); }), "did you mean"));
+        QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "receding_angle_deg"); }), "is known")); // 0 on cotton
+        design.fabrics[0].uncertainty.packing_factor = 0.3; // up to 0.8, at which these yarns hold more fibre than the weave has room for
+        for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->diameter_mm = 0.33;
+        const FreeInput packing = free_input(design, design.fabrics[0], "packing_factor");
+        QVERIFY(packing.low == 0.2 && packing.given == 0.5 && packing.high > 0.5 && packing.high < 0.79);
+        QVERIFY(validate_and_fit(with_inputs(design, "cloth", {packing}, {packing.high})).fabrics[0]);
+        QVERIFY(!validate_and_fit(with_inputs(design, "cloth", {packing}, {packing.high + 0.01})).fabrics[0]);
+        design.fabrics[0].uncertainty.contact_angle_deg = 0;
+        QVERIFY(has(message_of([&] { free_input(design, design.fabrics[0], "contact_angle_deg"); }), "is known"));
+    }
+    void aRecedingAngleLeavesOtherFabricsAlone()
+    {
+        Design design = cloth_with_strip();
+        Fabric& cloth = design.fabrics[0];
+        cloth.warp.material = cloth.weft.material = {{"polyester", 1.0}};
+        cloth.contact_angle_deg.reset();
+        cloth.uncertainty = {};
+        design.fabrics.push_back(cloth);
+        design.fabrics[1].name = "other";
+        const FreeInput angle = free_input(design, design.fabrics[0], "receding_angle_deg");
+        QVERIFY(angle.low == 15 && angle.given == 25 && angle.high == 35); // 45 less 10, 20, 30
+        const Design fitted = with_inputs(design, "cloth", {angle}, {31});
+        QCOMPARE(receding_angle_of(fitted, fitted.fabrics[0].warp.material, {}), 31.0);
+        QCOMPARE(receding_angle_of(fitted, fitted.fabrics[1].warp.material, {}), 25.0);
+        QVERIFY(!has_error(validate(fitted)));
+        QVERIFY(parse_project(format_project(fitted), "p") == fitted);
+    }
+    void whatMadeTheDataComesBack()
+    {
+        Strips strips;
+        const FreeInput input = strips.inputs[0];
+        const Model table = table_of(strips, input);
+        const int strips_asked = strips_to_fit();
+        for (const bool with_spreads : {false, true}) {
+            int held = 0, refused = 0;
+            double half = 0;
+            for (int i = 0; i < strips_asked; ++i) {
+                const double angle = 27 + 16.0 * random_uniform(7, 3, static_cast<std::uint64_t>(i)); // within the range by some widths
+                const MeasuredData data =
+                    measured(strips.data, table({{angle}}).front(), static_cast<std::uint64_t>(100 + i), with_spreads);
+                const Calibration fit = calibrate(data, strips.inputs, table);
+                refused += fit.identifiable() ? 0 : 1;
+                held += fit.identifiable() && std::abs(fit.inputs[0].value - angle) <= fit.inputs[0].half ? 1 : 0;
+                half += fit.inputs[0].half / strips_asked;
+            }
+            qInfo("%s spreads: %d of %d hold the angle, %d refused, mean half width %.2f degrees", with_spreads ? "with" : "without", held,
+                  strips_asked, refused, half);
+            QVERIFY(100 * held >= 85 * strips_asked);
+        }
+    }
+    void aCalibratedFabricPredictsMoreNarrowly()
+    {
+        Strips strips;
+        const std::vector<double> truth = strips.model()({{42}}).front();
+        strips.data = measured(strips.data, truth, 5, true);
+        Calibration fit = calibrate(strips.data, strips.inputs, strips.model());
+        QVERIFY2(fit.identifiable(), fit.refusal.c_str());
+        QVERIFY(std::abs(fit.inputs[0].value - 42) <= 1.5 * fit.inputs[0].half);
+        QVERIFY(fit.residual_rms < 0.5 * fit.residual_rms_before);
+        fit.fabric = "cloth";
+        fit.experiment = "strip";
+        fit.fidelity = Fidelity::draft;
+        const Design calibrated = calibrated_design(strips.design, fit);
+        QVERIFY(!has_error(validate(calibrated)));
+        QVERIFY(parse_project(format_project(calibrated), "p") == calibrated); // it keeps where it comes from
+        QCOMPARE(*calibrated.fabrics[0].calibrated->before.contact_angle_deg, 35.0);
+        QCOMPARE(*calibrated.fabrics[0].uncertainty.contact_angle_deg, fit.inputs[0].half);
+        const Interval before = predicted(strips.design, "across", "wick_height_mm"),
+                       after = predicted(calibrated, "across", "wick_height_mm");
+        qInfo("height across, mm: before %.1f to %.1f, calibrated %.1f to %.1f", before.low, before.high, after.low, after.high);
+        QVERIFY(after.high - after.low < before.high - before.low);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCalibration)
+#include "tst_calibration.moc"
