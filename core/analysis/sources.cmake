@@ -15,11 +15,8 @@ target_sources(hygroloom_core PRIVATE
   analysis/line_chart.cpp
   analysis/management.cpp
   analysis/map_image.cpp
-<<<<<<< HEAD
   analysis/map_picture.cpp
-=======
   analysis/measured_data.cpp
->>>>>>> calibrate
   analysis/metrics.cpp
   analysis/metrics_json.cpp
   analysis/moisture_tester.cpp

@@ -6,6 +6,7 @@
 #include "ui/basics/quantity.h"
 #include "ui/results/fit_chart.h"
 #include "ui/results/plan_dialog.h"
+#include "ui/results/report_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -295,11 +296,10 @@ void CalibrateDialog::apply()
 
 void CalibrateDialog::saveReport()
 {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save Report"), "calibration.html", tr("Pages (*.html)"));
+    const QString path = askForReportFile(this, "calibration");
     if (path.isEmpty()) { return; }
-    if (!path.endsWith(".html", Qt::CaseInsensitive)) { path += ".html"; }
     try {
-        write_file(path.toStdString(), calibration_report_html(*result_));
+        writeReport(QString::fromStdString(calibration_report_html(*result_)), path);
         message_->setText(tr("Saved %1.").arg(path));
     } catch (const Error& error) {
         message_->setText(words(error.what()));

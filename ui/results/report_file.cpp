@@ -5,6 +5,7 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
+#include <QFileDialog>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QRegularExpression>
@@ -199,6 +200,15 @@ void writeReport(const QString& html, const QString& file)
 {
     if (file.endsWith(".pdf", Qt::CaseInsensitive)) return writePdf(html, file);
     write_file(file.toStdString(), html.toStdString());
+}
+
+QString askForReportFile(QWidget* parent, const QString& suggested)
+{
+    const QString pdf = QObject::tr("PDF (*.pdf)"), page = QObject::tr("Web page (*.html)");
+    QString filter = pdf;
+    const QString chosen = QFileDialog::getSaveFileName(parent, QObject::tr("Save Report"), suggested + ".pdf", pdf + ";;" + page, &filter);
+    const bool named = chosen.endsWith(".pdf", Qt::CaseInsensitive) || chosen.endsWith(".html", Qt::CaseInsensitive);
+    return chosen.isEmpty() || named ? chosen : chosen + (filter == page ? ".html" : ".pdf");
 }
 
 } // namespace hygroloom

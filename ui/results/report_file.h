@@ -4,6 +4,8 @@
 
 #include <QString>
 
+class QWidget;
+
 namespace hygroloom {
 
 /// Writes a page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
@@ -12,5 +14,8 @@ void writePdf(const QString& html, const QString& file);
 
 /// As PDF where the file's name ends so, else as it is. Throws Error.
 void writeReport(const QString& html, const QString& file);
+
+/// Asks where a report is to be saved, as PDF or web page; empty: nowhere. suggested: without an ending.
+QString askForReportFile(QWidget* parent, const QString& suggested);
 
 } // namespace hygroloom

@@ -4,7 +4,6 @@
 
 #include "ui/document/document.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -20,16 +19,6 @@ inline QString folderOf(const Document& document)
 inline QString withEnding(const QString& path, const QString& ending)
 {
     return path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending;
-}
-
-/// Asks where a report is to be saved, as PDF or HTML; empty: nowhere.
-inline QString askForReport(QWidget* parent, const QString& suggested)
-{
-    const QString pdf = QObject::tr("PDF (*.pdf)"), html = QObject::tr("Web page (*.html)");
-    QString filter = pdf;
-    const QString chosen = QFileDialog::getSaveFileName(parent, QObject::tr("Save Report"), suggested + ".pdf", pdf + ";;" + html, &filter);
-    if (chosen.isEmpty() || chosen.endsWith(".html", Qt::CaseInsensitive)) return chosen;
-    return withEnding(chosen, filter == html ? ".html" : ".pdf");
 }
 
 } // namespace hygroloom

@@ -207,7 +207,7 @@ void SimulateWorkspace::saveReport()
 {
     if (!playback_.run()) { return; }
     const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment);
-    const QString file = askForReport(&window_, QDir(folderOf(document_)).filePath(name));
+    const QString file = askForReportFile(&window_, QDir(folderOf(document_)).filePath(name));
     if (file.isEmpty()) { return; }
     try {
         writeReport(results_->report(), file);
