@@ -17,6 +17,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/moisture_tester.cpp
   analysis/outcomes.cpp
   analysis/plots.cpp
+  analysis/replicate_file.cpp
   analysis/report.cpp
   analysis/report_parts.cpp
   analysis/sweep.cpp

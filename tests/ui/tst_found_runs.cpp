@@ -53,6 +53,22 @@ private Q_SLOTS:
         QVERIFY(runs().runs()[0].own);
     }
 
+    void quittingAsksBeforeRunsOfCompareAreStopped()
+    {
+        shortenExperiment(3600, 10, 5);
+        trigger("Save");
+        StudyRuns& study = window_->compare().study();
+        study.start({{{window_->document().fabric()->name, window_->document().experiment()->name}, 1}});
+        QVERIFY(study.running());
+        auto asked = press("Cancel");
+        QVERIFY(!window_->close());
+        QVERIFY2(asked->contains("Stop the runs of Compare?"), qPrintable(*asked));
+        QVERIFY(study.running());
+        asked = press("Stop the Runs");
+        QVERIFY(window_->close());
+        QVERIFY(!asked->isEmpty() && !study.running());
+    }
+
     void runsAreCopiedToAnotherFileSystemInTheBackground()
     {
         QTemporaryDir elsewhere("/dev/shm/runs-XXXXXX");

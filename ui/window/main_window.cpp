@@ -3,9 +3,9 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/wheel_guard.h"
+#include "ui/compare/compare_view.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
-#include "ui/results/compare_view.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/design_workspace.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/results/compare_maps.h"
+#include "ui/compare/compare_maps.h"
 
 #include "core/base/error.h"
 #include "core/run/recording.h"
