@@ -5,6 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
+#include "ui/compare/compare_maps.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -84,6 +85,32 @@ private Q_SLOTS:
         QVERIFY(text(thin_).endsWith("\nbaseline"));
         QVERIFY(text(thick_).endsWith(thickIsBest ? "\nbetter" : "\nworse"));
         QVERIFY(text(thick_).contains(" mm") || text(thick_).contains(QString(QChar(0x00a0)) + "mm"));
+    }
+
+    void theDifferenceToTheBaselineTakesItsPlace()
+    {
+        Workplace place;
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        place.history.keep(thick_);
+        place.history.keep(thin_);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[1]->map().maximum() > 0, 10000);
+        const double wet = view.maps()[1]->map().maximum();
+        QSignalSpy mapped(&view, &CompareView::mapsChanged);
+        auto* maps = view.findChild<CompareMaps*>();
+        maps->show(CompareMaps::Shown::differences);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        QVERIFY(!view.maps()[0]->isVisible() && view.maps()[1]->isVisible()); // the baseline's own is nothing
+        const auto& water = view.maps()[1]->map().water;
+        QVERIFY(*std::min_element(water.begin(), water.end()) < 0); // it holds less somewhere, and not only water
+        QVERIFY(view.maps()[1]->map().maximum() < wet);
+        const auto labels = view.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Grey: ") && label->text().contains("numerical error");
+        }));
+        view.setBaseline(thin_.path);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[0]->isVisible() && !view.maps()[1]->isVisible(), 10000);
     }
 
     void theNewestRunsThatGoTogetherAreProposed()

@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hygroloom {
@@ -76,7 +77,9 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
     cell.low = shown(info, interval.low).value;
     cell.high = shown(info, interval.high).value;
     if (cell.low > cell.high) { std::swap(cell.low, cell.high); }
-    const auto text = [&seen](double number) { return QLocale().toString(number, 'f', seen.decimals); }; // both with equal decimals
+    const auto text = [&seen](double number) { // both with equal decimals; never "-0.00"
+        return QLocale().toString(std::abs(number) < 0.5 * std::pow(10.0, -seen.decimals) ? 0.0 : number, 'f', seen.decimals);
+    };
     cell.number = seen.half > 0 ? text(seen.value) + QStringLiteral(" ± ") + text(seen.half) : shownNumber(seen.value, seen.decimals);
     if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
     const bool several = interval.runs > 1;

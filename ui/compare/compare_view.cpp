@@ -5,7 +5,10 @@
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
+#include "ui/compare/curves_view.h"
+#include "ui/compare/fingerprint_view.h"
 #include "ui/compare/run_list.h"
+#include "ui/compare/scatter_view.h"
 #include "ui/document/document.h"
 
 #include <QLabel>
@@ -20,7 +23,7 @@ namespace hygroloom {
 CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& runs, QWidget* parent)
     : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
       table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
-      maps_(new CompareMaps), note_(new QLabel)
+      maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView), note_(new QLabel)
 {
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -36,6 +39,9 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     upper_->addTab(numbers, tr("Candidates"));
     upper_->addTab(list_, tr("All Runs"));
     lower_->addTab(maps_, tr("Maps"));
+    lower_->addTab(curves_, tr("Curves"));
+    lower_->addTab(fingerprint_, tr("Fingerprint"));
+    lower_->addTab(scatter_, tr("Scatter"));
     auto* parts = new QSplitter(Qt::Vertical);
     parts->setChildrenCollapsible(false);
     parts->addWidget(upper_);

@@ -19,6 +19,9 @@ namespace hygroloom {
 class CandidateTable;
 class CompareBar;
 class CompareMaps;
+class CurvesView;
+class FingerprintView;
+class ScatterView;
 class RunList;
 
 class CompareView : public QWidget {
@@ -112,6 +115,9 @@ private:
     RunList* list_;
     QTabWidget* lower_;
     CompareMaps* maps_;
+    CurvesView* curves_;
+    FingerprintView* fingerprint_;
+    ScatterView* scatter_;
     QLabel* note_;
     NewestJob planner_;
 };

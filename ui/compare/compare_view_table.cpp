@@ -8,6 +8,9 @@
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/compare_view.h"
+#include "ui/compare/curves_view.h"
+#include "ui/compare/fingerprint_view.h"
+#include "ui/compare/scatter_view.h"
 #include "ui/document/document.h"
 
 #include <QDir>
@@ -135,7 +138,19 @@ void CompareView::refreshLower()
     } else if (!entry()) {
         hint = tr("Choose one experiment above to see its maps and curves.");
     }
-    maps_->setRuns(runs, titles, hint);
+    std::optional<KeptRun> baseline;
+    const Comparison numbers = comparison();
+    const std::string base = numbers.baseline;
+    for (const StudyRow& row : rows_) {
+        const KeptRun* run = row.fabric == base ? history_.find(row.path) : nullptr;
+        if (run) { baseline = *run; }
+    }
+    maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base));
+    curves_->setRuns(runs, titles);
+    std::vector<std::string> names;
+    for (const QString& title : titles) { names.push_back(title.toStdString()); }
+    fingerprint_->setCandidates(numbers, names);
+    scatter_->setComparison(numbers);
 }
 
 std::vector<StudyJob> CompareView::missing() const

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/scatter_view.h"
+
+#include "core/base/text.h"
+#include "ui/basics/quantity.h"
+#include "ui/compare/chart_style.h"
+
+#include <QChart>
+#include <QChartView>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineSeries>
+#include <QScatterSeries>
+#include <QSignalBlocker>
+#include <QValueAxis>
+
+#include <algorithm>
+#include <limits>
+
+namespace hygroloom {
+
+namespace {
+
+QString titleOf(const OutcomeInfo& info)
+{
+    QString title = QString::fromStdString(full_title(info));
+    title = title.left(1).toUpper() + title.mid(1);
+    const QString unit = QString::fromStdString(shown(info, 0.0).unit);
+    return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
+}
+
+QString directionOf(const OutcomeInfo& info)
+{
+    return info.better == Better::less ? ScatterView::tr("smaller is better") : ScatterView::tr("larger is better");
+}
+
+/// The last number in which candidates differ.
+int secondOf(const Comparison& comparison)
+{
+    for (int i = static_cast<int>(comparison.criteria.size()) - 1; i > 0; --i) {
+        std::optional<double> first;
+        for (const Candidate& each : comparison.candidates) {
+            const auto found = each.intervals.find(comparison.criteria[static_cast<std::size_t>(i)].key);
+            if (found == each.intervals.end()) { continue; }
+            if (first && *first != found->second.centre) { return i; }
+            first = found->second.centre;
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+ScatterView::ScatterView(QWidget* parent)
+    : QWidget(parent), x_(new QComboBox), y_(new QComboBox), value_(new QLabel), chart_(new QChart), view_(new QChartView(chart_)),
+      across_(new QValueAxis), up_(new QValueAxis), note_(makeNote(tr("What the scatter shows")))
+{
+    view_->setRenderHint(QPainter::Antialiasing);
+    view_->setFrameShape(QFrame::NoFrame);
+    view_->setAccessibleName(tr("Two numbers of all candidates"));
+    view_->setMinimumSize(200, 120);
+    x_->setAccessibleName(tr("Number across"));
+    y_->setAccessibleName(tr("Number upwards"));
+    value_->setAccessibleName(tr("Candidate under the pointer"));
+    chart_->addAxis(across_, Qt::AlignBottom);
+    chart_->addAxis(up_, Qt::AlignLeft);
+    for (QValueAxis* axis : {across_, up_}) { axis->setLabelFormat("%g"); }
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(8, 6, 8, 0);
+    head->addWidget(new QLabel(tr("Across:")));
+    head->addWidget(x_);
+    head->addSpacing(8);
+    head->addWidget(new QLabel(tr("Upwards:")));
+    head->addWidget(y_);
+    head->addSpacing(12);
+    head->addWidget(value_, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(head);
+    layout->addWidget(view_, 1);
+    layout->addWidget(note_);
+    connect(x_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
+    connect(y_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
+}
+
+void ScatterView::setComparison(const Comparison& comparison)
+{
+    comparison_ = comparison;
+    QStringList titles;
+    for (const OutcomeInfo& info : comparison_.criteria) { titles << titleOf(info); }
+    const auto fill = [&titles](QComboBox* box, int first) {
+        const QSignalBlocker quiet(box);
+        const QString at = box->currentText();
+        box->clear();
+        box->addItems(titles);
+        const int known = box->findText(at);
+        box->setCurrentIndex(known >= 0 ? known : std::min(first, static_cast<int>(titles.size()) - 1));
+        box->setEnabled(titles.size() > 1);
+    };
+    fill(x_, 0);
+    fill(y_, secondOf(comparison_));
+    draw();
+}
+
+void ScatterView::choose(int x, int y)
+{
+    x_->setCurrentIndex(x);
+    y_->setCurrentIndex(y);
+}
+
+void ScatterView::add(QXYSeries* series)
+{
+    chart_->addSeries(series);
+    series->attachAxis(across_);
+    series->attachAxis(up_);
+}
+
+void ScatterView::addPoint(const QPointF& low, const QPointF& at, const QPointF& high, const QString& name, bool on_front)
+{
+    const QColor ink = strokeOf(0, palette()).color();
+    QColor faint = ink;
+    faint.setAlphaF(0.55F);
+    for (const auto& [from, to] :
+         {std::pair(QPointF(low.x(), at.y()), QPointF(high.x(), at.y())), std::pair(QPointF(at.x(), low.y()), QPointF(at.x(), high.y()))}) {
+        auto* bar = new QLineSeries;
+        bar->append(from);
+        bar->append(to);
+        bar->setPen(QPen(faint, 1.5));
+        add(bar);
+    }
+    auto* point = new QScatterSeries;
+    point->append(at);
+    point->setMarkerSize(on_front ? 12 : 9);
+    point->setColor(on_front ? ink : palette().color(QPalette::Window));
+    point->setBorderColor(ink);
+    point->setPen(QPen(ink, 1.5));
+    point->setPointLabelsVisible(true);
+    point->setPointLabelsFormat(QString(name).remove('@')); // which begins a number in it
+    point->setPointLabelsColor(palette().color(QPalette::WindowText));
+    point->setPointLabelsClipping(false);
+    add(point);
+    connect(point, &QScatterSeries::hovered, this, [this, name](QPointF where, bool on) {
+        const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
+        value_->setText(on ? QString("%1: %2, %3").arg(name, text(where.x()), text(where.y())) : QString());
+    });
+}
+
+void ScatterView::setRange(QValueAxis* axis, double low, double high)
+{
+    const double room = high > low ? 0.12 * (high - low) : std::max(0.5 * std::abs(low), 1e-3);
+    axis->setRange(low - room, high + room);
+    axis->applyNiceNumbers();
+}
+
+void ScatterView::draw()
+{
+    chart_->removeAllSeries();
+    front_.clear();
+    value_->clear();
+    const int x = x_->currentIndex(), y = y_->currentIndex();
+    struct Point {
+        QPointF low, at, high;
+        QString name;
+    };
+    std::vector<Point> points;
+    if (x >= 0 && y >= 0) {
+        const OutcomeInfo &one = comparison_.criteria[static_cast<std::size_t>(x)],
+                          &other = comparison_.criteria[static_cast<std::size_t>(y)];
+        for (const Candidate& each : comparison_.candidates) {
+            const auto a = each.intervals.find(one.key), b = each.intervals.find(other.key);
+            if (a == each.intervals.end() || b == each.intervals.end()) { continue; }
+            const auto at = [&](double Interval::*part) {
+                return QPointF(shown(one, a->second.*part).value, shown(other, b->second.*part).value);
+            };
+            points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), QString::fromStdString(each.fabric)});
+        }
+    }
+    view_->setVisible(!points.empty());
+    note_->setText(tr("There is nothing to draw yet: run the experiment on the fabrics."));
+    if (points.empty()) { return; }
+    const OutcomeInfo &one = comparison_.criteria[static_cast<std::size_t>(x)], &other = comparison_.criteria[static_cast<std::size_t>(y)];
+    std::vector<QPointF> centres;
+    for (const Point& point : points) { centres.push_back(point.at); }
+    const std::vector<std::size_t> front = paretoFront(centres, one.better, other.better);
+    auto* line = new QLineSeries;
+    for (const std::size_t i : front) {
+        line->append(centres[i]);
+        front_ << points[i].name;
+    }
+    line->setPen(QPen(strokeOf(1, palette()).color(), 1.5, Qt::DashLine));
+    add(line);
+    QPointF low(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()), high = -low;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point& point = points[i];
+        addPoint(point.low, point.at, point.high, point.name, std::find(front.begin(), front.end(), i) != front.end());
+        low = {std::min({low.x(), point.low.x(), point.high.x()}), std::min({low.y(), point.low.y(), point.high.y()})};
+        high = {std::max({high.x(), point.low.x(), point.high.x()}), std::max({high.y(), point.low.y(), point.high.y()})};
+    }
+    across_->setTitleText(titleOf(one));
+    up_->setTitleText(titleOf(other));
+    setRange(across_, low.x(), high.x());
+    setRange(up_, low.y(), high.y());
+    styleChart(*chart_, *this);
+    note_->setText(
+        tr("Bars: the intervals of the table. Filled and connected: no other candidate is better in both numbers, by their middles "
+           "(across: %1; upwards: %2).")
+            .arg(directionOf(one), directionOf(other)));
+}
+
+void ScatterView::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange && note_) { draw(); }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hygroloom
