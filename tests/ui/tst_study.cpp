@@ -176,6 +176,7 @@ private Q_SLOTS:
         const std::vector<GridEntry> entries{{"a", "a"}, {"b", "b"}, {"c", "c"}, {"d", {}, false, 0, {StudyJob{"d", "one drop"}}}};
         std::vector<GridEntry> own = entries;
         for (std::size_t i = 0; i < 3; ++i) { own[i].runs = 1; }
+        judge(comparison);
         Grid grid = gridOf(comparison, own);
         QCOMPARE(grid.rows[0].rank, QString("3"));
         QCOMPARE(grid.rows[1].rank, QString("1 ="));
@@ -206,6 +207,7 @@ private Q_SLOTS:
         comparison.baseline = "a";
         comparison.replicates = 4;
         comparison.candidates = {candidate("a", 5, 0.1), candidate("b", 8, 0.5)};
+        judge(comparison);
         const Grid grid = gridOf(comparison, {{"a", "a", false, 1}, {"b", "b", false, 1}});
         QCOMPARE(grid.rows[1].cells[0].verdict, QString("1 of 4 runs"));
         QCOMPARE(grid.rows[0].rank, QString("1 ="));

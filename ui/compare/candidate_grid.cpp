@@ -132,11 +132,8 @@ QString verdictText(Verdict verdict)
     return {};
 }
 
-Grid gridOf(Comparison comparison, const std::vector<GridEntry>& entries, int rank_by)
+Grid gridOf(const Comparison& comparison, const std::vector<GridEntry>& entries)
 {
-    const auto count = static_cast<int>(comparison.criteria.size());
-    if (rank_by >= 0 && rank_by < count) { comparison.ranked_by = comparison.criteria[static_cast<std::size_t>(rank_by)]; }
-    judge(comparison);
     Grid grid;
     for (const OutcomeInfo& info : comparison.criteria) { grid.columns.push_back(columnOf(info)); }
     for (const GridEntry& entry : entries) {
@@ -152,13 +149,11 @@ Grid gridOf(Comparison comparison, const std::vector<GridEntry>& entries, int ra
     return grid;
 }
 
-Grid overviewOf(const std::vector<ExperimentPart>& parts, const std::string& baseline)
+Grid overviewOf(const std::vector<ExperimentPart>& parts)
 {
     Grid grid;
     for (const ExperimentPart& part : parts) {
-        Comparison comparison = part.comparison;
-        if (candidateNamed(comparison, baseline)) { comparison.baseline = baseline; }
-        judge(comparison);
+        const Comparison& comparison = part.comparison;
         GridColumn column = columnOf(comparison.ranked_by);
         column.head = QString::fromStdString(comparison.experiment) + "\n" + column.head;
         grid.columns.push_back(std::move(column));

@@ -53,15 +53,15 @@ struct Grid {
 
 QString verdictText(Verdict verdict);
 
-/// One experiment: a column for each of its numbers. The comparison need not be judged. rank_by: a column; -1: the first.
-Grid gridOf(Comparison comparison, const std::vector<GridEntry>& entries, int rank_by = -1);
+/// One experiment: a column for each of its numbers. The comparison is judged.
+Grid gridOf(const Comparison& comparison, const std::vector<GridEntry>& entries);
 
-/// All experiments, of each the number that ranks. Each has the same entries, by name.
 struct ExperimentPart {
-    Comparison comparison;
+    Comparison comparison; ///< judged
     std::vector<GridEntry> entries;
 };
-Grid overviewOf(const std::vector<ExperimentPart>& parts, const std::string& baseline);
+/// All experiments, of each the number that ranks. Each has the same entries, by name.
+Grid overviewOf(const std::vector<ExperimentPart>& parts);
 
 /// Orders the rows by a column; -1: by rank. Rows without a number stand last either way.
 void sortRows(Grid& grid, int column, bool ascending);

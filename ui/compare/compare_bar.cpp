@@ -146,8 +146,20 @@ void CompareBar::showProgress()
         if (const auto left = runs_.timeLeft()) { text += tr(", %1 left").arg(roughDuration(*left)); }
         text += ".";
     }
-    state_->setText(text);
+    said_ = text;
     state_->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
+    state_->setAccessibleDescription(text);
+    elide();
+}
+
+/// A sentence that is too long ends in dots, and stands in the tool tip.
+void CompareBar::elide() { state_->setText(state_->fontMetrics().elidedText(said_, Qt::ElideRight, state_->width())); }
+
+void CompareBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    elide();
 }
 
 } // namespace hygroloom

@@ -46,7 +46,12 @@ Q_SIGNALS:
     void filterChanged(const QString& text);
     void saveRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void elide();
+
     QComboBox* experiment_;
     QComboBox* fidelity_;
     QComboBox* replicates_;
@@ -59,6 +64,7 @@ private:
     QHBoxLayout* tools_;
     const StudyRuns& runs_;
     QString missing_;
+    QString said_; ///< in full
 };
 
 } // namespace hygroloom

@@ -88,7 +88,12 @@ void CompareView::connectParts()
     connect(bar_, &CompareBar::runAllRequested, this, [this] { start(missing()); });
     connect(bar_, &CompareBar::cancelRequested, &runs_, &StudyRuns::cancel);
     connect(&runs_, &StudyRuns::progressed, bar_, &CompareBar::showProgress);
-    connect(&runs_, &StudyRuns::changed, this, &CompareView::refresh);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &CompareView::refresh);
+    connect(&runs_, &StudyRuns::changed, this, [this] {
+        if (!soon_.isActive()) { soon_.start(100); }
+    });
+    connect(&runs_, &StudyRuns::ended, this, &CompareView::refresh);
     connect(&runs_, &StudyRuns::failed, this, &CompareView::failed);
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
     connect(&document_, &Document::replaced, this, [this] {
@@ -98,8 +103,7 @@ void CompareView::connectParts()
         chosen_.clear();
     });
     connect(&document_, &Document::designChanged, this, [this] {
-        outdated_ = !isVisible();
-        if (!outdated_) { refresh(); }
+        if (isVisible()) { refresh(); } // else once it is shown
     });
 }
 
@@ -235,7 +239,7 @@ void CompareView::propose()
 
 void CompareView::refresh()
 {
-    outdated_ = false;
+    soon_.stop();
     findEntries();
     chosen_.removeIf([this](const QString& path) { return !history_.find(path); });
     if (proposing_) { propose(); }

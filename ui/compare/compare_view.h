@@ -9,6 +9,7 @@
 #include "ui/results/water_map.h"
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -46,7 +47,7 @@ public:
     QImage picture() const;
     void setWaterColors(WaterColors colors);
     /// The experiment on screen, judged; of the overview it has no candidates.
-    Comparison comparison() const;
+    const Comparison& comparison() const { return numbers_; }
     /// The numbers as a CSV file, the best run first.
     std::string tableCsv() const;
 
@@ -81,6 +82,7 @@ private:
     QString whyNot(const KeptRun& run) const;
     // compare_view_table.cpp
     void refreshTable();
+    Grid overview();
     void markMissing(Grid& grid) const;
     void refreshMissing();
     void refreshLower();
@@ -101,12 +103,12 @@ private:
     int selected_ = -1;                           ///< less than 0: the overview
     std::vector<StudyRow> rows_;                  ///< of the selected experiment
     std::vector<std::vector<StudyRow>> all_rows_; ///< in the overview, of each of the project's experiments
+    Comparison numbers_;                          ///< of rows_, judged
     QStringList chosen_;
     std::string baseline_;                                                                ///< as named in the table
     bool proposing_ = true;                                                               ///< until the user chooses
     bool selecting_ = true;                                                               ///< the same of the experiment
     bool fidelity_follows_ = true;                                                        ///< the same of the fidelity
-    bool outdated_ = false;                                                               ///< while hidden
     std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> expected_; ///< s, of a run of planned_
     std::shared_ptr<const Design> planned_;
     CompareBar* bar_;
@@ -119,6 +121,7 @@ private:
     FingerprintView* fingerprint_;
     ScatterView* scatter_;
     QLabel* note_;
+    QTimer soon_; ///< many runs may end in a short time
     NewestJob planner_;
 };
 

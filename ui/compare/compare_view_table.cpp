@@ -30,42 +30,39 @@ std::vector<GridEntry> CompareView::gridEntries(const std::vector<StudyRow>& row
     return entries;
 }
 
-Comparison CompareView::comparison() const
-{
-    const Entry* shown = entry();
-    if (!shown || rows_.empty()) { return {}; }
-    Comparison made = comparisonOf(shown->conditions.experiments.front().type, choiceOf(*shown), rows_, baseline_);
-    const int ranked = table_->rankedBy();
-    if (ranked >= 0 && ranked < static_cast<int>(made.criteria.size())) {
-        made.ranked_by = made.criteria[static_cast<std::size_t>(ranked)];
-    }
-    judge(made);
-    return made;
-}
-
 void CompareView::refreshTable()
 {
-    Grid grid;
+    numbers_ = {};
     all_rows_.clear();
+    Grid grid;
     if (const Entry* shown = entry()) {
-        Comparison numbers = comparisonOf(shown->conditions.experiments.front().type, choiceOf(*shown), rows_, baseline_);
-        grid = gridOf(std::move(numbers), gridEntries(rows_), table_->rankedBy());
+        numbers_ = comparisonOf(shown->conditions.experiments.front().type, choiceOf(*shown), rows_, baseline_);
+        const auto ranked = static_cast<std::size_t>(table_->rankedBy()); // less than 0: none, beyond all
+        if (ranked < numbers_.criteria.size()) { numbers_.ranked_by = numbers_.criteria[ranked]; }
+        judge(numbers_);
+        grid = gridOf(numbers_, gridEntries(rows_));
         const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
         for (std::size_t i = 0; i < grid.rows.size(); ++i) { grid.rows[i].candidate = i < own; }
     } else {
-        std::vector<ExperimentPart> parts;
-        for (const Entry& each : entries_) {
-            if (!each.own) { continue; }
-            all_rows_.push_back(studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(each)));
-            parts.push_back({comparisonOf(each.conditions.experiments.front().type, choiceOf(each), all_rows_.back(), baseline_),
-                             gridEntries(all_rows_.back())});
-        }
-        grid = overviewOf(parts, baseline_);
+        grid = overview();
     }
     markMissing(grid);
     table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
-    bar_->save()->setEnabled(comparison().candidates.size() > 1);
+    bar_->save()->setEnabled(numbers_.candidates.size() > 1);
     refreshHint();
+}
+
+Grid CompareView::overview()
+{
+    std::vector<ExperimentPart> parts;
+    for (const Entry& each : entries_) {
+        if (!each.own) { continue; }
+        all_rows_.push_back(studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(each)));
+        parts.push_back({comparisonOf(each.conditions.experiments.front().type, choiceOf(each), all_rows_.back(), baseline_),
+                         gridEntries(all_rows_.back())});
+        judge(parts.back().comparison);
+    }
+    return overviewOf(parts);
 }
 
 /// What runs, waits or failed.
@@ -139,8 +136,7 @@ void CompareView::refreshLower()
         hint = tr("Choose one experiment above to see its maps and curves.");
     }
     std::optional<KeptRun> baseline;
-    const Comparison numbers = comparison();
-    const std::string base = numbers.baseline;
+    const std::string& base = numbers_.baseline;
     for (const StudyRow& row : rows_) {
         const KeptRun* run = row.fabric == base ? history_.find(row.path) : nullptr;
         if (run) { baseline = *run; }
@@ -149,8 +145,8 @@ void CompareView::refreshLower()
     curves_->setRuns(runs, titles);
     std::vector<std::string> names;
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
-    fingerprint_->setCandidates(numbers, names);
-    scatter_->setComparison(numbers);
+    fingerprint_->setCandidates(numbers_, names);
+    scatter_->setComparison(numbers_);
 }
 
 std::vector<StudyJob> CompareView::missing() const
@@ -249,7 +245,7 @@ void CompareView::start(const std::vector<StudyJob>& jobs)
     runs_.start(expected);
 }
 
-std::string CompareView::tableCsv() const { return comparison_csv(comparison()); }
+std::string CompareView::tableCsv() const { return comparison_csv(numbers_); }
 
 void CompareView::saveTable()
 {

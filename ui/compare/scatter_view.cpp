@@ -36,6 +36,33 @@ QString directionOf(const OutcomeInfo& info)
     return info.better == Better::less ? ScatterView::tr("smaller is better") : ScatterView::tr("larger is better");
 }
 
+std::vector<ScatterPoint> pointsOf(const Comparison& comparison, std::size_t x, std::size_t y)
+{
+    const OutcomeInfo &one = comparison.criteria[x], &other = comparison.criteria[y];
+    std::vector<ScatterPoint> points;
+    for (const Candidate& each : comparison.candidates) {
+        const auto a = each.intervals.find(one.key), b = each.intervals.find(other.key);
+        if (a == each.intervals.end() || b == each.intervals.end()) { continue; }
+        const auto at = [&](double Interval::*part) {
+            return QPointF(shown(one, a->second.*part).value, shown(other, b->second.*part).value);
+        };
+        points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), QString::fromStdString(each.fabric)});
+    }
+    return points;
+}
+
+/// The names of all at its place, beside the first of them.
+QString labelOf(const std::vector<ScatterPoint>& points, std::size_t of)
+{
+    QStringList names;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].at != points[of].at) { continue; }
+        if (i < of) { return {}; }
+        names << points[i].name;
+    }
+    return names.join(", ");
+}
+
 /// The last number in which candidates differ.
 int secondOf(const Comparison& comparison)
 {
@@ -84,6 +111,9 @@ ScatterView::ScatterView(QWidget* parent)
     layout->addWidget(note_);
     connect(x_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
     connect(y_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
+    for (QComboBox* box : {x_, y_}) {
+        connect(box, &QComboBox::activated, this, [this] { proposing_ = false; });
+    }
 }
 
 void ScatterView::setComparison(const Comparison& comparison)
@@ -91,12 +121,12 @@ void ScatterView::setComparison(const Comparison& comparison)
     comparison_ = comparison;
     QStringList titles;
     for (const OutcomeInfo& info : comparison_.criteria) { titles << titleOf(info); }
-    const auto fill = [&titles](QComboBox* box, int first) {
+    const auto fill = [this, &titles](QComboBox* box, int first) {
         const QSignalBlocker quiet(box);
         const QString at = box->currentText();
         box->clear();
         box->addItems(titles);
-        const int known = box->findText(at);
+        const int known = proposing_ ? -1 : box->findText(at); // what the user has chosen stays
         box->setCurrentIndex(known >= 0 ? known : std::min(first, static_cast<int>(titles.size()) - 1));
         box->setEnabled(titles.size() > 1);
     };
@@ -118,31 +148,31 @@ void ScatterView::add(QXYSeries* series)
     series->attachAxis(up_);
 }
 
-void ScatterView::addPoint(const QPointF& low, const QPointF& at, const QPointF& high, const QString& name, bool on_front)
+void ScatterView::addPoint(const ScatterPoint& point, const QString& label, bool on_front)
 {
     const QColor ink = strokeOf(0, palette()).color();
     QColor faint = ink;
     faint.setAlphaF(0.55F);
-    for (const auto& [from, to] :
-         {std::pair(QPointF(low.x(), at.y()), QPointF(high.x(), at.y())), std::pair(QPointF(at.x(), low.y()), QPointF(at.x(), high.y()))}) {
+    for (const auto& [from, to] : {std::pair(QPointF(point.low.x(), point.at.y()), QPointF(point.high.x(), point.at.y())),
+                                   std::pair(QPointF(point.at.x(), point.low.y()), QPointF(point.at.x(), point.high.y()))}) {
         auto* bar = new QLineSeries;
         bar->append(from);
         bar->append(to);
         bar->setPen(QPen(faint, 1.5));
         add(bar);
     }
-    auto* point = new QScatterSeries;
-    point->append(at);
-    point->setMarkerSize(on_front ? 12 : 9);
-    point->setColor(on_front ? ink : palette().color(QPalette::Window));
-    point->setBorderColor(ink);
-    point->setPen(QPen(ink, 1.5));
-    point->setPointLabelsVisible(true);
-    point->setPointLabelsFormat(QString(name).remove('@')); // which begins a number in it
-    point->setPointLabelsColor(palette().color(QPalette::WindowText));
-    point->setPointLabelsClipping(false);
-    add(point);
-    connect(point, &QScatterSeries::hovered, this, [this, name](QPointF where, bool on) {
+    auto* marker = new QScatterSeries;
+    marker->append(point.at);
+    marker->setMarkerSize(on_front ? 12 : 9);
+    marker->setColor(on_front ? ink : palette().color(QPalette::Window));
+    marker->setBorderColor(ink);
+    marker->setPen(QPen(ink, 1.5));
+    marker->setPointLabelsVisible(!label.isEmpty());
+    marker->setPointLabelsFormat(QString(label).remove('@')); // which begins a number in it
+    marker->setPointLabelsColor(palette().color(QPalette::WindowText));
+    marker->setPointLabelsClipping(false);
+    add(marker);
+    connect(marker, &QScatterSeries::hovered, this, [this, name = point.name](QPointF where, bool on) {
         const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
         value_->setText(on ? QString("%1: %2, %3").arg(name, text(where.x()), text(where.y())) : QString());
     });
@@ -161,29 +191,14 @@ void ScatterView::draw()
     front_.clear();
     value_->clear();
     const int x = x_->currentIndex(), y = y_->currentIndex();
-    struct Point {
-        QPointF low, at, high;
-        QString name;
-    };
-    std::vector<Point> points;
-    if (x >= 0 && y >= 0) {
-        const OutcomeInfo &one = comparison_.criteria[static_cast<std::size_t>(x)],
-                          &other = comparison_.criteria[static_cast<std::size_t>(y)];
-        for (const Candidate& each : comparison_.candidates) {
-            const auto a = each.intervals.find(one.key), b = each.intervals.find(other.key);
-            if (a == each.intervals.end() || b == each.intervals.end()) { continue; }
-            const auto at = [&](double Interval::*part) {
-                return QPointF(shown(one, a->second.*part).value, shown(other, b->second.*part).value);
-            };
-            points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), QString::fromStdString(each.fabric)});
-        }
-    }
+    std::vector<ScatterPoint> points;
+    if (x >= 0 && y >= 0) { points = pointsOf(comparison_, static_cast<std::size_t>(x), static_cast<std::size_t>(y)); }
     view_->setVisible(!points.empty());
     note_->setText(tr("There is nothing to draw yet: run the experiment on the fabrics."));
     if (points.empty()) { return; }
     const OutcomeInfo &one = comparison_.criteria[static_cast<std::size_t>(x)], &other = comparison_.criteria[static_cast<std::size_t>(y)];
     std::vector<QPointF> centres;
-    for (const Point& point : points) { centres.push_back(point.at); }
+    for (const ScatterPoint& point : points) { centres.push_back(point.at); }
     const std::vector<std::size_t> front = paretoFront(centres, one.better, other.better);
     auto* line = new QLineSeries;
     for (const std::size_t i : front) {
@@ -192,10 +207,10 @@ void ScatterView::draw()
     }
     line->setPen(QPen(strokeOf(1, palette()).color(), 1.5, Qt::DashLine));
     add(line);
-    QPointF low(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()), high = -low;
+    QPointF low = points.front().at, high = low;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point& point = points[i];
-        addPoint(point.low, point.at, point.high, point.name, std::find(front.begin(), front.end(), i) != front.end());
+        const ScatterPoint& point = points[i];
+        addPoint(point, labelOf(points, i), std::find(front.begin(), front.end(), i) != front.end());
         low = {std::min({low.x(), point.low.x(), point.high.x()}), std::min({low.y(), point.low.y(), point.high.y()})};
         high = {std::max({high.x(), point.low.x(), point.high.x()}), std::max({high.y(), point.low.y(), point.high.y()})};
     }

@@ -4,6 +4,7 @@
 
 #include "ui/compare/chart_data.h"
 
+#include <QPointF>
 #include <QWidget>
 
 class QChart;
@@ -14,6 +15,12 @@ class QValueAxis;
 class QXYSeries;
 
 namespace hygroloom {
+
+/// A candidate with its intervals.
+struct ScatterPoint {
+    QPointF low, at, high;
+    QString name;
+};
 
 class ScatterView : public QWidget {
     Q_OBJECT
@@ -31,11 +38,12 @@ protected:
 
 private:
     void draw();
-    void addPoint(const QPointF& low, const QPointF& at, const QPointF& high, const QString& name, bool on_front);
+    void addPoint(const ScatterPoint& point, const QString& label, bool on_front);
     void add(QXYSeries* series);
-    void setRange(QValueAxis* axis, double low, double high);
+    static void setRange(QValueAxis* axis, double low, double high);
 
     Comparison comparison_;
+    bool proposing_ = true; ///< until the user chooses
     QStringList front_;
     QComboBox* x_;
     QComboBox* y_;
