@@ -213,6 +213,46 @@ private Q_SLOTS:
         QCOMPARE(grid.rows[0].rank, QString("1 ="));
     }
 
+    void mouseAndKeysRunOpenAndPin()
+    {
+        Comparison comparison;
+        comparison.criteria = compared_by(ExperimentType::droplet);
+        comparison.ranked_by = comparison.criteria.front();
+        comparison.baseline = "a";
+        comparison.candidates = {candidate("a", 5, 0.1), candidate("b", 8, 0.5)};
+        judge(comparison);
+        const std::vector<GridEntry> entries{
+            {"a", "run a", false, 1}, {"b", "run b", false, 1}, {"c", {}, false, 0, {StudyJob{"c", "one drop"}}}};
+        CandidateTable table;
+        table.resize(900, 400);
+        table.setGrid(gridOf(comparison, entries), {}, false);
+        table.show();
+        QCOMPARE(table.grid().rows[0].name, std::string("b")); // the best first
+        QStringList opened, run, pinned;
+        connect(&table, &CandidateTable::openRequested, this, [&](const QString& path) { opened << path; });
+        connect(&table, &CandidateTable::baselineRequested, this, [&](const std::string& name) { pinned << QString::fromStdString(name); });
+        connect(&table, &CandidateTable::runRequested, this, [&](const std::vector<StudyJob>& jobs) {
+            for (const StudyJob& job : jobs) { run << QString::fromStdString(job.fabric); }
+        });
+        const auto at = [&table](int row, int column) { return table.visualItemRect(table.item(row, column)); };
+        const auto click = [&table](const QPoint& point) { QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, point); };
+        const QRect missing = at(2, CandidateTable::first_number);
+        click(missing.topLeft() + QPoint(missing.width() - 8, missing.height() / 2)); // beside the button
+        QVERIFY(run.isEmpty() && opened.isEmpty());
+        click(QPoint(missing.left() + 30 + table.fontMetrics().horizontalAdvance("not run"), missing.center().y()));
+        QCOMPARE(run, QStringList{"c"});
+        click(at(0, CandidateTable::first_number).center());
+        QCOMPARE(opened, QStringList{"run b"});
+        click(at(0, CandidateTable::pin_column).center());
+        QCOMPARE(pinned, QStringList{"b"});
+        table.setCurrentCell(1, CandidateTable::first_number);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(opened.back(), QString("run a"));
+        table.setCurrentCell(2, CandidateTable::first_number);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(run, (QStringList{"c", "c"}));
+    }
+
     void runningWhatIsMissingFillsTheTableAndIsFoundAgain()
     {
         const QString path = folder_.filePath("p/cloth.hygro");
