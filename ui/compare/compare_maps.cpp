@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/run/recording.h"
 #include "ui/basics/quantity.h"
+#include "ui/compare/recorded_frame.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -23,25 +24,10 @@ constexpr int legend_width = 92;
 constexpr int slider_steps = 200;
 constexpr int crossings_per_cell = 2;
 
-bool isSameRun(const RunRecord& one, const RunRecord& other)
-{
-    return one.fabric == other.fabric && one.experiment == other.experiment && one.date == other.date &&
-           one.textile.ends() == other.textile.ends() && one.textile.picks() == other.textile.picks();
-}
-
-/// At the last recorded time not after a time. Throws Error where the file at the run's path holds another run now.
 FaceMap mapOf(const KeptRun& run, double time, MapSide side)
 {
-    const Recording recording(run.path.toStdString());
-    const RunRecord& recorded = recording.run();
-    if (recording.frames() == 0 || !isSameRun(recorded, *run.run)) {
-        throw Error(
-            CompareMaps::tr("The recording %1 holds another run now. Open it again to compare that run.").arg(run.path).toStdString());
-    }
-    const auto& ledgers = recording.ledgers();
-    const auto after = std::find_if(ledgers.begin(), ledgers.end(), [time](const Ledger& l) { return l.time > time + 1e-9; });
-    const int index = std::clamp(static_cast<int>(after - ledgers.begin()) - 1, 0, recording.frames() - 1);
-    return faceMap(recorded, recording.frame(index), recording.frame(0), side, crossings_per_cell);
+    const Recording recording = recordingOf(run);
+    return faceMap(recording.run(), recording.frame(frameIndexAt(recording, time)), recording.frame(0), side, crossings_per_cell);
 }
 
 } // namespace
@@ -100,18 +86,17 @@ CompareMaps::CompareMaps(QWidget* parent)
         maximum_ = 0;
         readMaps();
     });
-    connect(time_, &QSlider::valueChanged, this, &CompareMaps::readMaps);
+    connect(time_, &QSlider::valueChanged, this, [this] {
+        readMaps();
+        Q_EMIT timeChanged(static_cast<double>(time_->value()) / slider_steps);
+    });
 }
 
-double CompareMaps::duration() const
-{
-    if (runs_.empty()) { return 0; }
-    const RunRecord& run = *runs_.front().run;
-    const Experiment* experiment = find_experiment(run.design, run.experiment);
-    return experiment ? experiment->duration_s : 0;
-}
+double CompareMaps::duration() const { return runs_.empty() ? 0 : durationOf(runs_.front()); }
 
 double CompareMaps::shownTime() const { return duration() * time_->value() / slider_steps; }
+
+void CompareMaps::setTime(double share) { time_->setValue(static_cast<int>(std::lround(share * slider_steps))); }
 
 void CompareMaps::setWaterColors(WaterColors colors)
 {

@@ -27,10 +27,14 @@ public:
     enum class Shown { maps, differences };
     void show(Shown shown);
     void setWaterColors(WaterColors colors);
+    /// From 0 to 1 of the experiment.
+    void setTime(double share);
     const std::vector<WaterMap*>& maps() const { return maps_; }
 
 Q_SIGNALS:
     void mapsChanged();
+    /// The share of the experiment that has passed.
+    void timeChanged(double share);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

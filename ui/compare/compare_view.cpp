@@ -3,6 +3,7 @@
 #include "ui/compare/compare_view.h"
 
 #include "ui/compare/candidate_table.h"
+#include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/curves_view.h"
@@ -23,7 +24,8 @@ namespace hygroloom {
 CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& runs, QWidget* parent)
     : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
       table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
-      maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView), note_(new QLabel)
+      maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView),
+      cloths_(new ClothsView), note_(new QLabel)
 {
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -42,6 +44,7 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     lower_->addTab(curves_, tr("Curves"));
     lower_->addTab(fingerprint_, tr("Fingerprint"));
     lower_->addTab(scatter_, tr("Scatter"));
+    lower_->addTab(cloths_, tr("3D"));
     auto* parts = new QSplitter(Qt::Vertical);
     parts->setChildrenCollapsible(false);
     parts->addWidget(upper_);
@@ -59,6 +62,8 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
 void CompareView::connectParts()
 {
     connect(maps_, &CompareMaps::mapsChanged, this, &CompareView::mapsChanged);
+    connect(maps_, &CompareMaps::timeChanged, cloths_, &ClothsView::setTime);
+    connect(cloths_, &ClothsView::timeChosen, maps_, &CompareMaps::setTime); // one clock
     connect(list_, &RunList::tickRequested, this, &CompareView::choose);
     connect(list_, &RunList::openRequested, this, &CompareView::runRequested);
     connect(list_, &RunList::markRequested, this, &CompareView::markRequested);
@@ -170,7 +175,11 @@ void CompareView::showExperiment(const std::string& name)
     refresh();
 }
 
-void CompareView::setWaterColors(WaterColors colors) { maps_->setWaterColors(colors); }
+void CompareView::setWaterColors(WaterColors colors)
+{
+    maps_->setWaterColors(colors);
+    cloths_->setWaterColors(colors);
+}
 
 const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
 

@@ -18,6 +18,7 @@ class QTabWidget;
 namespace hygroloom {
 
 class CandidateTable;
+class ClothsView;
 class CompareBar;
 class CompareMaps;
 class CurvesView;
@@ -120,6 +121,7 @@ private:
     CurvesView* curves_;
     FingerprintView* fingerprint_;
     ScatterView* scatter_;
+    ClothsView* cloths_;
     QLabel* note_;
     QTimer soon_; ///< many runs may end in a short time
     NewestJob planner_;

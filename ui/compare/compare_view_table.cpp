@@ -5,6 +5,7 @@
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
 #include "ui/compare/candidate_table.h"
+#include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/compare_view.h"
@@ -142,6 +143,7 @@ void CompareView::refreshLower()
         if (run) { baseline = *run; }
     }
     maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base));
+    cloths_->setRuns(runs, titles, hint);
     curves_->setRuns(runs, titles);
     std::vector<std::string> names;
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
