@@ -69,6 +69,16 @@ private Q_SLOTS:
         QVERIFY(!asked->isEmpty() && !study.running());
     }
 
+    void everyWorkspaceFitsASmallScreen()
+    {
+        for (const Workspace each : {Workspace::compare, Workspace::design, Workspace::simulate}) {
+            window_->setWorkspace(each);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+            const QSize least = window_->minimumSizeHint();
+            QVERIFY2(least.width() <= 1280 && least.height() <= 760, qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
+        }
+    }
+
     void runsAreCopiedToAnotherFileSystemInTheBackground()
     {
         QTemporaryDir elsewhere("/dev/shm/runs-XXXXXX");
