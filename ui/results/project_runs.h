@@ -32,6 +32,8 @@ public:
     /// The run that was recorded there is over. Returns where its recording lies now; empty when nothing was recorded. moved() may follow.
     QString settle(const QString& recording);
 
+    /// Whether a run is being recorded.
+    bool recording() const { return !live_.isEmpty(); }
     /// Whether a recording is a run of the open project.
     bool owns(const QString& recording) const;
     /// Whether it lies with the project's file.
