@@ -2,9 +2,9 @@
 // Makes the pictures of the user's guide from the program itself. Needs a display; packaging/make-pictures.sh runs it.
 #include "small_png.h"
 #include "ui/basics/appearance.h"
+#include "ui/compare/compare_view.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/picture/view_bar.h"
-#include "ui/results/compare_view.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/results/water_map_view.h"
 #include "ui/weave/weave_editor.h"

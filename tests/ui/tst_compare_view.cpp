@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs side by side. The recordings are short runs of the example, so that reading them is part of what is tested.
+#include "compare_test.h"
 #include "core/analysis/metrics.h"
 #include "core/project/project_file.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
-#include "ui/results/compare_view.h"
+#include "ui/compare/compare_maps.h"
 
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -44,8 +44,8 @@ private Q_SLOTS:
 
     void anEmptyHistorySaysWhatToDo()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         view.resize(900, 600);
         view.show();
         QVERIFY(view.chosen().isEmpty());
@@ -58,8 +58,8 @@ private Q_SLOTS:
 
     void twoFabricsStandSideBySideInOneRange()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         view.resize(900, 600);
         view.show();
         history.keep(thick_);
@@ -71,26 +71,52 @@ private Q_SLOTS:
         QVERIFY(view.maps()[0]->map().maximum() > 0);
         QVERIFY(view.maps()[0]->circle().radius > 0);
 
-        const QTableWidget* table = view.table();
+        CandidateTable* table = view.table();
         QVERIFY(!table->tabKeyNavigation()); // it would keep the focus
-        QCOMPARE(table->columnCount(), 2);
-        QCOMPARE(table->verticalHeaderItem(0)->text(), QString("Wetted radius, top"));
+        QCOMPARE(table->rowCount(), 2);
+        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Wetted radius, top (mm)"));
         const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
         QVERIFY(thick_.metrics->maximum_wetted_radius_top != thin_.metrics->maximum_wetted_radius_top);
-        QVERIFY(table->horizontalHeaderItem(0)->text().endsWith("\nbaseline"));
-        QVERIFY(!table->item(0, 0)->text().contains('\n')); // the baseline is not better than itself
-        QVERIFY2(table->item(0, 1)->text().endsWith(thickIsBest ? "\nworse" : "\nbetter"), qPrintable(table->item(0, 1)->text()));
-        QVERIFY(table->item(0, 1)->text().contains(QChar(0x00b1)));
+        const auto text = [&](const KeptRun& run) { return table->cellText(rowOf(view, run.run->fabric), 0); };
+        QVERIFY(text(thick_).endsWith("\nbaseline")); // it is not better than itself
+        QVERIFY2(text(thin_).endsWith(thickIsBest ? "\nworse" : "\nbetter"), qPrintable(text(thin_)));
+        QVERIFY(text(thin_).contains(QChar(0x00b1)));
         view.setBaseline(thin_.path);
-        QVERIFY(table->horizontalHeaderItem(1)->text().endsWith("\nbaseline"));
-        QVERIFY(table->item(0, 0)->text().endsWith(thickIsBest ? "\nbetter" : "\nworse"));
-        QVERIFY(table->item(0, 0)->text().contains(" mm") || table->item(0, 0)->text().contains(QString(QChar(0x00a0)) + "mm"));
+        QVERIFY(text(thin_).endsWith("\nbaseline"));
+        QVERIFY(text(thick_).endsWith(thickIsBest ? "\nbetter" : "\nworse"));
+        QVERIFY(text(thick_).contains(" mm") || text(thick_).contains(QString(QChar(0x00a0)) + "mm"));
+    }
+
+    void theDifferenceToTheBaselineTakesItsPlace()
+    {
+        Workplace place;
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        place.history.keep(thick_);
+        place.history.keep(thin_);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[1]->map().maximum() > 0, 10000);
+        const double wet = view.maps()[1]->map().maximum();
+        QSignalSpy mapped(&view, &CompareView::mapsChanged);
+        auto* maps = view.findChild<CompareMaps*>();
+        maps->show(CompareMaps::Shown::differences);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        QVERIFY(!view.maps()[0]->isVisible() && view.maps()[1]->isVisible()); // the baseline's own is nothing
+        const auto& water = view.maps()[1]->map().water;
+        QVERIFY(*std::min_element(water.begin(), water.end()) < 0); // it holds less somewhere, and not only water
+        QVERIFY(view.maps()[1]->map().maximum() < wet);
+        const auto labels = view.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Grey: ") && label->text().contains("numerical error");
+        }));
+        view.setBaseline(thin_.path);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[0]->isVisible() && !view.maps()[1]->isVisible(), 10000);
     }
 
     void theNewestRunsThatGoTogetherAreProposed()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         for (const KeptRun& run : {hot_, thick_, thin_, cut_short_}) { history.keep(run); }
         QCOMPARE(view.chosen(), (QStringList{thin_.path, thick_.path}));
         view.choose(thin_.path, false);
@@ -100,8 +126,8 @@ private Q_SLOTS:
 
     void onlyRunsOfTheSameExperimentThatEndedAreTaken()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         for (const KeptRun& run : {thick_, hot_, cut_short_}) { history.keep(run); }
         view.choose(hot_.path, false);
         view.choose(thick_.path, true);
@@ -120,8 +146,8 @@ private Q_SLOTS:
 
     void tickingARunTakesIt()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         history.keep(thick_);
         QCOMPARE(view.chosen(), QStringList{thick_.path});
         auto* list = view.findChild<QTreeWidget*>();
@@ -156,8 +182,8 @@ private Q_SLOTS:
         const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
         const KeptRun& best = thickIsBest ? thick_ : thin_;
         const KeptRun& worse = thickIsBest ? thin_ : thick_;
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         for (const KeptRun& run : {worse, best}) { history.keep(run); }
         view.choose(worse.path, true);
         view.choose(best.path, true);
@@ -168,8 +194,8 @@ private Q_SLOTS:
 
     void runsOfOneFabricAreNumbered()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         KeptRun again = thick_;
         again.path = folder_.filePath("again.hygrorec");
         QVERIFY(QFile::copy(thick_.path, again.path));
@@ -180,15 +206,15 @@ private Q_SLOTS:
         QCOMPARE(list->topLevelItem(0)->text(0), "1: " + fabric);
         QCOMPARE(list->topLevelItem(1)->text(0), QString::fromStdString(thin_.run->fabric));
         QCOMPARE(list->topLevelItem(2)->text(0), "3: " + fabric);
-        QCOMPARE(view.table()->horizontalHeaderItem(0)->text(), "1: " + fabric + "\nbaseline");
+        QVERIFY(rowOf(view, "1: " + thick_.run->fabric) >= 0 && rowOf(view, "3: " + thick_.run->fabric) >= 0);
         QVERIFY(QString::fromStdString(view.tableCsv()).contains("\"3: " + fabric));
         QCOMPARE(view.maps()[0]->accessibleName(), "Water on 1: " + fabric);
     }
 
     void aRecordingThatWasReplacedIsNotDrawnAsTheOldRun()
     {
-        RunHistory history;
-        CompareView view(history);
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
         view.resize(900, 600);
         view.show();
         KeptRun replaced = thick_;

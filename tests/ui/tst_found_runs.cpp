@@ -53,6 +53,32 @@ private Q_SLOTS:
         QVERIFY(runs().runs()[0].own);
     }
 
+    void quittingAsksBeforeRunsOfCompareAreStopped()
+    {
+        shortenExperiment(3600, 10, 5);
+        trigger("Save");
+        StudyRuns& study = window_->compare().study();
+        study.start({{{window_->document().fabric()->name, window_->document().experiment()->name}, 1}});
+        QVERIFY(study.running());
+        auto asked = press("Cancel");
+        QVERIFY(!window_->close());
+        QVERIFY2(asked->contains("Stop the runs of Compare?"), qPrintable(*asked));
+        QVERIFY(study.running());
+        asked = press("Stop the Runs");
+        QVERIFY(window_->close());
+        QVERIFY(!asked->isEmpty() && !study.running());
+    }
+
+    void everyWorkspaceFitsASmallScreen()
+    {
+        for (const Workspace each : {Workspace::compare, Workspace::design, Workspace::simulate}) {
+            window_->setWorkspace(each);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+            const QSize least = window_->minimumSizeHint();
+            QVERIFY2(least.width() <= 1280 && least.height() <= 760, qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
+        }
+    }
+
     void runsAreCopiedToAnotherFileSystemInTheBackground()
     {
         QTemporaryDir elsewhere("/dev/shm/runs-XXXXXX");

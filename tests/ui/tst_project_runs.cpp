@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs belong to their project: found again, taken along, and gone only when the user says so. Needs a display: xvfb-run.
 #include "project_runs_test.h"
+#include "ui/compare/cloths_view.h"
+
+#include <QTabWidget>
 
 using namespace hygroloom;
 
@@ -311,6 +314,27 @@ private Q_SLOTS:
         const auto asked = answer(QMessageBox::Ok);
         trigger("Save Picture");
         QTRY_VERIFY(*asked); // nothing is compared
+    }
+
+    void clothsIn3dLookFromOneSide()
+    {
+        run();
+        window_->document().edit("an angle", {}, [](Design& design) { design.fabrics[0].contact_angle_deg = 70; });
+        run();
+        window_->setWorkspace(Workspace::compare);
+        for (const KeptRun& each : runs().runs()) { compareView().choose(each.path, true); }
+        auto* view = compareView().findChild<ClothsView*>();
+        QVERIFY(view->cloths().empty()); // nothing is built before it is seen
+        for (auto* tabs : compareView().findChildren<QTabWidget*>()) {
+            if (tabs->indexOf(view) >= 0) { tabs->setCurrentWidget(view); }
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(view->cloths().size(), std::size_t{2}, 10000);
+        const TextileCanvas *one = view->cloths()[0]->canvas(), *other = view->cloths()[1]->canvas();
+        QTRY_VERIFY_WITH_TIMEOUT(one->fabric() && other->fabric(), 20000);
+        view->cloths()[0]->canvas()->turnBy({40, 10});
+        QVERIFY(one->camera() == other->camera());
+        view->cloths()[1]->canvas()->zoomBy(1.5);
+        QVERIFY(one->camera() == other->camera());
     }
 
     void aRecordingThatIsOpenedLeavesAProjectWithRunsOpen()

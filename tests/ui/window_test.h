@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/basics/appearance.h"
-#include "ui/results/compare_view.h"
+#include "ui/compare/compare_view.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/window/main_window.h"
 

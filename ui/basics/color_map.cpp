@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace hygroloom {
 
@@ -18,6 +19,8 @@ using Stops = std::array<std::array<double, 3>, 7>;
 
 // Lightness falls evenly from one end to the other in both.
 constexpr Stops blue_stops{{{229, 241, 250}, {186, 217, 239}, {132, 188, 224}, {80, 153, 204}, {39, 113, 178}, {15, 74, 141}, {5, 38, 92}}};
+constexpr Stops difference_stops{
+    {{122, 66, 5}, {184, 115, 28}, {226, 183, 118}, {247, 243, 236}, {138, 187, 222}, {45, 118, 181}, {8, 54, 118}}};
 constexpr Stops cividis_stops{
     {{253, 231, 85}, {217, 199, 105}, {181, 167, 119}, {146, 140, 123}, {112, 113, 118}, {70, 86, 111}, {0, 42, 95}}};
 
@@ -29,11 +32,8 @@ double roundLength(double millimetrePerPixel, double availablePixels)
     return power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
 }
 
-} // namespace
-
-QColor waterColor(double share, WaterColors colors)
+QColor colorAt(double share, const Stops& stops)
 {
-    const Stops& stops = colors == WaterColors::blue ? blue_stops : cividis_stops;
     const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
     const double part = at - static_cast<double>(low);
@@ -42,6 +42,46 @@ QColor waterColor(double share, WaterColors colors)
     };
     return {mix(0), mix(1), mix(2)};
 }
+
+/// A bar with a frame, its title above; returns where the bar stands.
+QRectF drawBar(QPainter& painter, const QRectF& area, const QString& title, const std::function<QColor(double)>& color)
+{
+    const double line = QFontMetricsF(painter.font()).height();
+    const double head = 1.5 * line + 4; // the title, and the upper half of the highest number
+    const QRectF bar(area.left(), area.top() + head, 14, area.height() - head - line * 0.5);
+    painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft | Qt::AlignVCenter, title);
+    QImage ramp(1, 256, QImage::Format_RGB32);
+    for (int i = 0; i < 256; ++i) { ramp.setPixelColor(0, 255 - i, color(i / 255.0)); }
+    painter.drawImage(bar, ramp);
+    const QColor ink = painter.pen().color();
+    QColor line_color = ink;
+    line_color.setAlphaF(0.5F);
+    painter.setPen(line_color);
+    painter.drawRect(bar);
+    painter.setPen(ink);
+    return bar;
+}
+
+/// Three numbers beside the bar, the highest with the unit.
+void drawTicks(QPainter& painter, const QRectF& bar, const std::array<QString, 3>& texts)
+{
+    const QFontMetricsF metrics(painter.font());
+    for (int tick = 0; tick <= 2; ++tick) {
+        const double y = bar.bottom() - bar.height() * tick / 2;
+        painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
+        painter.drawText(QPointF(bar.right() + 6, y + 0.35 * metrics.ascent()), texts[static_cast<std::size_t>(tick)]);
+    }
+}
+
+int decimalsOf(double maximum) { return maximum >= 20 ? 0 : maximum >= 2 ? 1 : maximum >= 0.2 ? 2 : 4; }
+
+} // namespace
+
+QColor waterColor(double share, WaterColors colors) { return colorAt(share, colors == WaterColors::blue ? blue_stops : cividis_stops); }
+
+QColor differenceColor(double share) { return colorAt(0.5 + 0.5 * share, difference_stops); }
+
+QColor noDifferenceColor() { return {198, 200, 202}; }
 
 QImage waterRamp(WaterColors colors)
 {
@@ -62,27 +102,17 @@ double roundedUp(double value)
 
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors)
 {
-    const QFontMetricsF metrics(painter.font());
-    const double line = metrics.height();
-    const double head = 1.5 * line + 4; // the title, and the upper half of the highest number
-    const QRectF bar(area.left(), area.top() + head, 14, area.height() - head - line * 0.5);
-    painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft | Qt::AlignVCenter, title);
-    QImage ramp(1, 256, QImage::Format_RGB32);
-    for (int i = 0; i < 256; ++i) { ramp.setPixelColor(0, 255 - i, waterColor(i / 255.0, colors)); }
-    painter.drawImage(bar, ramp);
-    const QColor ink = painter.pen().color();
-    QColor line_color = ink;
-    line_color.setAlphaF(0.5F);
-    painter.setPen(line_color);
-    painter.drawRect(bar);
-    painter.setPen(ink);
-    const int decimals = maximum >= 20 ? 0 : maximum >= 2 ? 1 : maximum >= 0.2 ? 2 : 4;
-    for (int tick = 0; tick <= 2; ++tick) {
-        const double y = bar.bottom() - bar.height() * tick / 2;
-        painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
-        const QString number = shownNumber(maximum * tick / 2, decimals);
-        painter.drawText(QPointF(bar.right() + 6, y + 0.35 * metrics.ascent()), tick == 2 ? number + QChar(0x00a0) + unit : number);
-    }
+    const QRectF bar = drawBar(painter, area, title, [colors](double share) { return waterColor(share, colors); });
+    const int decimals = decimalsOf(maximum);
+    drawTicks(painter, bar,
+              {shownNumber(0, 0), shownNumber(0.5 * maximum, decimals), shownNumber(maximum, decimals) + QChar(0x00a0) + unit});
+}
+
+void drawDifferenceLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit)
+{
+    const QRectF bar = drawBar(painter, area, title, [](double share) { return differenceColor(2 * share - 1); });
+    const QString most = shownNumber(maximum, decimalsOf(maximum));
+    drawTicks(painter, bar, {QChar(0x2212) + most, shownNumber(0, 0), "+" + most + QChar(0x00a0) + unit});
 }
 
 double scaleBarLength(double millimetrePerPixel, double availablePixels)

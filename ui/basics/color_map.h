@@ -19,11 +19,18 @@ QColor waterColor(double share, WaterColors colors = WaterColors::blue);
 /// One row of 256, for a texture.
 QImage waterRamp(WaterColors colors = WaterColors::blue);
 
+/// -1..1, clamped: brown is less, blue is more, the middle is pale. Told apart with every kind of colour vision.
+QColor differenceColor(double share);
+/// What a difference map shows where there is no difference to speak of.
+QColor noDifferenceColor();
+
 /// A number to put at the end of a range: short, and not below value.
 double roundedUp(double value);
 
 /// A bar from zero to maximum with its unit; right of the bar the numbers.
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
+/// A bar from -maximum to maximum, with 0 in the middle and its unit.
+void drawDifferenceLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit);
 /// How many pixels drawScaleBar() takes.
 double scaleBarLength(double millimetrePerPixel, double availablePixels);
 /// A bar with its length, as near to a third of available pixels as a round length allows. With a valid colour behind it, it stands on

@@ -53,6 +53,7 @@ void removeIfEmpty(const QString& folder)
 {
     if (!holdsRuns(folder)) {
         QFile::remove(markList(folder));
+        QFile::remove(replicatesIn(folder));
         QDir().rmdir(folder);
     }
 }
@@ -90,6 +91,8 @@ QString oneSpelling(const QString& folder)
     const fs::path parent = fs::weakly_canonical(info.absolutePath().toStdString(), error);
     return error ? info.absoluteFilePath() : QDir(QString::fromStdString(parent.string())).filePath(info.fileName());
 }
+
+QString replicatesIn(const QString& folder) { return QDir(folder).filePath("replicates.json"); }
 
 QString runFolderOf(const QString& project) { return oneSpelling(project + "-runs"); }
 

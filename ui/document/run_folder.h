@@ -13,6 +13,8 @@ namespace hygroloom {
 QString oneSpelling(const QString& folder);
 /// name.hygro-runs beside name.hygro, in one spelling.
 QString runFolderOf(const QString& project);
+/// The file in it with the numbers of replicates, which have no recording of their own.
+QString replicatesIn(const QString& folder);
 /// Recordings with content, by number.
 QStringList recordingsIn(const QString& folder);
 /// Whether anything lies there, also a recording that is just beginning.

@@ -59,6 +59,7 @@ public:
     bool looksAlong() const { return std::abs(direction().z()) < 0.2F; }
     /// Turns up to where a face is seen, if it is not.
     void showFace();
+    bool operator==(const Camera&) const = default;
 
 private:
     QVector3D up() const;

@@ -238,6 +238,10 @@ void TextileCanvas::redraw(bool moving)
         still_.stop();
     }
     update();
+    if (camera_ != told_) {
+        told_ = camera_;
+        Q_EMIT cameraMoved();
+    }
 }
 
 void TextileCanvas::drawScene()

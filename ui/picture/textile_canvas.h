@@ -127,6 +127,8 @@ Q_SIGNALS:
     void dropAdded(const QPointF& at);
     void dropRemoved(int drop);
     void meshesWanted();
+    /// It looks from elsewhere, by hand or by itself.
+    void cameraMoved();
     void failed(const QString& sentence);
 
 protected:
@@ -178,6 +180,7 @@ private:
     FabricScene scene_;
     bool usable_ = false;
     Camera camera_;
+    Camera told_; ///< when cameraMoved() was last emitted
     Framing framing_ = Framing::few_repeats;
     bool moved_by_hand_ = false;                  ///< since the last fit; until then new fabrics are fitted
     std::shared_ptr<const PreparedView> waiting_; ///< until there is a context

@@ -76,19 +76,19 @@ QString ProjectRuns::reserve()
 {
     stay();
     try {
-        live_ = reserveRun(folder());
+        live_ << reserveRun(folder());
     } catch (const Error& error) {
         if (folder() == recovery_.runFolder()) { throw; }
-        live_ = reserveRun(recovery_.runFolder());
+        live_ << reserveRun(recovery_.runFolder());
         Q_EMIT messageShown(QString::fromStdString(error.what()), 10000);
     }
     recovery_.follow();
-    return live_;
+    return live_.back();
 }
 
 QString ProjectRuns::settle(const QString& recording)
 {
-    live_.clear();
+    live_.removeAll(recording);
     QString at = recording;
     releaseRun(recording);
     if (!QFileInfo::exists(recording)) {
@@ -120,8 +120,8 @@ bool ProjectRuns::isFiled(const QString& recording) const
 QStringList ProjectRuns::unsaved() const
 {
     QStringList found = recordingsIn(recovery_.runFolder());
-    found.removeAll(live_);
-    if (!live_.isEmpty() && folder() == recovery_.runFolder()) { found << live_; }
+    for (const QString& live : live_) { found.removeAll(live); }
+    if (folder() == recovery_.runFolder()) { found << live_; }
     return found;
 }
 
@@ -158,13 +158,15 @@ void ProjectRuns::followProject()
     if (before == known_) { return; }
     QStringList recordings = recordingsIn(before);
     if (before != recovery_.runFolder()) { recordings << recordingsIn(recovery_.runFolder()); }
-    recordings.removeAll(live_); // settle() takes it
+    for (const QString& live : live_) { recordings.removeAll(live); } // settle() takes them
+    Q_EMIT following(before);
     bring(recordings);
     read();
 }
 
 void ProjectRuns::takeFrom(const QString& folder)
 {
+    Q_EMIT following(folder);
     bring(recordingsIn(folder));
     read();
 }
@@ -238,7 +240,7 @@ void ProjectRuns::read()
     }
     QStringList paths = recordingsIn(known_);
     if (known_ != recovery_.runFolder()) { paths << recordingsIn(recovery_.runFolder()); }
-    paths.removeIf([this](const QString& path) { return path == live_ || isWaiting(path) || history_.find(path); });
+    paths.removeIf([this](const QString& path) { return live_.contains(path) || isWaiting(path) || history_.find(path); });
     if (paths.isEmpty()) {
         loader_.drop();
         return readNumbers();

@@ -24,12 +24,16 @@ class ProjectRuns : public QObject {
 public:
     ProjectRuns(Document& document, Recovery& recovery, RunHistory& history, QObject* parent = nullptr);
 
+    /// Where its runs lie now.
+    QString folder() const;
     /// The path for the next run's recording. Where the project's folder cannot be written, messageShown() says so, and it lies beside
     /// unsaved work. Throws Error when neither can be.
     QString reserve();
     /// The run that was recorded there is over. Returns where its recording lies now; empty when nothing was recorded. moved() may follow.
     QString settle(const QString& recording);
 
+    /// Whether a run is being recorded.
+    bool recording() const { return !live_.isEmpty(); }
     /// Whether a recording is a run of the open project.
     bool owns(const QString& recording) const;
     /// Whether it lies with the project's file.
@@ -54,6 +58,8 @@ public:
     bool copying() const { return !waiting_.empty(); }
 
 Q_SIGNALS:
+    /// The runs of that folder are about to come to this project's.
+    void following(const QString& from);
     void moved(const QString& from, const QString& to);
     /// Of the recording that is being copied, the share that is.
     void copied(double share);
@@ -63,7 +69,6 @@ Q_SIGNALS:
     void messageShown(const QString& sentence, int ms);
 
 private:
-    QString folder() const;
     QStringList unsaved() const;
     void openProject();
     void followProject();
@@ -79,7 +84,7 @@ private:
     Recovery& recovery_;
     RunHistory& history_;
     QString known_;      ///< the folder of the project as it was last seen
-    QString live_;       ///< what is being recorded
+    QStringList live_;   ///< what is being recorded
     QStringList agreed_; ///< what leave() deletes
     struct Waiting {
         QString from, folder;

@@ -12,18 +12,6 @@ namespace hygroloom {
 
 namespace {
 
-/// An experiment and its liquid, whatever it is called.
-Design conditionsOf(const RunRecord& run)
-{
-    Design part;
-    if (const Experiment* experiment = find_experiment(run.design, run.experiment)) {
-        part.experiments.push_back(*experiment);
-        part.experiments.front().name = "experiment";
-        if (const Liquid* liquid = find_liquid(run.design, experiment->liquid)) { part.liquids.push_back(*liquid); }
-    }
-    return part;
-}
-
 void lookAtFile(KeptRun& run)
 {
     const QFileInfo info(run.path);
@@ -141,6 +129,17 @@ void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
         run.current = current;
     }
     if (differs) { Q_EMIT changed(); }
+}
+
+Design conditionsOf(const RunRecord& run)
+{
+    Design part;
+    if (const Experiment* experiment = find_experiment(run.design, run.experiment)) {
+        part.experiments.push_back(*experiment);
+        part.experiments.front().name = "experiment";
+        if (const Liquid* liquid = find_liquid(run.design, experiment->liquid)) { part.liquids.push_back(*liquid); }
+    }
+    return part;
 }
 
 bool holdsFor(const RunRecord& run, const Design& design)

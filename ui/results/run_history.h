@@ -64,6 +64,9 @@ private:
     std::shared_ptr<const Design> design_;
 };
 
+/// A run's experiment and its liquid, whatever it is called.
+Design conditionsOf(const RunRecord& run);
+
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
 bool holdsFor(const RunRecord& run, const Design& design);
 

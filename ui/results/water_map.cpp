@@ -45,6 +45,7 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
 {
     size_ = size;
     map_ = map;
+    difference_ = false;
     stain_ = circle.has_value();
     circle_ = circle.value_or(Circle{0, 0, -1});
     render();
@@ -52,6 +53,23 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
     setAccessibleDescription(
         !stain_ ? most + "."
                 : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
+    update();
+}
+
+void WaterMap::setDifference(const MapDifference& difference, const QSizeF& size)
+{
+    size_ = size;
+    map_ = difference.cells;
+    real_ = difference.real;
+    difference_ = true;
+    stain_ = false;
+    circle_ = Circle{0, 0, -1};
+    render();
+    const auto cells = std::count(real_.begin(), real_.end(), true);
+    setAccessibleDescription(tr("Largest difference to the baseline %1 grams per square metre; %2 of %3 cells differ.")
+                                 .arg(shownNumber(1000 * largestOf(difference), 1))
+                                 .arg(cells)
+                                 .arg(real_.size()));
     update();
 }
 
@@ -77,14 +95,26 @@ void WaterMap::setRange(double maximum, WaterColors colors)
 void WaterMap::render()
 {
     if (map_.columns < 1) { return; }
-    const QColor dry(dry_color);
     image_ = QImage(map_.columns, map_.rows, QImage::Format_RGB32);
     for (int row = 0; row < map_.rows; ++row) {
-        for (int column = 0; column < map_.columns; ++column) {
-            const double share = map_.at(column, row) / maximum_;
-            image_.setPixelColor(column, map_.rows - 1 - row, share > 0.004 ? waterColor(share, colors_) : dry);
-        }
+        for (int column = 0; column < map_.columns; ++column) { image_.setPixelColor(column, map_.rows - 1 - row, colorOf(column, row)); }
     }
+}
+
+QColor WaterMap::colorOf(int column, int row) const
+{
+    const double share = map_.at(column, row) / maximum_;
+    if (!difference_) { return share > 0.004 ? waterColor(share, colors_) : QColor(dry_color); }
+    return real_[static_cast<std::size_t>(row) * map_.columns + column] ? differenceColor(share) : noDifferenceColor();
+}
+
+QString WaterMap::valueText(int column, int row) const
+{
+    const double value = 1000 * map_.at(column, row);
+    if (!difference_) { return tr("%1 g/m²").arg(shownNumber(value, 1)); }
+    const bool real = real_[static_cast<std::size_t>(row) * map_.columns + column];
+    const QString text = value < 0 ? tr("%1 g/m² less than the baseline") : tr("%1 g/m² more than the baseline");
+    return text.arg(shownNumber(std::abs(value), 1)) + (real ? QString() : tr(", within the error"));
 }
 
 QRectF WaterMap::mapArea() const
@@ -171,8 +201,8 @@ void WaterMap::mouseMoveEvent(QMouseEvent* event)
                 std::min(map_.rows - 1, static_cast<int>((area.bottom() - event->position().y()) * metre / map_.cell_height))};
         const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
         const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
-        text = tr("%1: %2 g/m² at %3, %4 mm")
-                   .arg(title_, shownNumber(1000 * map_.at(cell.x(), cell.y()), 1), QLocale().toString(mm_from_metre(x), 'f', 1),
+        text = tr("%1: %2 at %3, %4 mm")
+                   .arg(title_, valueText(cell.x(), cell.y()), QLocale().toString(mm_from_metre(x), 'f', 1),
                         QLocale().toString(mm_from_metre(y), 'f', 1));
     }
     if (cell != cell_) {

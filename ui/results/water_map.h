@@ -5,6 +5,7 @@
 #include "core/analysis/cell_map.h"
 #include "core/analysis/metrics.h"
 #include "ui/basics/color_map.h"
+#include "ui/results/map_difference.h"
 
 #include <QImage>
 #include <QWidget>
@@ -30,6 +31,8 @@ public:
 
     /// size: of the fabric, m; cells at the far edges may reach beyond it.
     void setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size);
+    /// Instead of the map, its difference to a baseline.
+    void setDifference(const MapDifference& difference, const QSizeF& size);
     void clear();
     void setRange(double maximum, WaterColors colors);
     const CellMap& map() const { return map_; }
@@ -51,11 +54,15 @@ private:
     /// In fewer words where there is little room, in pixels.
     QString radiusText(double room) const;
     void render();
+    QColor colorOf(int column, int row) const;
+    QString valueText(int column, int row) const;
 
     QString title_;
     CellMap map_;
     Circle circle_;
     bool stain_ = true; ///< whether there is one to speak of
+    bool difference_ = false;
+    std::vector<bool> real_; ///< cells of a difference, see MapDifference
     QSizeF size_;
     QImage image_;
     double maximum_ = 1;

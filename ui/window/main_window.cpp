@@ -3,9 +3,9 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/wheel_guard.h"
+#include "ui/compare/compare_view.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
-#include "ui/results/compare_view.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/design_workspace.h"
@@ -26,6 +26,17 @@
 #include <QToolButton>
 
 namespace hygroloom {
+
+namespace {
+
+/// Whether the window must be large enough for a page of the middle: one that is not seen would widen it beyond the screen.
+void takeRoom(QWidget& page, bool takes)
+{
+    const QSizePolicy::Policy policy = takes ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    page.setSizePolicy(policy, policy);
+}
+
+} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
 {
@@ -74,6 +85,7 @@ void MainWindow::buildPanels()
     middle_ = new QStackedWidget;
     middle_->addWidget(fabric);
     middle_->addWidget(&compare_->view());
+    takeRoom(compare_->view(), false);
     setCentralWidget(middle_);
 
     issue_count_ = new QToolButton;
@@ -157,12 +169,14 @@ void MainWindow::setWorkspace(Workspace workspace)
     if (workspace == workspace_) { return; }
     states_[static_cast<int>(workspace_)] = saveState(layout_version);
     workspace_ = workspace;
+    if (workspace != Workspace::compare) { takeRoom(compare_->view(), false); }
     const QByteArray& state = states_[static_cast<int>(workspace)];
     restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
     simulate_->maps().setVisible(workspace == Workspace::simulate);
     simulate_->setShown(workspace == Workspace::simulate);
     compare_->project().setCompared(workspace == Workspace::compare);
     middle_->setCurrentIndex(workspace == Workspace::compare ? 1 : 0);
+    if (workspace == Workspace::compare) { takeRoom(compare_->view(), true); }
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
         if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Menus, shortcuts and the tool bar.
+#include "ui/compare/compare_view.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/view_bar.h"
-#include "ui/results/compare_view.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/command.h"
 #include "ui/window/command_palette.h"

@@ -2,10 +2,10 @@
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
 #include "ui/basics/typed_value.h"
+#include "ui/compare/compare_view.h"
 #include "ui/document/run_folder.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/candidates_panel.h"
-#include "ui/results/compare_view.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/confirm.h"
 #include "ui/window/design_workspace.h"
@@ -220,6 +220,7 @@ bool MainWindow::mayLeave()
 {
     if (!agreesToLeave()) { return false; }
     simulate_->stopRun();
+    compare_->stopRuns();
     return copiesAreDone();
 }
 
@@ -227,7 +228,7 @@ bool MainWindow::mayLeave()
 bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
-    return copiesAreDone() && simulate_->agreesToStopRun() && mayDiscard() && mayDropRuns();
+    return copiesAreDone() && simulate_->agreesToStopRun() && compare_->agreesToStopRuns(this) && mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -317,6 +318,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     stopExport();
     simulate_->stopRun();
+    compare_->stopRuns();
     if (!copiesAreDone()) {
         compare_->project().stay();
         event->ignore();

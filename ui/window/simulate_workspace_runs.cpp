@@ -163,7 +163,8 @@ void SimulateWorkspace::showEarlierRun(const QString& recording)
 bool SimulateWorkspace::mayTakeDesign() const
 {
     const auto& runs = history_.runs();
-    return !document_.modified() && std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
+    return !document_.modified() && !runs_.recording() &&
+           std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
 }
 
 void SimulateWorkspace::takeOpened(const QString& path)

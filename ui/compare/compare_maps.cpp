@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/results/compare_maps.h"
+#include "ui/compare/compare_maps.h"
 
 #include "core/base/error.h"
-#include "core/run/recording.h"
+#include "core/base/text.h"
 #include "ui/basics/quantity.h"
+#include "ui/compare/recorded_frame.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -13,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -22,37 +24,30 @@ constexpr int legend_width = 92;
 constexpr int slider_steps = 200;
 constexpr int crossings_per_cell = 2;
 
-bool isSameRun(const RunRecord& one, const RunRecord& other)
-{
-    return one.fabric == other.fabric && one.experiment == other.experiment && one.date == other.date &&
-           one.textile.ends() == other.textile.ends() && one.textile.picks() == other.textile.picks();
-}
-
-/// At the last recorded time not after a time. Throws Error where the file at the run's path holds another run now.
 FaceMap mapOf(const KeptRun& run, double time, MapSide side)
 {
-    const Recording recording(run.path.toStdString());
-    const RunRecord& recorded = recording.run();
-    if (recording.frames() == 0 || !isSameRun(recorded, *run.run)) {
-        throw Error(
-            CompareMaps::tr("The recording %1 holds another run now. Open it again to compare that run.").arg(run.path).toStdString());
-    }
-    const auto& ledgers = recording.ledgers();
-    const auto after = std::find_if(ledgers.begin(), ledgers.end(), [time](const Ledger& l) { return l.time > time + 1e-9; });
-    const int index = std::clamp(static_cast<int>(after - ledgers.begin()) - 1, 0, recording.frames() - 1);
-    return faceMap(recorded, recording.frame(index), recording.frame(0), side, crossings_per_cell);
+    const Recording recording = recordingOf(run);
+    return faceMap(recording.run(), recording.frame(frameIndexAt(recording, time)), recording.frame(0), side, crossings_per_cell);
 }
 
 } // namespace
 
 CompareMaps::CompareMaps(QWidget* parent)
     : QWidget(parent), side_by_side_(new QWidget), row_(new QHBoxLayout(side_by_side_)), legend_(new QWidget), empty_(new QLabel),
-      face_(new QComboBox), time_(new QSlider(Qt::Horizontal)), shown_time_(new QLabel), value_(new QLabel), problem_(new QLabel)
+      shown_(new QComboBox), face_(new QComboBox), time_(new QSlider(Qt::Horizontal)), shown_time_(new QLabel), value_(new QLabel),
+      problem_(new QLabel), grey_(new QLabel)
 {
     row_->setContentsMargins(0, 4, 0, 0);
     row_->setSpacing(0);
     legend_->setFixedWidth(legend_width);
     row_->addWidget(legend_);
+    shown_->addItems({tr("Maps"), tr("Difference to baseline")});
+    shown_->setAccessibleName(tr("What the maps show"));
+    grey_->setWordWrap(true);
+    grey_->setTextFormat(Qt::PlainText);
+    grey_->setContentsMargins(8, 0, 8, 0);
+    grey_->setForegroundRole(QPalette::PlaceholderText);
+    grey_->setVisible(false);
     face_->addItems({tr("Top face"), tr("Bottom face")});
     face_->setAccessibleName(tr("Face of the fabrics"));
     time_->setRange(0, slider_steps);
@@ -69,6 +64,7 @@ CompareMaps::CompareMaps(QWidget* parent)
     problem_->setVisible(false);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(8, 0, 8, 4);
+    foot->addWidget(shown_);
     foot->addWidget(face_);
     foot->addWidget(time_, 1);
     foot->addWidget(shown_time_);
@@ -79,24 +75,28 @@ CompareMaps::CompareMaps(QWidget* parent)
     layout->addWidget(side_by_side_, 1);
     layout->addWidget(empty_, 1);
     layout->addWidget(problem_);
+    layout->addWidget(grey_);
     layout->addWidget(value_);
     layout->addLayout(foot);
     connect(face_, &QComboBox::currentIndexChanged, this, [this] {
         maximum_ = 0;
         readMaps();
     });
-    connect(time_, &QSlider::valueChanged, this, &CompareMaps::readMaps);
+    connect(shown_, &QComboBox::currentIndexChanged, this, [this] {
+        maximum_ = 0;
+        readMaps();
+    });
+    connect(time_, &QSlider::valueChanged, this, [this] {
+        readMaps();
+        Q_EMIT timeChanged(static_cast<double>(time_->value()) / slider_steps);
+    });
 }
 
-double CompareMaps::duration() const
-{
-    if (runs_.empty()) { return 0; }
-    const RunRecord& run = *runs_.front().run;
-    const Experiment* experiment = find_experiment(run.design, run.experiment);
-    return experiment ? experiment->duration_s : 0;
-}
+double CompareMaps::duration() const { return runs_.empty() ? 0 : durationOf(runs_.front()); }
 
 double CompareMaps::shownTime() const { return duration() * time_->value() / slider_steps; }
+
+void CompareMaps::setTime(double share) { time_->setValue(static_cast<int>(std::lround(share * slider_steps))); }
 
 void CompareMaps::setWaterColors(WaterColors colors)
 {
@@ -104,18 +104,29 @@ void CompareMaps::setWaterColors(WaterColors colors)
     showRange();
 }
 
-void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint)
+MapSide CompareMaps::side() const { return face_->currentIndex() == 0 ? MapSide::top : MapSide::bottom; }
+
+bool CompareMaps::differs() const { return shown_->currentIndex() == static_cast<int>(Shown::differences); }
+
+void CompareMaps::show(Shown shown) { shown_->setCurrentIndex(static_cast<int>(shown)); }
+
+void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint,
+                          const std::optional<KeptRun>& baseline, const QString& baseline_title)
 {
     side_by_side_->setVisible(!runs.empty());
     empty_->setVisible(runs.empty());
     empty_->setText(hint);
-    face_->setEnabled(!runs.empty());
+    for (QComboBox* box : {shown_, face_}) { box->setEnabled(!runs.empty()); }
+    baseline_ = baseline;
+    baseline_title_ = baseline_title;
     time_->setEnabled(!runs.empty());
     QStringList identities;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         identities << titles[static_cast<qsizetype>(i)] + "\n" + runs[i].path + "\n" + QString::fromStdString(runs[i].run->date);
     }
+    if (baseline) { identities << baseline->path + "\n" + QString::fromStdString(baseline->run->date); }
     runs_ = runs;
+    titles_ = titles;
     if (identities == identities_) { return; }
     identities_ = identities;
     qDeleteAll(maps_);
@@ -139,11 +150,14 @@ void CompareMaps::readMaps()
         ++requests_;
         reader_.drop();
         showProblem({});
+        grey_->setVisible(false);
         update();
         return;
     }
-    const MapSide side = face_->currentIndex() == 0 ? MapSide::top : MapSide::bottom;
-    reader_.run([this, runs = runs_, request = ++requests_, side, time = shownTime()](const NewestJob::Turn& turn) {
+    std::vector<KeptRun> wanted = runs_; // and the baseline, last
+    const bool differences = differs() && baseline_;
+    if (differences) { wanted.push_back(*baseline_); }
+    reader_.run([this, runs = wanted, request = ++requests_, side = side(), time = shownTime(), differences](const NewestJob::Turn& turn) {
         std::vector<FaceMap> maps;
         QString problem;
         try {
@@ -154,10 +168,15 @@ void CompareMaps::readMaps()
         } catch (const std::exception& error) {
             problem = QString::fromStdString(error.what());
         }
-        turn.deliver([this, maps, request, problem] {
+        turn.deliver([this, maps, request, problem, differences] {
             if (request != requests_) { return; }
             showProblem(problem);
-            if (problem.isEmpty()) { showMaps(maps); }
+            if (!problem.isEmpty()) { return; }
+            if (differences) {
+                showDifferences({maps.begin(), maps.end() - 1}, maps.back());
+            } else {
+                showMaps(maps);
+            }
         });
     });
 }
@@ -167,7 +186,42 @@ void CompareMaps::showMaps(const std::vector<FaceMap>& maps)
     for (std::size_t i = 0; i < maps.size(); ++i) {
         maximum_ = std::max(maximum_, maps[i].cells.maximum());
         maps_[i]->setMap(maps[i].cells, maps[i].stain, maps[i].size);
+        maps_[i]->setVisible(true);
     }
+    grey_->setVisible(false);
+    showRange();
+    Q_EMIT mapsChanged();
+}
+
+/// The baseline's own is nothing to look at.
+void CompareMaps::showDifferences(const std::vector<FaceMap>& maps, const FaceMap& baseline)
+{
+    QStringList problems;
+    MapError error;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const bool own = runs_[i].path == baseline_->path;
+        maps_[i]->setVisible(!own);
+        if (own) { continue; }
+        if (const QString why = whyNoDifference(maps[i].cells, baseline.cells); !why.isEmpty()) {
+            maps_[i]->clear();
+            problems << tr("There is no difference map of %1: %2.").arg(titles_[static_cast<qsizetype>(i)], why);
+            continue;
+        }
+        const MapError each = errorOfMaps(*runs_[i].run, *baseline_->run, side());
+        const MapDifference difference = differenceOf(maps[i].cells, baseline.cells, each);
+        maximum_ = std::max(maximum_, largestOf(difference));
+        maps_[i]->setDifference(difference, maps[i].size);
+        if (error.of.isEmpty() || each.share.value_or(0) > error.share.value_or(0)) { error = each; }
+    }
+    if (runs_.size() == 1 && runs_.front().path == baseline_->path) { problems << tr("Tick a second fabric to see how it differs."); }
+    showProblem({});
+    problem_->setText(problems.join(' '));
+    problem_->setVisible(!problems.isEmpty());
+    const QString to = tr("Water less that of %1.").arg(baseline_title_);
+    grey_->setText(error.share ? tr("%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.")
+                                     .arg(to, shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)), error.of)
+                               : tr("%1 The numerical error of these runs is not known: grey cells are exactly equal.").arg(to));
+    grey_->setVisible(true);
     showRange();
     Q_EMIT mapsChanged();
 }
@@ -194,8 +248,12 @@ void CompareMaps::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF room(legend_->mapTo(this, QPoint(0, 0)), legend_->size());
-    drawLegend(painter, room.adjusted(4, 0, -4, -std::max(0.0, room.height() - 240)), tr("Water"), 1000 * roundedUp(maximum_), tr("g/m²"),
-               colors_);
+    const QRectF area = room.adjusted(4, 0, -4, -std::max(0.0, room.height() - 240));
+    if (differs() && baseline_) {
+        drawDifferenceLegend(painter, area, tr("Difference"), 1000 * roundedUp(maximum_), tr("g/m²"));
+    } else {
+        drawLegend(painter, area, tr("Water"), 1000 * roundedUp(maximum_), tr("g/m²"), colors_);
+    }
 }
 
 } // namespace hygroloom

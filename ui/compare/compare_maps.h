@@ -20,13 +20,21 @@ class CompareMaps : public QWidget {
 public:
     explicit CompareMaps(QWidget* parent = nullptr);
 
-    /// Of the same experiment, with their titles. Without runs the hint is shown instead.
-    void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint);
+    /// Of the same experiment, with their titles. Without runs the hint is shown instead. baseline: what differences are to, with its
+    /// title; it may be one of the runs.
+    void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint,
+                 const std::optional<KeptRun>& baseline = {}, const QString& baseline_title = {});
+    enum class Shown { maps, differences };
+    void show(Shown shown);
     void setWaterColors(WaterColors colors);
+    /// From 0 to 1 of the experiment.
+    void setTime(double share);
     const std::vector<WaterMap*>& maps() const { return maps_; }
 
 Q_SIGNALS:
     void mapsChanged();
+    /// The share of the experiment that has passed.
+    void timeChanged(double share);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -34,22 +42,30 @@ protected:
 private:
     double duration() const;
     double shownTime() const;
+    MapSide side() const;
+    bool differs() const;
     void readMaps();
     void showMaps(const std::vector<FaceMap>& maps);
+    void showDifferences(const std::vector<FaceMap>& maps, const FaceMap& baseline);
     void showProblem(const QString& sentence);
     void showRange();
 
     std::vector<KeptRun> runs_;
+    QStringList titles_;
     QStringList identities_; ///< title, path and date of each run: other ones need other maps
     QWidget* side_by_side_;
     QHBoxLayout* row_;
     QWidget* legend_;
     QLabel* empty_;
+    std::optional<KeptRun> baseline_;
+    QString baseline_title_;
+    QComboBox* shown_;
     QComboBox* face_;
     QSlider* time_;
     QLabel* shown_time_;
     QLabel* value_;
     QLabel* problem_;
+    QLabel* grey_; ///< what grey cells are
     std::vector<WaterMap*> maps_;
     long requests_ = 0;  ///< for maps
     double maximum_ = 0; ///< kg/m2, of all times of these runs that were shown

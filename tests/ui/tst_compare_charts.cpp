@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the maps and charts of the compare workspace draw.
+#include "ui/compare/chart_data.h"
+#include "ui/compare/curves_view.h"
+#include "ui/compare/fingerprint_view.h"
+#include "ui/compare/scatter_view.h"
+#include "ui/results/map_difference.h"
+#include "ui/results/water_map.h"
+
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestCompareCharts : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void differencesWithinTheErrorAreGrey()
+    {
+        const CellMap baseline = map({0, 10, 100, 0}), other = map({0, 10.4, 90, 2});
+        const MapDifference found = differenceOf(other, baseline, {0.05, "it"});
+        QCOMPARE(found.real, (std::vector<bool>{false, false, true, true}));
+        QCOMPARE(found.cells.water[2], -10.0);
+        QCOMPARE(found.cells.water[3], 2.0);
+        QCOMPARE(largestOf(found), 10.0);
+        QCOMPARE(differenceOf(other, baseline, {}).real, (std::vector<bool>{false, true, true, true})); // no error is known
+        QCOMPARE(largestOf(differenceOf(baseline, baseline, {})), 0.0);
+    }
+
+    void greyCellsAreDrawnGreyAndTheOthersBySign()
+    {
+        WaterMap shown("cloth");
+        shown.resize(220, 240);
+        shown.setRange(10, WaterColors::blue);
+        shown.setDifference(differenceOf(map({0, 10.4, 90, 12}), map({0, 10, 100, 2}), {0.05, "it"}), QSizeF(0.002, 0.002));
+        const QImage image = shown.grab().toImage();
+        const auto at = [&image](double x, double y) { return image.pixelColor(static_cast<int>(x * 220), static_cast<int>(y * 240)); };
+        QCOMPARE(at(0.6, 0.7).rgb(), noDifferenceColor().rgb()); // below: no difference, and 0.4 of 10.4
+        QCOMPARE(at(0.3, 0.3).rgb(), differenceColor(-1).rgb()); // above: 10 less, and 10 more
+        QCOMPARE(at(0.7, 0.3).rgb(), differenceColor(1).rgb());
+        QVERIFY(differenceColor(0).lightness() > differenceColor(0.5).lightness());
+        QVERIFY(differenceColor(0) != noDifferenceColor());
+    }
+
+    void mapsOfOtherCellsCannotBeCompared()
+    {
+        const CellMap baseline = map({0, 1, 2, 3});
+        QVERIFY(whyNoDifference(baseline, baseline).isEmpty());
+        CellMap other = baseline;
+        other.cell_width *= 1.01;
+        QVERIFY(whyNoDifference(other, baseline).contains("setts"));
+        other = baseline;
+        other.rows = 1;
+        QVERIFY(whyNoDifference(other, baseline).contains("another size"));
+    }
+
+    void theErrorOfAMapIsThatOfItsFacesStain()
+    {
+        RunRecord run, baseline;
+        run.plan.expected_errors["maximum_wetted_radius_top_mm"] = 0.02;
+        baseline.plan.expected_errors["maximum_wetted_radius_top_mm"] = 0.03;
+        run.plan.expected_error = baseline.plan.expected_error = 0.2;
+        QCOMPARE(errorOfMaps(run, baseline, MapSide::top).share, std::optional(0.03));
+        QCOMPARE(errorOfMaps(run, baseline, MapSide::bottom).share, std::optional(0.2));
+        baseline.plan.expected_error.reset();
+        QVERIFY(!errorOfMaps(run, baseline, MapSide::bottom).share);
+    }
+
+    void theFrontHasWhatNoOtherBeats()
+    {
+        const std::vector<QPointF> points{{1, 5}, {2, 4}, {3, 3}, {2, 2}, {4, 1}, {1, 1}};
+        QCOMPARE(paretoFront(points, Better::more, Better::more), (std::vector<std::size_t>{0, 1, 2, 4}));
+        QCOMPARE(paretoFront(points, Better::less, Better::less), (std::vector<std::size_t>{5}));
+        QCOMPARE(paretoFront(points, Better::more, Better::less), (std::vector<std::size_t>{4}));
+        QCOMPARE(paretoFront({{1, 1}, {1, 1}}, Better::more, Better::more).size(), std::size_t{2}); // alike: neither beats the other
+        QVERIFY(paretoFront({}, Better::more, Better::more).empty());
+    }
+
+    void theScatterMarksTheFront()
+    {
+        ScatterView view;
+        const Comparison numbers = comparison();
+        view.setComparison(numbers);
+        int time = -1;
+        for (std::size_t i = 0; i < numbers.criteria.size(); ++i) {
+            if (numbers.criteria[i].key == "absorbency_time_s") { time = static_cast<int>(i); }
+        }
+        view.choose(0, time);
+        QCOMPARE(view.front(), (QStringList{"quick", "wide"}));
+    }
+
+    void aCurveHasTheBandOfItsNumbersError()
+    {
+        const auto metrics = std::make_shared<Metrics>();
+        metrics->series.time = {0, 1};
+        metrics->series.radius_top = {0.002, 0.004};
+        metrics->series.radius_bottom = {0, 0};
+        metrics->series.free_water = {1e-6, 0};
+        const auto choices = curvesOf(ExperimentType::droplet, {metrics});
+        QCOMPARE(choices.front().title, QString("Wetted radius, top (mm)"));
+        QVERIFY(std::none_of(choices.begin(), choices.end(), [](const CurveChoice& each) { return each.title.contains("bottom"); }));
+        RunRecord run;
+        run.plan.expected_errors["maximum_wetted_radius_top_mm"] = 0.1;
+        CurvePoints points = pointsOf(run, *metrics, choices.front());
+        QCOMPARE(points.values, (std::vector<QPointF>{{0, 2}, {1, 4}}));
+        QCOMPARE(points.half.size(), std::size_t{2});
+        QVERIFY(std::abs(points.half[1] - 0.4) < 1e-12);
+        points = pointsOf(run, *metrics, choices[1]);
+        QVERIFY(points.half.empty() && bandText(choices[1]).isEmpty()); // no error of it is measured
+        const KeptRun kept{"path", std::make_shared<RunRecord>(run), metrics};
+        CurvesView view;
+        view.setRuns({kept, kept}, {"one", "two"});
+        QCOMPARE(view.lines(), 2);
+        QCOMPARE(view.bands(), 2);
+    }
+
+    void aFingerprintGoesFromTheWorstToTheBest()
+    {
+        const Comparison numbers = comparison();
+        const Fingerprint found = fingerprintOf(numbers, {"wide", "slow"});
+        QVERIFY(!found.grades);
+        QCOMPARE(found.spokes.size(), static_cast<qsizetype>(numbers.criteria.size()));
+        const auto spoke = [&](const char* key) {
+            for (std::size_t i = 0; i < numbers.criteria.size(); ++i) {
+                if (numbers.criteria[i].key == key) { return i; }
+            }
+            return std::size_t{99};
+        };
+        QCOMPARE(found.runs[0][spoke("maximum_wetted_radius_top_mm")], 1.0);
+        QCOMPARE(found.runs[0][spoke("absorbency_time_s")], 0.5); // a smaller time is better
+        QCOMPARE(found.runs[1][spoke("absorbency_time_s")], 0.0);
+        QCOMPARE(found.runs[0][spoke("maximum_wetted_radius_bottom_mm")], -1.0); // it has no such number
+    }
+
+private:
+    /// Two by two cells of a millimetre, the first row below.
+    static CellMap map(const std::vector<double>& water)
+    {
+        CellMap made;
+        made.columns = made.rows = 2;
+        made.cell_width = made.cell_height = 1e-3;
+        made.water = water;
+        return made;
+    }
+
+    static Candidate candidate(const std::string& name, double radius, double time)
+    {
+        Candidate made;
+        made.fabric = name;
+        made.run = std::make_shared<RunRecord>();
+        made.metrics = std::make_shared<Metrics>();
+        made.replicates = {ReplicateRun{{{"maximum_wetted_radius_top_mm", radius}, {"absorbency_time_s", time}}, {}}};
+        return made;
+    }
+
+    static Comparison comparison()
+    {
+        Comparison made;
+        made.criteria = compared_by(ExperimentType::droplet);
+        made.ranked_by = made.criteria.front();
+        made.baseline = "wide";
+        made.candidates = {candidate("wide", 9, 2), candidate("quick", 5, 1), candidate("slow", 4, 3)};
+        judge(made);
+        return made;
+    }
+};
+
+QTEST_MAIN(TestCompareCharts)
+#include "tst_compare_charts.moc"

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/candidate_grid.h"
+
+#include "core/base/text.h"
+#include "ui/basics/quantity.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hygroloom {
+
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("hygroloom", text); }
+
+QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+GridColumn columnOf(const OutcomeInfo& info)
+{
+    GridColumn column;
+    column.info = info;
+    const QString unit = QString::fromStdString(shown(info, 0.0).unit);
+    column.head = capital(QString::fromStdString(full_title(info)));
+    if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
+    column.tip = info.better == Better::less ? words("Smaller is better.") : words("Larger is better.");
+    return column;
+}
+
+const Candidate* candidateNamed(const Comparison& comparison, const std::string& name)
+{
+    const auto& all = comparison.candidates;
+    const auto found = std::find_if(all.begin(), all.end(), [&name](const Candidate& each) { return each.fabric == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+/// What there is to say under a number, and why.
+void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& candidate, const GridEntry& entry, const OutcomeInfo& info)
+{
+    if (entry.runs < comparison.replicates) {
+        cell.verdict = words("%1 of %2 runs").arg(entry.runs).arg(comparison.replicates);
+    } else if (candidate.fabric == comparison.baseline) {
+        cell.verdict = comparison.candidates.size() > 1 ? words("baseline") : QString();
+    }
+    const Compared* found = verdict_of(comparison, candidate.fabric, info.key);
+    if (!found) { return; }
+    cell.verdict = verdictText(found->verdict);
+    const QString base = QString::fromStdString(comparison.baseline);
+    const ShownValue low = shown(info, found->low), high = shown(info, found->high);
+    const int decimals = decimals_for(std::max(std::abs(low.value), std::abs(high.value)), 2);
+    cell.tip += "\n" + words("Difference to %1: %2 to %3 %4, from %5.")
+                           .arg(base, shownNumber(low.value, decimals), shownNumber(high.value, decimals), QString::fromStdString(low.unit),
+                                found->pairs == 1 ? words("one run of each") : words("%1 pairs of runs").arg(found->pairs));
+}
+
+GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const OutcomeInfo& info)
+{
+    GridCell cell;
+    cell.path = entry.path;
+    cell.missing = entry.missing;
+    const Candidate* candidate = candidateNamed(comparison, entry.name);
+    const auto found = candidate ? candidate->intervals.find(info.key) : std::map<std::string, Interval>::const_iterator{};
+    if (!candidate || found == candidate->intervals.end()) {
+        const bool none = !candidate || entry.runs == 0;
+        cell.state = entry.reading                    ? GridCell::State::reading
+                     : none && !entry.missing.empty() ? GridCell::State::missing
+                                                      : GridCell::State::no_number;
+        cell.tip = words("This run does not give this number.");
+        return cell;
+    }
+    const Interval& interval = found->second;
+    const ShownInterval seen = shown(info, interval);
+    cell.state = GridCell::State::number;
+    cell.value = seen.value;
+    cell.low = shown(info, interval.low).value;
+    cell.high = shown(info, interval.high).value;
+    if (cell.low > cell.high) { std::swap(cell.low, cell.high); }
+    const auto text = [&seen](double number) { // both with equal decimals; never "-0.00"
+        return QLocale().toString(std::abs(number) < 0.5 * std::pow(10.0, -seen.decimals) ? 0.0 : number, 'f', seen.decimals);
+    };
+    cell.number = seen.half > 0 ? text(seen.value) + QStringLiteral(" ± ") + text(seen.half) : shownNumber(seen.value, seen.decimals);
+    if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
+    const bool several = interval.runs > 1;
+    cell.tip =
+        several ? words("After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known "
+                        "of the cloth.")
+                      .arg(interval.runs)
+                : words("After ±: the numerical error, as measured on runs of this kind.");
+    if (!interval.numerical_known) { cell.tip = words("The numerical error of this number is not known."); }
+    addVerdict(cell, comparison, *candidate, entry, info);
+    return cell;
+}
+
+void findRanges(Grid& grid)
+{
+    for (std::size_t i = 0; i < grid.columns.size(); ++i) {
+        GridColumn& column = grid.columns[i];
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const GridRow& row : grid.rows) {
+            if (row.cells[i].state != GridCell::State::number) { continue; }
+            low = std::min(low, row.cells[i].low);
+            high = std::max(high, row.cells[i].high);
+        }
+        if (low < high) {
+            column.low = low;
+            column.high = high;
+        }
+    }
+}
+
+void addRank(GridRow& row, const Comparison& comparison)
+{
+    const Candidate* candidate = candidateNamed(comparison, row.name);
+    if (!candidate || candidate->rank == 0 || comparison.candidates.size() < 2) { return; }
+    row.place = candidate->rank;
+    row.rank = QString::number(candidate->rank) + (candidate->tied ? " =" : "");
+}
+
+} // namespace
+
+QString verdictText(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::better: return words("better");
+    case Verdict::probably_better: return words("probably better");
+    case Verdict::no_difference: return words("no difference shown");
+    case Verdict::probably_worse: return words("probably worse");
+    case Verdict::worse: return words("worse");
+    }
+    return {};
+}
+
+Grid gridOf(const Comparison& comparison, const std::vector<GridEntry>& entries)
+{
+    Grid grid;
+    for (const OutcomeInfo& info : comparison.criteria) { grid.columns.push_back(columnOf(info)); }
+    for (const GridEntry& entry : entries) {
+        GridRow row;
+        row.name = entry.name;
+        row.path = entry.path;
+        row.baseline = entry.name == comparison.baseline;
+        for (const OutcomeInfo& info : comparison.criteria) { row.cells.push_back(cellOf(comparison, entry, info)); }
+        addRank(row, comparison);
+        grid.rows.push_back(std::move(row));
+    }
+    findRanges(grid);
+    return grid;
+}
+
+Grid overviewOf(const std::vector<ExperimentPart>& parts)
+{
+    Grid grid;
+    for (const ExperimentPart& part : parts) {
+        const Comparison& comparison = part.comparison;
+        GridColumn column = columnOf(comparison.ranked_by);
+        column.head = QString::fromStdString(comparison.experiment) + "\n" + column.head;
+        grid.columns.push_back(std::move(column));
+        if (grid.rows.empty()) {
+            for (const GridEntry& entry : part.entries) {
+                GridRow row;
+                row.name = entry.name;
+                row.baseline = entry.name == comparison.baseline;
+                grid.rows.push_back(std::move(row));
+            }
+        }
+        for (std::size_t i = 0; i < grid.rows.size(); ++i) {
+            grid.rows[i].cells.push_back(cellOf(comparison, part.entries[i], comparison.ranked_by));
+        }
+    }
+    findRanges(grid);
+    return grid;
+}
+
+void sortRows(Grid& grid, int column, bool ascending)
+{
+    const auto key = [&](const GridRow& row) -> std::optional<double> {
+        if (column < 0) { return row.place > 0 ? std::optional<double>(row.place) : std::nullopt; }
+        const GridCell& cell = row.cells[static_cast<std::size_t>(column)];
+        return cell.state == GridCell::State::number ? std::optional(cell.value) : std::nullopt;
+    };
+    std::stable_sort(grid.rows.begin(), grid.rows.end(), [&](const GridRow& a, const GridRow& b) {
+        const auto one = key(a), other = key(b);
+        if (!one || !other) { return one.has_value() && !other; }
+        return ascending ? *one < *other : *other < *one;
+    });
+}
+
+void filterRows(Grid& grid, const QString& text)
+{
+    std::erase_if(grid.rows, [&text](const GridRow& row) { return !QString::fromStdString(row.name).contains(text, Qt::CaseInsensitive); });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/chart_data.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hygroloom {
+
+namespace {
+
+QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+/// The number whose error a curve has.
+struct CurveError {
+    std::vector<double> Series::*curve;
+    const char* metric;
+    const char* words;
+};
+constexpr CurveError curve_errors[] = {
+    {&Series::radius_top, "maximum_wetted_radius_top_mm", "the wetted radius, top"},
+    {&Series::radius_bottom, "maximum_wetted_radius_bottom_mm", "the wetted radius, bottom"},
+    {&Series::wick_height, "wick_height_mm", "the height"},
+};
+
+const CurveError* errorOf(const Curve& curve)
+{
+    const auto found = std::find_if(std::begin(curve_errors), std::end(curve_errors),
+                                    [&curve](const CurveError& error) { return error.curve == curve.values; });
+    return found == std::end(curve_errors) ? nullptr : found;
+}
+
+/// From the worst of all candidates to the best; nothing where all are alike or one number is missing.
+double shareOf(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion)
+{
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Candidate& each : comparison.candidates) {
+        const auto found = each.intervals.find(criterion.key);
+        if (found == each.intervals.end()) { continue; }
+        low = std::min(low, found->second.centre);
+        high = std::max(high, found->second.centre);
+    }
+    const auto own = candidate.intervals.find(criterion.key);
+    if (own == candidate.intervals.end()) { return -1; }
+    if (!(high > low)) { return 1; }
+    const double share = (own->second.centre - low) / (high - low);
+    return criterion.better == Better::less ? 1 - share : share;
+}
+
+std::vector<const Candidate*> named(const Comparison& comparison, const std::vector<std::string>& names)
+{
+    std::vector<const Candidate*> found;
+    for (const std::string& name : names) {
+        for (const Candidate& each : comparison.candidates) {
+            if (each.fabric == name && each.run && each.metrics) { found.push_back(&each); }
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<std::size_t> paretoFront(const std::vector<QPointF>& points, Better x, Better y)
+{
+    const double sign_x = x == Better::less ? -1 : 1, sign_y = y == Better::less ? -1 : 1;
+    const auto dominates = [&](const QPointF& a, const QPointF& b) {
+        const double dx = sign_x * (a.x() - b.x()), dy = sign_y * (a.y() - b.y());
+        return dx >= 0 && dy >= 0 && (dx > 0 || dy > 0);
+    };
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::none_of(points.begin(), points.end(), [&](const QPointF& other) { return dominates(other, points[i]); })) {
+            front.push_back(i);
+        }
+    }
+    std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) { return points[a].x() < points[b].x(); });
+    return front;
+}
+
+std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::shared_ptr<const Metrics>>& runs)
+{
+    std::vector<const Plot*> plots{&subject_plot(type), &water_plot(type)};
+    for (const Plot& plot : all_plots()) {
+        if (std::find(plots.begin(), plots.end(), &plot) == plots.end()) { plots.push_back(&plot); }
+    }
+    if (plots[0] == plots[1]) { plots.erase(plots.begin() + 1); }
+    std::vector<CurveChoice> choices;
+    for (const Plot* plot : plots) {
+        for (const Curve& curve : plot->curves) {
+            const auto is_seen = [&](const std::shared_ptr<const Metrics>& run) {
+                const auto& values = (*run).series.*curve.values;
+                return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
+            };
+            if (std::none_of(runs.begin(), runs.end(), is_seen)) { continue; }
+            const QString name = plot->curves.size() == 1 ? QString(plot->title) : QString("%1, %2").arg(plot->title, curve.name);
+            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, plot->unit)});
+        }
+    }
+    return choices;
+}
+
+CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice)
+{
+    CurvePoints points;
+    const std::vector<double> values = plotted(*choice.plot, choice.curve, metrics);
+    const CurveError* error = errorOf(choice.curve);
+    const bool known = error && numerical_error(run, error->metric, 1).has_value();
+    for (std::size_t i = 0; i < std::min(values.size(), metrics.series.time.size()); ++i) {
+        const double value = choice.plot->from_zero ? std::max(0.0, values[i]) : values[i];
+        points.values.emplace_back(metrics.series.time[i], value);
+        if (known) { points.half.push_back(*numerical_error(run, error->metric, value)); }
+    }
+    return points;
+}
+
+QString bandText(const CurveChoice& choice)
+{
+    const CurveError* error = errorOf(choice.curve);
+    return error ? QCoreApplication::translate("hygroloom", error->words) : QString();
+}
+
+Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::string>& names)
+{
+    Fingerprint made;
+    const std::vector<const Candidate*> all = named(comparison, names);
+    made.runs.resize(all.size());
+    if (all.empty()) { return made; }
+    made.grades = all.front()->metrics->management.has_value();
+    if (made.grades) {
+        made.most = 5;
+        for (const Outcome& outcome : outcomes_of(*all.front()->run, *all.front()->metrics)) {
+            if (!outcome.grade) { continue; }
+            made.spokes << capital(QString::fromStdString(full_title(outcome)));
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                double grade = -1;
+                for (const Outcome& each : outcomes_of(*all[i]->run, *all[i]->metrics)) {
+                    if (each.key == outcome.key && each.grade) { grade = *each.grade; }
+                }
+                made.runs[i].push_back(grade);
+            }
+        }
+        return made;
+    }
+    for (const OutcomeInfo& criterion : comparison.criteria) {
+        made.spokes << capital(QString::fromStdString(full_title(criterion)));
+        for (std::size_t i = 0; i < all.size(); ++i) { made.runs[i].push_back(shareOf(comparison, *all[i], criterion)); }
+    }
+    return made;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the charts of the compare workspace draw, without the drawing.
+#pragma once
+
+#include "core/analysis/comparison.h"
+#include "core/analysis/plots.h"
+
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace hygroloom {
+
+/// The points that no other is better than in one number and as good in the other, from left to right.
+std::vector<std::size_t> paretoFront(const std::vector<QPointF>& points, Better x, Better y);
+
+/// A curve that runs have in common.
+struct CurveChoice {
+    const Plot* plot = nullptr;
+    Curve curve{};
+    QString title; ///< "Wetted radius, top (mm)"
+};
+/// Those of which there is something to see in any of the runs; the experiment's own first.
+std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::shared_ptr<const Metrics>>& runs);
+
+struct CurvePoints {
+    std::vector<QPointF> values;
+    std::vector<double> half; ///< of the band at each; empty: no error of it is known
+};
+CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice);
+/// The number whose error the band is; empty: none is measured.
+QString bandText(const CurveChoice& choice);
+
+/// Spokes, and for each run how far it lies on each; less than 0: it has no such number.
+struct Fingerprint {
+    QStringList spokes;
+    std::vector<std::vector<double>> runs;
+    double most = 1;     ///< at the rim
+    bool grades = false; ///< 1 to 5, else from the worst to the best of all candidates
+};
+/// Of the candidates of these names.
+Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::string>& names);
+
+} // namespace hygroloom

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/compare_bar.h"
+
+#include "ui/basics/appearance.h"
+#include "ui/compare/study_runs.h"
+#include "ui/results/plan_dialog.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+void keepRoom(QWidget* widget)
+{
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+}
+
+void addField(QHBoxLayout* row, const QString& name, QWidget* field)
+{
+    auto* label = new QLabel(name);
+    label->setBuddy(field);
+    field->setAccessibleName(QString(name).remove('&').remove(':'));
+    row->addWidget(label);
+    row->addWidget(field);
+    row->addSpacing(6);
+}
+
+} // namespace
+
+CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
+    : QWidget(parent), experiment_(new QComboBox), fidelity_(new QComboBox), replicates_(new QComboBox),
+      run_(new QPushButton(themedIcon("run"), tr("&Run All Missing"))), state_(new QLabel), progress_(new QProgressBar),
+      cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), save_(new QPushButton(tr("Save &Table…"))),
+      tools_(new QHBoxLayout), runs_(runs)
+{
+    experiment_->setMinimumContentsLength(16);
+    experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const Fidelity each : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
+        fidelity_->addItem(fidelityName(each), static_cast<int>(each));
+    }
+    for (const int count : {1, 4, 8, 16}) { replicates_->addItem(QString::number(count), count); }
+    replicates_->setToolTip(
+        "<p>" +
+        tr("Runs of each fabric. With more than one, inputs are drawn within what is not known of the cloth, and yarns are "
+           "as uneven as is typical; intervals then hold this scatter.") +
+        "</p>");
+    progress_->setFixedWidth(120);
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(false);
+    progress_->setAccessibleName(tr("Progress of the runs"));
+    for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) { keepRoom(widget); }
+    state_->setForegroundRole(QPalette::PlaceholderText);
+    state_->setAccessibleName(tr("Missing runs"));
+    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    filter_->setPlaceholderText(tr("Filter fabrics"));
+    filter_->setAccessibleName(tr("Filter fabrics"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setMaximumWidth(220);
+    save_->setToolTip(tr("Write the numbers as a CSV file for spreadsheets."));
+
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(8, 6, 8, 2);
+    rows->setSpacing(6);
+    auto* first = new QHBoxLayout;
+    addField(first, tr("E&xperiment:"), experiment_);
+    addField(first, tr("F&idelity:"), fidelity_);
+    addField(first, tr("R&eplicates:"), replicates_);
+    first->addWidget(run_);
+    first->addWidget(state_, 1);
+    first->addWidget(progress_);
+    first->addWidget(cancel_);
+    rows->addLayout(first);
+    tools_->addWidget(filter_, 1);
+    tools_->addStretch(1);
+    tools_->addWidget(save_);
+    rows->addLayout(tools_);
+
+    connect(experiment_, &QComboBox::activated, this, &CompareBar::experimentChosen);
+    connect(fidelity_, &QComboBox::activated, this, &CompareBar::fidelityChosen);
+    connect(replicates_, &QComboBox::currentIndexChanged, this, &CompareBar::replicatesChosen);
+    connect(run_, &QPushButton::clicked, this, &CompareBar::runAllRequested);
+    connect(cancel_, &QPushButton::clicked, this, &CompareBar::cancelRequested);
+    connect(filter_, &QLineEdit::textChanged, this, &CompareBar::filterChanged);
+    connect(save_, &QPushButton::clicked, this, &CompareBar::saveRequested);
+    showProgress();
+}
+
+void CompareBar::setExperiments(const QStringList& names, int chosen)
+{
+    const QSignalBlocker quiet(experiment_);
+    QStringList old;
+    for (int i = 0; i < experiment_->count(); ++i) { old << experiment_->itemText(i); }
+    if (old != names) {
+        experiment_->clear();
+        experiment_->addItems(names);
+    }
+    experiment_->setCurrentIndex(chosen);
+    experiment_->setToolTip(experiment_->currentText());
+}
+
+int CompareBar::experiment() const { return experiment_->currentIndex(); }
+
+void CompareBar::setFidelity(Fidelity fidelity) { fidelity_->setCurrentIndex(fidelity_->findData(static_cast<int>(fidelity))); }
+
+Fidelity CompareBar::fidelity() const { return static_cast<Fidelity>(fidelity_->currentData().toInt()); }
+
+int CompareBar::replicates() const { return replicates_->currentData().toInt(); }
+
+void CompareBar::setReplicates(int count) { replicates_->setCurrentIndex(std::max(0, replicates_->findData(count))); }
+
+void CompareBar::setMissing(int runs, double seconds, const QString& why_not)
+{
+    run_->setEnabled(runs > 0 && why_not.isEmpty());
+    if (!why_not.isEmpty()) {
+        missing_ = tr("Cannot run: %1").arg(why_not);
+    } else if (runs == 0) {
+        missing_ = tr("Nothing is missing.");
+    } else {
+        const QString count = runs == 1 ? tr("1 run") : tr("%1 runs").arg(runs);
+        missing_ = seconds <= 0 ? count : tr("%1, %2").arg(count, roughDuration(seconds));
+    }
+    run_->setToolTip("<p>" + (why_not.isEmpty() ? tr("Run each fabric that has no run of this experiment yet.") : why_not).toHtmlEscaped() +
+                     "</p>");
+    showProgress();
+}
+
+void CompareBar::showProgress()
+{
+    const bool running = runs_.running();
+    progress_->setVisible(running);
+    cancel_->setVisible(running);
+    QString text = missing_;
+    if (running) {
+        progress_->setValue(static_cast<int>(1000 * runs_.share()));
+        text = runs_.progressText();
+        if (const auto left = runs_.timeLeft()) { text += tr(", %1 left").arg(roughDuration(*left)); }
+        text += ".";
+    }
+    said_ = text;
+    state_->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
+    state_->setAccessibleDescription(text);
+    elide();
+}
+
+/// A sentence that is too long ends in dots, and stands in the tool tip.
+void CompareBar::elide() { state_->setText(state_->fontMetrics().elidedText(said_, Qt::ElideRight, state_->width())); }
+
+void CompareBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    elide();
+}
+
+} // namespace hygroloom

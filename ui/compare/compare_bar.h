@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Above the table of candidates: what is compared and how, running what is missing, and what can be done with the table.
+#pragma once
+
+#include "core/plan/fidelity.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace hygroloom {
+
+class StudyRuns;
+
+class CompareBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit CompareBar(const StudyRuns& runs, QWidget* parent = nullptr);
+
+    /// The first is the overview of all.
+    void setExperiments(const QStringList& names, int chosen);
+    int experiment() const;
+    void setFidelity(Fidelity fidelity);
+    Fidelity fidelity() const;
+    int replicates() const;
+    void setReplicates(int count);
+    /// What Run All Missing would do; seconds: 0 where they are not known. why_not: why it cannot.
+    void setMissing(int runs, double seconds, const QString& why_not);
+    void showProgress();
+    QPushButton* save() { return save_; }
+    QPushButton* runAll() { return run_; }
+    /// Where further tools stand, right of the filter.
+    QHBoxLayout* tools() { return tools_; }
+
+Q_SIGNALS:
+    void experimentChosen();
+    void fidelityChosen();
+    void replicatesChosen();
+    void runAllRequested();
+    void cancelRequested();
+    void filterChanged(const QString& text);
+    void saveRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void elide();
+
+    QComboBox* experiment_;
+    QComboBox* fidelity_;
+    QComboBox* replicates_;
+    QPushButton* run_;
+    QLabel* state_;
+    QProgressBar* progress_;
+    QPushButton* cancel_;
+    QLineEdit* filter_;
+    QPushButton* save_;
+    QHBoxLayout* tools_;
+    const StudyRuns& runs_;
+    QString missing_;
+    QString said_; ///< in full
+};
+
+} // namespace hygroloom

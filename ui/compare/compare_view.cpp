@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What is compared. The table and what is missing: compare_view_table.cpp.
+#include "ui/compare/compare_view.h"
+
+#include "ui/compare/candidate_table.h"
+#include "ui/compare/cloths_view.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_maps.h"
+#include "ui/compare/curves_view.h"
+#include "ui/compare/fingerprint_view.h"
+#include "ui/compare/run_list.h"
+#include "ui/compare/scatter_view.h"
+#include "ui/document/document.h"
+
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& runs, QWidget* parent)
+    : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
+      table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
+      maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView),
+      cloths_(new ClothsView), note_(new QLabel)
+{
+    note_->setWordWrap(true);
+    note_->setTextFormat(Qt::PlainText);
+    note_->setForegroundRole(QPalette::PlaceholderText);
+    note_->setContentsMargins(8, 0, 8, 2);
+    auto* numbers = new QWidget;
+    auto* column = new QVBoxLayout(numbers);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(table_, 1);
+    column->addWidget(note_);
+    for (QTabWidget* tabs : {upper_, lower_}) { tabs->setDocumentMode(true); }
+    upper_->addTab(numbers, tr("Candidates"));
+    upper_->addTab(list_, tr("All Runs"));
+    lower_->addTab(maps_, tr("Maps"));
+    lower_->addTab(curves_, tr("Curves"));
+    lower_->addTab(fingerprint_, tr("Fingerprint"));
+    lower_->addTab(scatter_, tr("Scatter"));
+    lower_->addTab(cloths_, tr("3D"));
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(upper_);
+    parts->addWidget(lower_);
+    parts->setSizes({300, 420});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar_);
+    layout->addWidget(parts, 1);
+    connectParts();
+    refresh();
+}
+
+void CompareView::connectParts()
+{
+    connect(maps_, &CompareMaps::mapsChanged, this, &CompareView::mapsChanged);
+    connect(maps_, &CompareMaps::timeChanged, cloths_, &ClothsView::setTime);
+    connect(cloths_, &ClothsView::timeChosen, maps_, &CompareMaps::setTime); // one clock
+    connect(list_, &RunList::tickRequested, this, &CompareView::choose);
+    connect(list_, &RunList::openRequested, this, &CompareView::runRequested);
+    connect(list_, &RunList::markRequested, this, &CompareView::markRequested);
+    connect(list_, &RunList::forgetRequested, this, &CompareView::forgetRequested);
+    connect(table_, &CandidateTable::tickRequested, this, &CompareView::choose);
+    connect(table_, &CandidateTable::openRequested, this, &CompareView::runRequested);
+    connect(table_, &CandidateTable::runRequested, this, &CompareView::start);
+    connect(table_, &CandidateTable::rankingChanged, this, &CompareView::refreshTable);
+    connect(table_, &CandidateTable::baselineRequested, this, [this](const std::string& name) {
+        baseline_ = name;
+        refreshTable();
+        refreshLower();
+    });
+    connect(bar_, &CompareBar::experimentChosen, this, [this] {
+        selected_ = bar_->experiment() - 1;
+        selecting_ = false;
+        proposing_ = true;
+        refresh();
+    });
+    connect(bar_, &CompareBar::fidelityChosen, this, [this] {
+        fidelity_follows_ = false;
+        refresh();
+    });
+    connect(bar_, &CompareBar::replicatesChosen, this, &CompareView::refresh);
+    connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
+    connect(bar_, &CompareBar::saveRequested, this, &CompareView::saveTable);
+    connect(bar_, &CompareBar::runAllRequested, this, [this] { start(missing()); });
+    connect(bar_, &CompareBar::cancelRequested, &runs_, &StudyRuns::cancel);
+    connect(&runs_, &StudyRuns::progressed, bar_, &CompareBar::showProgress);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &CompareView::refresh);
+    connect(&runs_, &StudyRuns::changed, this, [this] {
+        if (!soon_.isActive()) { soon_.start(100); }
+    });
+    connect(&runs_, &StudyRuns::ended, this, &CompareView::refresh);
+    connect(&runs_, &StudyRuns::failed, this, &CompareView::failed);
+    connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
+    connect(&document_, &Document::replaced, this, [this] {
+        proposing_ = selecting_ = fidelity_follows_ = true;
+        selected_ = -1;
+        baseline_.clear();
+        chosen_.clear();
+    });
+    connect(&document_, &Document::designChanged, this, [this] {
+        if (isVisible()) { refresh(); } // else once it is shown
+    });
+}
+
+void CompareView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
+QString CompareView::nameOf(const KeptRun& run) const
+{
+    for (const StudyRow& row : rows_) {
+        if (row.path == run.path) { return QString::fromStdString(row.fabric); }
+    }
+    return nameOfRun(history_, run);
+}
+
+std::vector<KeptRun> CompareView::compared() const
+{
+    std::vector<KeptRun> runs;
+    for (const KeptRun& run : history_.runs()) {
+        if (chosen_.contains(run.path)) { runs.push_back(run); }
+    }
+    return runs;
+}
+
+QString CompareView::whyNot(const KeptRun& run) const
+{
+    const std::vector<KeptRun> others = compared();
+    const bool alone = others.empty() || (others.size() == 1 && others.front().path == run.path);
+    const QString why = whyNotCompared(run, alone ? run : others.front());
+    const bool full = others.size() >= most_runs && !chosen_.contains(run.path);
+    return why.isEmpty() && full ? tr("At most four runs can be compared.") : why;
+}
+
+void CompareView::choose(const QString& path, bool on)
+{
+    const KeptRun* run = history_.find(path);
+    proposing_ = false;
+    if (on && run && !chosen_.contains(path) && whyNot(*run).isEmpty()) {
+        chosen_ << path;
+        if (const int of = entryOf(*run); of >= 0) { selected_ = of; }
+    } else if (!on) {
+        chosen_.removeAll(path);
+    }
+    refresh();
+}
+
+void CompareView::setBaseline(const QString& path)
+{
+    for (const StudyRow& row : rows_) {
+        if (row.path == path) { baseline_ = row.fabric; }
+    }
+    refreshTable();
+    refreshLower();
+}
+
+void CompareView::showExperiment(const std::string& name)
+{
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&name](const Entry& each) { return each.own && each.name == name; });
+    selected_ = name.empty() || found == entries_.end() ? -1 : static_cast<int>(found - entries_.begin());
+    selecting_ = false;
+    proposing_ = true;
+    refresh();
+}
+
+void CompareView::setWaterColors(WaterColors colors)
+{
+    maps_->setWaterColors(colors);
+    cloths_->setWaterColors(colors);
+}
+
+const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
+
+QImage CompareView::picture() const { return maps_->maps().empty() ? QImage() : lower_->currentWidget()->grab().toImage(); }
+
+/// The project's experiments, and those of completed runs that are of none of them.
+void CompareView::findEntries()
+{
+    const bool own = selected_ >= 0 && entries_[static_cast<std::size_t>(selected_)].own;
+    const std::string name = selected_ >= 0 ? entries_[static_cast<std::size_t>(selected_)].name : "";
+    const Design conditions = selected_ >= 0 ? entries_[static_cast<std::size_t>(selected_)].conditions : Design();
+    const bool overview = selected_ < 0;
+    entries_.clear();
+    const Design& design = *document_.design();
+    for (const Experiment& experiment : design.experiments) {
+        RunRecord run;
+        run.design.experiments = {experiment};
+        run.design.liquids = design.liquids;
+        run.experiment = experiment.name;
+        entries_.push_back({experiment.name, true, conditionsOf(run)});
+    }
+    for (const KeptRun& run : history_.runs()) {
+        if (run.problem.isEmpty() && run.complete() && entryOf(run) < 0) {
+            entries_.push_back({run.run->experiment, false, conditionsOf(*run.run)});
+        }
+    }
+    selected_ = -1;
+    if (overview) { return; }
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const Entry& each = entries_[i];
+        if (own ? each.own && each.name == name : each.conditions == conditions) { selected_ = static_cast<int>(i); }
+    }
+}
+
+int CompareView::entryOf(const KeptRun& run) const
+{
+    const Design conditions = conditionsOf(*run.run);
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) { return each.conditions == conditions; });
+    return found == entries_.end() ? -1 : static_cast<int>(found - entries_.begin());
+}
+
+/// The newest run of each fabric that goes with the newest of all; of the experiment that the user has chosen, if he has.
+void CompareView::propose()
+{
+    chosen_.clear();
+    QStringList fabrics;
+    const auto& runs = history_.runs();
+    const KeptRun* first = nullptr;
+    for (auto run = runs.rbegin(); run != runs.rend() && chosen_.size() < most_runs; ++run) {
+        if (!whyNotCompared(*run, first ? *first : *run).isEmpty()) { continue; }
+        if (!selecting_ && entryOf(*run) != selected_) { continue; }
+        const QString fabric = QString::fromStdString(run->run->fabric);
+        if (fabrics.contains(fabric)) { continue; }
+        if (!first) { first = &*run; }
+        chosen_ << run->path;
+        fabrics << fabric;
+    }
+    if (!selecting_) { return; }
+    if (first) {
+        selected_ = entryOf(*first);
+    } else if (document_.experiment()) {
+        selected_ = document_.experimentIndex();
+    }
+    if (first && fidelity_follows_) { bar_->setFidelity(first->run->plan.fidelity); }
+}
+
+void CompareView::refresh()
+{
+    soon_.stop();
+    findEntries();
+    chosen_.removeIf([this](const QString& path) { return !history_.find(path); });
+    if (proposing_) { propose(); }
+    QStringList names{tr("All experiments")};
+    for (const Entry& each : entries_) {
+        const QString name = QString::fromStdString(each.name);
+        names << (each.own ? name : tr("%1, of other runs").arg(name));
+    }
+    bar_->setExperiments(names, selected_ + 1);
+    rows_.clear();
+    if (const Entry* shown = entry()) { rows_ = rowsOf(*shown); }
+    refreshTable();
+    list_->refresh(chosen_);
+    refreshLower();
+    refreshMissing();
+}
+
+StudyChoice CompareView::choiceOf(const Entry& entry) const
+{
+    // Without a sound design nothing can be drawn.
+    return {entry.name, bar_->fidelity(), document_.hasError() || !entry.own ? 1 : bar_->replicates()};
+}
+
+/// The project's fabrics, then what else is ticked.
+std::vector<StudyRow> CompareView::rowsOf(const Entry& entry) const
+{
+    std::vector<StudyRow> rows;
+    if (entry.own) { rows = studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(entry)); }
+    for (const KeptRun& run : compared()) {
+        const bool known = std::any_of(rows.begin(), rows.end(), [&run](const StudyRow& row) { return row.path == run.path; });
+        if (known || conditionsOf(*run.run) != entry.conditions || !run.metrics) { continue; }
+        StudyRow row;
+        row.fabric = nameOfRun(history_, run).toStdString();
+        const auto is_taken = [&row](const StudyRow& other) { return other.fabric == row.fabric; };
+        if (std::any_of(rows.begin(), rows.end(), is_taken)) {
+            row.fabric = tr("%1: %2").arg(run.number).arg(QString::fromStdString(row.fabric)).toStdString();
+        }
+        row.path = run.path;
+        row.runs = 1;
+        row.candidate = candidate_of(run.run, run.metrics);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The table of candidates, and running what is missing in it.
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+#include "core/run/plan_run.h"
+#include "gpu/backends.h"
+#include "ui/compare/candidate_table.h"
+#include "ui/compare/cloths_view.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_maps.h"
+#include "ui/compare/compare_view.h"
+#include "ui/compare/curves_view.h"
+#include "ui/compare/fingerprint_view.h"
+#include "ui/compare/scatter_view.h"
+#include "ui/document/document.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+std::vector<GridEntry> CompareView::gridEntries(const std::vector<StudyRow>& rows) const
+{
+    std::vector<GridEntry> entries;
+    for (const StudyRow& row : rows) { entries.push_back({row.fabric, row.path, row.reading, row.runs, row.missing}); }
+    return entries;
+}
+
+void CompareView::refreshTable()
+{
+    numbers_ = {};
+    all_rows_.clear();
+    Grid grid;
+    if (const Entry* shown = entry()) {
+        numbers_ = comparisonOf(shown->conditions.experiments.front().type, choiceOf(*shown), rows_, baseline_);
+        const auto ranked = static_cast<std::size_t>(table_->rankedBy()); // less than 0: none, beyond all
+        if (ranked < numbers_.criteria.size()) { numbers_.ranked_by = numbers_.criteria[ranked]; }
+        judge(numbers_);
+        grid = gridOf(numbers_, gridEntries(rows_));
+        const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
+        for (std::size_t i = 0; i < grid.rows.size(); ++i) { grid.rows[i].candidate = i < own; }
+    } else {
+        grid = overview();
+    }
+    markMissing(grid);
+    table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
+    bar_->save()->setEnabled(numbers_.candidates.size() > 1);
+    refreshHint();
+}
+
+Grid CompareView::overview()
+{
+    std::vector<ExperimentPart> parts;
+    for (const Entry& each : entries_) {
+        if (!each.own) { continue; }
+        all_rows_.push_back(studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(each)));
+        parts.push_back({comparisonOf(each.conditions.experiments.front().type, choiceOf(each), all_rows_.back(), baseline_),
+                         gridEntries(all_rows_.back())});
+        judge(parts.back().comparison);
+    }
+    return overviewOf(parts);
+}
+
+/// What runs, waits or failed.
+void CompareView::markMissing(Grid& grid) const
+{
+    for (GridRow& row : grid.rows) {
+        for (GridCell& cell : row.cells) {
+            if (cell.missing.empty()) { continue; }
+            const auto any = [&](StudyRuns::State state) {
+                return std::any_of(cell.missing.begin(), cell.missing.end(),
+                                   [&](const StudyJob& job) { return runs_.stateOf(job) == state; });
+            };
+            const QString failure = runs_.failureOf(cell.missing.front().fabric, cell.missing.front().experiment);
+            if (cell.state != GridCell::State::missing) { continue; }
+            cell.tip = tr("Enter or the button runs it.");
+            if (any(StudyRuns::State::running)) {
+                cell.verdict = tr("running…");
+            } else if (any(StudyRuns::State::waiting)) {
+                cell.verdict = tr("waiting");
+            } else if (!failure.isEmpty()) {
+                cell.failed = true;
+                cell.tip = failure;
+            }
+        }
+    }
+}
+
+/// Under the table, what keeps its numbers from being compared.
+void CompareView::refreshHint()
+{
+    QStringList notes;
+    const Design& design = *document_.design();
+    if (design.fabrics.empty() && rows_.empty()) { notes << tr("This project has no fabric. Add one with Fabric ▸ Add Fabric."); }
+    if (design.experiments.empty() && rows_.empty()) {
+        notes << tr("This project has no experiment. Add one with Experiment ▸ Add Experiment.");
+    }
+    if (rows_.size() == 1) {
+        notes << tr("A comparison needs a second fabric: add one with Fabric ▸ Add Fabric, or tick an older run under All Runs.");
+    }
+    std::optional<Fidelity> fidelity;
+    bool differ = false;
+    for (const StudyRow& row : rows_) {
+        if (!row.candidate || !row.candidate->run) { continue; }
+        const Fidelity own = row.candidate->run->plan.fidelity;
+        differ = differ || (fidelity && *fidelity != own);
+        fidelity = own;
+    }
+    if (entry() && choiceOf(*entry()).replicates > 1) {
+        notes << tr("Maps and curves are of each cloth as given. In replicates yarns without an unevenness of their own are as uneven as "
+                    "is typical.");
+    }
+    if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
+    note_->setText(notes.join(' '));
+    note_->setVisible(!notes.isEmpty());
+}
+
+void CompareView::refreshLower()
+{
+    std::vector<KeptRun> runs;
+    QStringList titles;
+    for (const KeptRun& run : compared()) {
+        if (!entry() || conditionsOf(*run.run) != entry()->conditions) { continue; }
+        runs.push_back(run);
+        titles << nameOf(run);
+    }
+    QString hint = tr("Tick two to four fabrics above to see them side by side.");
+    if (history_.runs().empty()) {
+        hint = tr("Nothing has been run yet. “Run All Missing” above runs the experiment on every fabric. Recordings that are opened stand "
+                  "under All Runs.");
+    } else if (!entry()) {
+        hint = tr("Choose one experiment above to see its maps and curves.");
+    }
+    std::optional<KeptRun> baseline;
+    const std::string& base = numbers_.baseline;
+    for (const StudyRow& row : rows_) {
+        const KeptRun* run = row.fabric == base ? history_.find(row.path) : nullptr;
+        if (run) { baseline = *run; }
+    }
+    maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base));
+    cloths_->setRuns(runs, titles, hint);
+    curves_->setRuns(runs, titles);
+    std::vector<std::string> names;
+    for (const QString& title : titles) { names.push_back(title.toStdString()); }
+    fingerprint_->setCandidates(numbers_, names);
+    scatter_->setComparison(numbers_);
+}
+
+std::vector<StudyJob> CompareView::missing() const
+{
+    std::vector<StudyJob> jobs;
+    std::vector<std::vector<StudyRow>> all = all_rows_;
+    if (entry()) { all = {rows_}; }
+    for (const auto& rows : all) {
+        for (const StudyRow& row : rows) { jobs.insert(jobs.end(), row.missing.begin(), row.missing.end()); }
+    }
+    // All fabrics have their first run before one has its second.
+    std::stable_sort(jobs.begin(), jobs.end(), [](const StudyJob& a, const StudyJob& b) {
+        return std::pair(!a.recorded, a.number) < std::pair(!b.recorded, b.number);
+    });
+    return jobs;
+}
+
+QString CompareView::whyNoRun() const
+{
+    for (const Issue& issue : document_.issues()) {
+        if (issue.severity == Severity::error) { return QString::fromStdString(issue.text); }
+    }
+    return {};
+}
+
+std::optional<double> CompareView::secondsOf(const StudyJob& job) const
+{
+    std::vector<std::vector<StudyRow>> all = all_rows_;
+    if (entry()) { all = {rows_}; }
+    for (const auto& rows : all) { // as long as the fabric's own run took
+        for (const StudyRow& row : rows) {
+            if (row.fabric == job.fabric && row.wall > 0 && !row.missing.empty() && row.missing.front().experiment == job.experiment) {
+                return row.wall;
+            }
+        }
+    }
+    const auto found = planned_ == document_.design() ? expected_.find({job.fabric, {job.experiment, job.fidelity}}) : expected_.end();
+    return found == expected_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void CompareView::refreshMissing()
+{
+    double seconds = 0;
+    int count = 0;
+    std::vector<StudyJob> unknown;
+    for (const StudyJob& job : missing()) {
+        if (runs_.stateOf(job) != StudyRuns::State::none) { continue; }
+        ++count;
+        const std::optional<double> own = secondsOf(job);
+        seconds += own.value_or(0);
+        if (!own && (unknown.empty() || unknown.back().fabric != job.fabric || unknown.back().experiment != job.experiment)) {
+            unknown.push_back(job);
+        }
+    }
+    bar_->setMissing(count, unknown.empty() ? seconds : 0, whyNoRun());
+    if (!unknown.empty() && isVisible() && whyNoRun().isEmpty()) { plan(unknown); }
+}
+
+/// What each takes, in the background.
+void CompareView::plan(const std::vector<StudyJob>& jobs)
+{
+    if (planned_ == document_.design() && planner_.busy()) { return; }
+    if (planned_ != document_.design()) { expected_.clear(); }
+    planned_ = document_.design();
+    planner_.run([this, jobs, design = document_.design()](const NewestJob::Turn& turn) {
+        std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> found;
+        for (const StudyJob& job : jobs) {
+            const auto key = std::pair(job.fabric, std::pair(job.experiment, job.fidelity));
+            if (turn.outdated()) { return; }
+            if (found.contains(key)) { continue; }
+            double seconds = 0;
+            try {
+                seconds = plan_run(*design, *find_fabric(*design, job.fabric), *find_experiment(*design, job.experiment), job.fidelity, {},
+                                   {}, expected_backend("auto"))
+                              .expected_seconds;
+            } catch (const Error&) { // its run will say why
+            }
+            found[key] = seconds;
+        }
+        turn.deliver([this, design, found] {
+            if (design != document_.design()) { return; }
+            expected_.insert(found.begin(), found.end());
+            refreshMissing();
+        });
+    });
+}
+
+void CompareView::start(const std::vector<StudyJob>& jobs)
+{
+    if (const QString why = whyNoRun(); !why.isEmpty()) {
+        Q_EMIT failed(tr("Nothing can be run: %1").arg(why));
+        return;
+    }
+    std::vector<StudyRuns::Expected> expected;
+    for (const StudyJob& job : jobs) { expected.push_back({job, std::max(0.1, secondsOf(job).value_or(1))}); }
+    runs_.start(expected);
+}
+
+std::string CompareView::tableCsv() const { return comparison_csv(numbers_); }
+
+void CompareView::saveTable()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString chosen =
+        QFileDialog::getSaveFileName(this, tr("Save Table"), QDir(folder).filePath("comparison.csv"), tr("Tables (*.csv)"));
+    if (chosen.isEmpty()) { return; }
+    try {
+        write_file((chosen.endsWith(".csv", Qt::CaseInsensitive) ? chosen : chosen + ".csv").toStdString(), tableCsv());
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+}
+
+} // namespace hygroloom

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/run_list.h"
+
+#include "core/base/text.h"
+#include "ui/basics/quantity.h"
+#include "ui/results/plan_dialog.h"
+#include "ui/results/results_panel.h"
+#include "ui/results/run_actions.h"
+
+#include <QDir>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+/// What there is to say of where a run stands.
+QString stateOf(const KeptRun& run)
+{
+    QStringList words;
+    if (run.marked) { words << RunList::tr("kept"); }
+    if (!run.current) { words << (run.own ? RunList::tr("older design") : RunList::tr("other design")); }
+    if (!isSaved(run)) { words << RunList::tr("not saved"); }
+    return words.join(", ");
+}
+
+} // namespace
+
+QString nameOfRun(const RunHistory& history, const KeptRun& run)
+{
+    const auto& runs = history.runs();
+    const auto same =
+        std::count_if(runs.begin(), runs.end(), [&run](const KeptRun& other) { return other.run->fabric == run.run->fabric; });
+    const QString fabric = QString::fromStdString(run.run->fabric);
+    return same > 1 ? RunList::tr("%1: %2").arg(run.number).arg(fabric) : fabric;
+}
+
+RunList::RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent)
+    : QWidget(parent), history_(history), why_not_(std::move(why_not)), list_(new QTreeWidget), actions_(new RunActions(history))
+{
+    list_->setAccessibleName(tr("Runs to compare"));
+    list_->setHeaderLabels({tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
+    list_->setRootIsDecorated(false);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setMinimumSize(240, 80);
+    list_->setToolTip(tr("Tick two to four runs of the same experiment. Double-click one to open it."));
+    connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        const QString path = item->data(0, Qt::UserRole).toString();
+        const bool on = item->checkState(0) == Qt::Checked;
+        // The list is rebuilt, but not while one of its items is being changed.
+        QMetaObject::invokeMethod(
+            this, [this, path, on] { Q_EMIT tickRequested(path, on); }, Qt::QueuedConnection);
+    });
+    connect(list_, &QTreeWidget::itemActivated, this,
+            [this](QTreeWidgetItem* item) { Q_EMIT openRequested(item->data(0, Qt::UserRole).toString()); });
+    connect(list_, &QTreeWidget::currentItemChanged, actions_,
+            [this](QTreeWidgetItem* item) { actions_->setRun(item ? item->data(0, Qt::UserRole).toString() : QString()); });
+    connect(actions_, &RunActions::markRequested, this, &RunList::markRequested);
+    connect(actions_, &RunActions::forgetRequested, this, &RunList::forgetRequested);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(list_, 1);
+    column->addWidget(actions_);
+}
+
+void RunList::refresh(const QStringList& ticked)
+{
+    const QSignalBlocker quiet(list_);
+    const QTreeWidgetItem* current = list_->currentItem();
+    const QString at = current ? current->data(0, Qt::UserRole).toString() : QString();
+    list_->clear();
+    for (const KeptRun& run : history_.runs()) {
+        auto* item = new QTreeWidgetItem(list_);
+        item->setData(0, Qt::UserRole, run.path);
+        item->setText(0, nameOfRun(history_, run));
+        item->setText(1, QString::fromStdString(run.run->experiment));
+        item->setText(2, fidelityName(run.run->plan.fidelity));
+        item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
+        item->setText(4, bytesText(run.bytes));
+        item->setText(5, stateOf(run));
+        const QString why = why_not_(run);
+        const QString tip = (why.isEmpty() ? originOf(*run.run, false) : why) + ". " + QDir::toNativeSeparators(run.path);
+        item->setCheckState(0, ticked.contains(run.path) ? Qt::Checked : Qt::Unchecked);
+        if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
+        for (int column = 0; column < list_->columnCount(); ++column) {
+            item->setToolTip(column, "<p>" + tip.toHtmlEscaped() + "</p>");
+            if (!why.isEmpty()) { item->setForeground(column, palette().color(QPalette::Disabled, QPalette::Text)); }
+        }
+        if (run.path == at) { list_->setCurrentItem(item); }
+    }
+    actions_->setRun(list_->currentItem() ? at : QString());
+    for (int column = 0; column < list_->columnCount(); ++column) { list_->resizeColumnToContents(column); }
+    list_->setColumnWidth(0, std::min(list_->columnWidth(0), 260));
+    list_->setColumnWidth(1, std::min(list_->columnWidth(1), 200));
+}
+
+} // namespace hygroloom

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Two numbers of all candidates against each other, with their intervals, and the candidates that no other beats in both.
+#pragma once
+
+#include "ui/compare/chart_data.h"
+
+#include <QPointF>
+#include <QWidget>
+
+class QChart;
+class QChartView;
+class QComboBox;
+class QLabel;
+class QValueAxis;
+class QXYSeries;
+
+namespace hygroloom {
+
+/// A candidate with its intervals.
+struct ScatterPoint {
+    QPointF low, at, high;
+    QString name;
+};
+
+class ScatterView : public QWidget {
+    Q_OBJECT
+public:
+    explicit ScatterView(QWidget* parent = nullptr);
+
+    /// Judged.
+    void setComparison(const Comparison& comparison);
+    /// Names of the candidates on the front, from left to right.
+    QStringList front() const { return front_; }
+    void choose(int x, int y);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void draw();
+    void addPoint(const ScatterPoint& point, const QString& label, bool on_front);
+    void add(QXYSeries* series);
+    static void setRange(QValueAxis* axis, double low, double high);
+
+    Comparison comparison_;
+    bool proposing_ = true; ///< until the user chooses
+    QStringList front_;
+    QComboBox* x_;
+    QComboBox* y_;
+    QLabel* value_;
+    QChart* chart_;
+    QChartView* view_;
+    QValueAxis* across_;
+    QValueAxis* up_;
+    QLabel* note_;
+};
+
+} // namespace hygroloom

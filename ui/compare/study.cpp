@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/study.h"
+
+#include "core/design/unknowns.h"
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+/// The last that is complete and of the design as it is.
+const KeptRun* runOf(const Design& design, const std::vector<KeptRun>& runs, const std::string& fabric, const StudyChoice& choice)
+{
+    const auto counts = [&](const KeptRun& run) {
+        return run.problem.isEmpty() && run.complete() && run.run->fabric == fabric && run.run->experiment == choice.experiment &&
+               run.run->plan.fidelity == choice.fidelity && holdsFor(*run.run, design);
+    };
+    const auto found = std::find_if(runs.rbegin(), runs.rend(), counts);
+    return found == runs.rend() ? nullptr : &*found;
+}
+
+/// The replicates that there are take the place of the candidate's run.
+void takeReplicates(StudyRow& row, const Design& design, const std::vector<ReplicateSet>& sets, const StudyJob& job)
+{
+    const ReplicateSet* set = find_set(sets, keyOf(design, job));
+    const bool as_given = firstIsAsGiven(design, row.fabric, job.experiment);
+    std::vector<std::optional<ReplicateRun>> replicates(static_cast<std::size_t>(job.of));
+    for (int number = 0; number < job.of; ++number) {
+        auto& replicate = replicates[static_cast<std::size_t>(number)];
+        if (number == 0 && as_given) {
+            if (row.candidate) { replicate = row.candidate->replicates.front(); }
+            continue; // where it is missing, so is the run of the project
+        }
+        if (const auto found = set ? set->runs.find(number) : std::map<int, ReplicateRun>::const_iterator{};
+            set && found != set->runs.end()) {
+            replicate = found->second;
+            continue;
+        }
+        row.missing.push_back(job);
+        row.missing.back().recorded = false;
+        row.missing.back().number = number;
+    }
+    row.runs = static_cast<int>(std::count_if(replicates.begin(), replicates.end(), [](const auto& run) { return run.has_value(); }));
+    if (!row.candidate) { return; }
+    if (set) { row.candidate->unknowns = set->unknowns; }
+    if (replicates.front()) { replicates.front()->places.assign(row.candidate->unknowns.size(), 0.5); }
+    row.candidate->replicates = std::move(replicates);
+}
+
+} // namespace
+
+ReplicateKey keyOf(const Design& design, const StudyJob& job)
+{
+    return {part_of_run(design, job.fabric, job.experiment), job.fabric, job.experiment, job.fidelity, 1, job.of};
+}
+
+bool firstIsAsGiven(const Design& design, const std::string& fabric, const std::string& experiment)
+{
+    const Experiment* test = find_experiment(design, experiment);
+    return test->closure != Closure::pores || drawn(design, fabric, experiment, {1, 0, 2}).design == design;
+}
+
+std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>& runs, const std::vector<ReplicateSet>& sets,
+                                const StudyChoice& choice)
+{
+    std::vector<StudyRow> rows;
+    for (const Fabric& fabric : design.fabrics) {
+        StudyRow row;
+        row.fabric = fabric.name;
+        const StudyJob job{fabric.name, choice.experiment, choice.fidelity, true, 0, 1};
+        if (const KeptRun* run = runOf(design, runs, fabric.name, choice)) {
+            row.path = run->path;
+            row.reading = !run->metrics;
+            row.wall = run->run->wall;
+            row.runs = 1;
+            if (run->metrics) { row.candidate = candidate_of(run->run, run->metrics); }
+        } else {
+            row.missing.push_back(job);
+        }
+        if (choice.replicates > 1) {
+            StudyJob several = job;
+            several.of = choice.replicates;
+            takeReplicates(row, design, sets, several);
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline)
+{
+    Comparison made;
+    made.experiment = choice.experiment;
+    made.replicates = choice.replicates;
+    made.criteria = compared_by(type);
+    if (made.criteria.empty()) { return made; }
+    made.ranked_by = made.criteria.front();
+    made.complete = true;
+    for (const StudyRow& row : rows) {
+        made.complete = made.complete && row.candidate && row.missing.empty();
+        if (!row.candidate) { continue; }
+        made.candidates.push_back(*row.candidate);
+        made.candidates.back().fabric = row.fabric;
+        if (made.baseline.empty() || row.fabric == baseline) { made.baseline = row.fabric; }
+    }
+    return made;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// All fabrics of a project on an experiment: which runs there are, which are missing, and what the numbers so far give.
+#pragma once
+
+#include "core/analysis/replicate_file.h"
+#include "ui/results/run_history.h"
+
+namespace hygroloom {
+
+/// How an experiment is run on the fabrics.
+struct StudyChoice {
+    std::string experiment;
+    Fidelity fidelity = Fidelity::draft;
+    int replicates = 1;
+};
+
+/// A run that is missing.
+struct StudyJob {
+    std::string fabric, experiment;
+    Fidelity fidelity = Fidelity::draft;
+    bool recorded = true; ///< an ordinary run of the project; of the others only the numbers are kept
+    int number = 0;       ///< of the replicate
+    int of = 1;
+    bool operator==(const StudyJob&) const = default;
+};
+
+/// A fabric on the experiment.
+struct StudyRow {
+    std::string fabric;
+    QString path;                       ///< of its run; empty: there is none
+    bool reading = false;               ///< its frames are still being read
+    double wall = 0;                    ///< s, of its run; 0: there is none
+    std::optional<Candidate> candidate; ///< none: no number is known
+    int runs = 0;                       ///< of the replicates
+    std::vector<StudyJob> missing;
+};
+
+/// One row for each fabric. Of several runs the last counts; those of an older design do not. With one replicate a row has the run of the
+/// project; with more it has those that were drawn, see drawn(), the first of which is the run of the project where nothing about the cloth
+/// differs. Precondition: the design has the experiment, and validate() found no error.
+std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>& runs, const std::vector<ReplicateSet>& sets,
+                                const StudyChoice& choice);
+
+/// What the replicates of a fabric are found by.
+ReplicateKey keyOf(const Design& design, const StudyJob& job);
+
+/// Whether the first of several replicates is the run of the design as it is: yarns keep their evenness, or it changes nothing.
+bool firstIsAsGiven(const Design& design, const std::string& fabric, const std::string& experiment);
+
+/// The rows' candidates, not yet judged. The baseline is the first where there is none of that name.
+Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline);
+
+} // namespace hygroloom

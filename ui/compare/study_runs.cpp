@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/compare/study_runs.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/run/recording.h"
+#include "gpu/backends.h"
+#include "ui/document/document.h"
+#include "ui/document/run_folder.h"
+#include "ui/results/project_runs.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+/// One scene fills a CPU. On a GPU drafts are small.
+std::size_t atOnce() { return expected_backend("auto") == "cpu" ? 1 : 8; }
+
+} // namespace
+
+StudyRuns::StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, QObject* parent)
+    : QObject(parent), document_(document), runs_(runs), history_(history), store_(document, runs)
+{
+    connect(&store_, &ReplicateStore::changed, this, &StudyRuns::changed);
+    connect(&store_, &ReplicateStore::failed, this, &StudyRuns::failed);
+    connect(&document_, &Document::replaced, this, [this] {
+        cancel();
+        failures_.clear();
+    });
+}
+
+StudyRuns::~StudyRuns()
+{
+    queue_.clear();
+    control_.cancel = true;
+    for (const auto& slot : slots_) {
+        if (slot->thread.joinable()) { slot->thread.join(); }
+    }
+}
+
+void StudyRuns::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+
+void StudyRuns::start(const std::vector<Expected>& jobs)
+{
+    if (running() && control_.cancel) { return; } // they are just ending
+    if (!running()) {
+        control_.cancel = false;
+        all_seconds_ = done_seconds_ = 0;
+        all_ = done_ = 0;
+        clock_.start();
+    }
+    for (const Expected& each : jobs) {
+        if (stateOf(each.job) != State::none) { continue; }
+        failures_.erase({each.job.fabric, each.job.experiment});
+        queue_.push_back({each, document_.design()});
+        all_seconds_ += each.seconds;
+        ++all_;
+    }
+    startNext();
+    Q_EMIT changed();
+}
+
+void StudyRuns::startNext()
+{
+    while (!queue_.empty() && slots_.size() < atOnce()) {
+        auto slot = std::make_unique<Slot>();
+        slot->work = queue_.front();
+        queue_.pop_front();
+        if (slot->work.expected.job.recorded) {
+            try {
+                slot->recording = runs_.reserve();
+            } catch (const Error& error) {
+                queue_.clear();
+                Q_EMIT failed(QString::fromStdString(error.what()));
+                break;
+            }
+        }
+        Slot* own = slot.get();
+        slots_.push_back(std::move(slot));
+        own->thread = std::jthread([this, own, work = own->work, recording = own->recording] {
+            const auto result = std::make_shared<Result>(run(work, recording, own));
+            post([this, own, result] { end(own, result); });
+        });
+    }
+}
+
+StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, Slot* slot)
+{
+    const StudyJob& job = work.expected.job;
+    Result result;
+    try {
+        result.drawn = drawn(*work.design, job.fabric, job.experiment, {1, job.number, job.of});
+        RunOptions how;
+        how.fidelity = job.fidelity;
+        how.seed = result.drawn.seed;
+        how.may_go_on_on_cpu = true;
+        how.one_on_cpu = &one_on_cpu_;
+        how.recording = recording.toStdString();
+        RunCallbacks callbacks;
+        callbacks.progress = [this, slot](const RunProgress& progress) {
+            post([this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
+                const auto is_it = [slot](const auto& each) { return each.get() == slot; };
+                if (std::none_of(slots_.begin(), slots_.end(), is_it)) { return; } // its end came first
+                slot->share = share;
+                Q_EMIT progressed();
+            });
+        };
+        const std::unique_ptr<Backend> machine = make_backend("auto");
+        result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
+    } catch (const Cancelled&) {
+    } catch (const std::bad_alloc&) {
+        result.failure = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");
+    } catch (const std::exception& error) {
+        result.failure = QString::fromStdString(error.what());
+    }
+    return result;
+}
+
+void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
+{
+    const auto at = std::find_if(slots_.begin(), slots_.end(), [slot](const auto& each) { return each.get() == slot; });
+    const std::unique_ptr<Slot> own = std::move(*at);
+    slots_.erase(at);
+    own->thread.join(); // it has posted its last
+    const StudyJob& job = own->work.expected.job;
+    done_seconds_ += own->work.expected.seconds;
+    ++done_;
+    if (job.recorded) {
+        keepRecorded(*own, *result);
+    } else if (result->finished) {
+        keepNumbers(*own, *result);
+    }
+    if (!result->failure.isEmpty()) { failures_[{job.fabric, job.experiment}] = result->failure; }
+    startNext();
+    Q_EMIT changed();
+    if (!running()) { Q_EMIT ended(); }
+}
+
+/// What was recorded of a run that was stopped stays in the list of runs.
+void StudyRuns::keepRecorded(Slot& slot, const Result& result)
+{
+    const QString path = runs_.settle(slot.recording);
+    if (path.isEmpty()) { return; }
+    KeptRun kept{path, nullptr, nullptr};
+    try {
+        if (result.finished) {
+            kept.run = std::make_shared<const RunRecord>(result.finished->run);
+            kept.metrics = std::make_shared<const Metrics>(result.finished->metrics);
+        } else {
+            kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
+        }
+    } catch (const Error&) { // the project lists it with its reason when it is opened again
+        return;
+    }
+    kept.own = runs_.owns(path);
+    kept.saved = !kept.own || runs_.isFiled(path);
+    kept.number = runNumber(path);
+    history_.keep(kept);
+}
+
+void StudyRuns::keepNumbers(const Slot& slot, const Result& result)
+{
+    const Candidate candidate =
+        candidate_of(std::make_shared<const RunRecord>(result.finished->run), std::make_shared<const Metrics>(result.finished->metrics));
+    ReplicateSet set{keyOf(*slot.work.design, slot.work.expected.job), result.drawn.names, {}};
+    ReplicateRun run = *candidate.replicates.front();
+    run.places = result.drawn.places;
+    set.runs[slot.work.expected.job.number] = std::move(run);
+    store_.add(set);
+}
+
+void StudyRuns::cancel()
+{
+    queue_.clear();
+    if (running()) { control_.cancel = true; }
+    Q_EMIT changed();
+}
+
+StudyRuns::State StudyRuns::stateOf(const StudyJob& job) const
+{
+    for (const auto& slot : slots_) {
+        if (slot->work.expected.job == job) { return State::running; }
+    }
+    const auto waits = [&job](const Waiting& each) { return each.expected.job == job; };
+    return std::any_of(queue_.begin(), queue_.end(), waits) ? State::waiting : State::none;
+}
+
+double StudyRuns::share() const
+{
+    double done = done_seconds_;
+    for (const auto& slot : slots_) { done += slot->share * slot->work.expected.seconds; }
+    return all_seconds_ > 0 ? std::clamp(done / all_seconds_, 0.0, 1.0) : 0;
+}
+
+std::optional<double> StudyRuns::timeLeft() const { return time_left(share(), 1e-3 * static_cast<double>(clock_.elapsed())); }
+
+QString StudyRuns::progressText() const { return tr("%1 of %2 runs done").arg(done_).arg(all_); }
+
+QString StudyRuns::failureOf(const std::string& fabric, const std::string& experiment) const
+{
+    const auto found = failures_.find({fabric, experiment});
+    return found == failures_.end() ? QString() : found->second;
+}
+
+} // namespace hygroloom

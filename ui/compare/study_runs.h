@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs what is missing of a study in the background, one after the other on a CPU, several at a time on a GPU.
+#pragma once
+
+#include "core/analysis/sweep.h"
+#include "ui/compare/replicate_store.h"
+#include "ui/compare/study.h"
+
+#include <QElapsedTimer>
+
+#include <deque>
+#include <thread>
+
+namespace hygroloom {
+
+/// Each first run is recorded as an ordinary run of the project; of the other replicates the numbers are stored. What was started runs on
+/// the design as it was then.
+class StudyRuns : public QObject {
+    Q_OBJECT
+public:
+    StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, QObject* parent = nullptr);
+    /// Cancels and waits, 0.2 s or so.
+    ~StudyRuns() override;
+
+    /// A run and the time that it is expected to take.
+    struct Expected {
+        StudyJob job;
+        double seconds = 1;
+    };
+    enum class State { none, waiting, running };
+
+    const ReplicateStore& store() const { return store_; }
+    /// Adds those that are neither waiting nor running. Precondition: validate() finds no error in the design.
+    void start(const std::vector<Expected>& jobs);
+    bool running() const { return !slots_.empty(); }
+    /// What is done is kept.
+    void cancel();
+    State stateOf(const StudyJob& job) const;
+    /// Of all runs since the first of them started, by their expected times.
+    double share() const;
+    /// s; none: too early to say.
+    std::optional<double> timeLeft() const;
+    /// "3 of 8 runs"
+    QString progressText() const;
+    /// Why the last run of this kind failed, in a sentence; empty: it did not.
+    QString failureOf(const std::string& fabric, const std::string& experiment) const;
+
+Q_SIGNALS:
+    /// A run began or ended, or numbers came.
+    void changed();
+    void progressed();
+    /// All are done or cancelled.
+    void ended();
+    void failed(const QString& sentence);
+
+private:
+    struct Waiting {
+        Expected expected;
+        std::shared_ptr<const Design> design;
+    };
+    struct Slot {
+        Waiting work;
+        QString recording; ///< of a run that is recorded
+        double share = 0;
+        std::jthread thread;
+    };
+    struct Result {
+        std::optional<FinishedRun> finished;
+        Drawn drawn;
+        QString failure;
+    };
+    void startNext();
+    void post(std::function<void()> work);
+    Result run(const Waiting& work, const QString& recording, Slot* slot);
+    void end(Slot* slot, const std::shared_ptr<Result>& result);
+    void keepRecorded(Slot& slot, const Result& result);
+    void keepNumbers(const Slot& slot, const Result& result);
+
+    Document& document_;
+    ProjectRuns& runs_;
+    RunHistory& history_;
+    ReplicateStore store_;
+    RunControl control_;
+    std::mutex one_on_cpu_;
+    std::deque<Waiting> queue_;
+    std::map<std::pair<std::string, std::string>, QString> failures_; ///< by fabric and experiment
+    QElapsedTimer clock_;
+    double all_seconds_ = 0, done_seconds_ = 0; ///< expected
+    int all_ = 0, done_ = 0;
+    std::vector<std::unique_ptr<Slot>> slots_; // last: their threads are joined before the rest goes
+};
+
+} // namespace hygroloom
