@@ -101,20 +101,18 @@ void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>
 }
 
 /// On one page, with the maps that there are.
-void write_report(const Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
+void write_report(const Comparison& comparison, const std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
                   const std::string& file)
 {
-    share_range(maps);
-    std::vector<ReportPicture> pictures;
+    std::vector<std::pair<std::string, MapPicture>> pictures;
     for (const Candidate& candidate : comparison.candidates) {
         const auto at = static_cast<std::size_t>(std::find(fabrics.begin(), fabrics.end(), candidate.fabric) - fabrics.begin());
         if (!maps[at]) continue;
         for (const auto& [side, map] : {std::pair{"top", &maps[at]->top}, std::pair{"bottom", &maps[at]->bottom}})
-            pictures.push_back(
-                {fmt::format("{}, {}, {} x {} crossings a cell", candidate.fabric, side, crossings_per_cell, crossings_per_cell),
-                 draw_map(map->map, map->width, map->height, map->image)});
+            pictures.emplace_back(
+                fmt::format("{}, {}, {} x {} crossings a cell", candidate.fabric, side, crossings_per_cell, crossings_per_cell), *map);
     }
-    write_report_file(file, comparison_report_html(comparison, pictures));
+    write_report_file(file, comparison_report_html(comparison, pictures_on_one_scale(std::move(pictures))));
 }
 
 /// Without runs: what is compared, and how.

@@ -66,17 +66,15 @@ Spread spread_of(const std::vector<double>& values, const std::vector<std::vecto
     return spread;
 }
 
-} // namespace
-
-double student_factor(const Level& level, int degrees_of_freedom)
+/// Water stands at one crossing or the next: half of one, mm, of numbers that say how far it has come.
+double by_crossings(const RunRecord& run, const std::string& metric)
 {
-    const double v = degrees_of_freedom, z = level.normal, z2 = z * z;
-    if (degrees_of_freedom == 1) return std::tan(0.5 * pi * level.held);
-    if (degrees_of_freedom == 2) return level.held * std::sqrt(2 / (1 - level.held * level.held));
-    const double first = (z2 + 1) / 4, second = ((5 * z2 + 16) * z2 + 3) / 96, third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
-    const double fourth = ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
-    return z * (1 + (first + (second + (third + fourth / v) / v) / v) / v);
+    const Fabric* fabric = find_fabric(run.design, run.fabric);
+    if (!fabric || (!metric.starts_with("maximum_wetted_radius") && metric != "wick_height_mm")) return 0;
+    return 0.5 * 10 / std::min(fabric->ends_per_cm, fabric->picks_per_cm) * run.plan.crossings_per_cell;
 }
+
+} // namespace
 
 Interval interval_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places, std::optional<double> numerical)
 {
@@ -104,7 +102,8 @@ std::optional<double> numerical_error(const RunRecord& run, const std::string& m
     const auto found = run.plan.expected_errors.find(metric);
     if (found == run.plan.expected_errors.end()) return {};
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    return found->second * error_scale(metric, value, experiment ? climate_at(*experiment, experiment->duration_s).temperature_c : 0);
+    const double scale = error_scale(metric, value, experiment ? climate_at(*experiment, experiment->duration_s).temperature_c : 0);
+    return std::hypot(found->second * scale, by_crossings(run, metric));
 }
 
 std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const Metrics& metrics)

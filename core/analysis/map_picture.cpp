@@ -34,16 +34,23 @@ void write_picture(const MapPicture& picture, const std::filesystem::path& path)
     write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
 }
 
+std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps)
+{
+    double most = 0;
+    for (const auto& [caption, map] : maps) most = std::max(most, map.map.maximum());
+    std::vector<ReportPicture> pictures;
+    for (auto& [caption, map] : maps) {
+        map.image.most = most;
+        pictures.push_back({caption, draw_map(map.map, map.width, map.height, map.image)});
+    }
+    return pictures;
+}
+
 std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell)
 {
-    MapPicture top = map_picture(run, frame, start, MapSide::top, crossings_per_cell);
-    MapPicture bottom = map_picture(run, frame, start, MapSide::bottom, crossings_per_cell);
-    top.image.most = bottom.image.most = std::max(top.map.maximum(), bottom.map.maximum());
-    std::vector<ReportPicture> pictures;
-    for (const auto& [name, picture] : {std::pair{"Top face", &top}, std::pair{"Bottom face", &bottom}})
-        pictures.push_back(
-            {fmt::format("{} after {:.4g} s", name, frame.time), draw_map(picture->map, picture->width, picture->height, picture->image)});
-    return pictures;
+    const auto picture = [&](MapSide side) { return map_picture(run, frame, start, side, crossings_per_cell); };
+    return pictures_on_one_scale({{fmt::format("Top face after {:.4g} s", frame.time), picture(MapSide::top)},
+                                  {fmt::format("Bottom face after {:.4g} s", frame.time), picture(MapSide::bottom)}});
 }
 
 } // namespace hygroloom

@@ -19,7 +19,10 @@ MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& st
 /// As PNG. Throws FileError.
 void write_picture(const MapPicture& picture, const std::filesystem::path& path);
 
-/// Of both faces on one colour scale, for a report.
+/// With their captions on one colour scale, for a report.
+std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps);
+
+/// Of both faces.
 std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell);
 
 } // namespace hygroloom

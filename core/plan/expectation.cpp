@@ -2,6 +2,7 @@
 #include "core/plan/expectation.h"
 
 #include "core/base/error.h"
+#include "core/base/student.h"
 #include "core/base/text.h"
 #include "core/physics/liquid.h"
 #include "core/physics/particle_steps.h"
@@ -27,7 +28,8 @@ using Json = nlohmann::ordered_json;
 std::map<std::string, double> metric_errors(const Json& errors)
 {
     std::map<std::string, double> all;
-    for (const auto& [metric, value] : errors.at("metrics").items()) all[metric] = value.at("error");
+    for (const auto& [metric, value] : errors.at("metrics").items())
+        if (!value.at("value").is_null() && !value.at("reference").is_null()) all[metric] = value.at("error");
     return all;
 }
 
@@ -44,12 +46,13 @@ MeasuredScene scene_from(const Json& json)
     for (const Json& step : json.at("convergence"))
         for (const auto& [metric, error] : metric_errors(step.at("errors"))) scene.reference_errors[metric] += error;
     for (const Json& p : json.at("points")) {
-        if (p.at("wall_s").is_null() || p.at("peak_bytes").is_null()) continue;
+        const bool timed = !p.at("wall_s").is_null() && !p.at("peak_bytes").is_null();
+        if (!timed && p.at("errors").is_null()) continue;
         MeasuredRun run;
         run.plan = plan_from_value(p.at("plan"));
         for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
-        run.seconds = p.at("wall_s");
-        run.bytes = p.at("peak_bytes");
+        if (timed) run.seconds = p.at("wall_s");
+        if (timed) run.bytes = p.at("peak_bytes");
         const SceneCounts& counts = run.plan.counts;
         if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
             throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
@@ -160,7 +163,7 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
     double least = 100; // scenes of other types are not compared
     for (const MeasuredScene& scene : measured)
         for (const MeasuredRun& run : scene.runs) {
-            if (run.plan.fidelity != plan.fidelity) continue;
+            if (run.plan.fidelity != plan.fidelity || run.seconds == 0) continue;
             const bool as_set = set_alike(run.plan, plan);
             if (!as_set && !run.settings.empty()) continue;
             const double far = distance(plan, run.plan) + (as_set ? 0.0 : 1e-3);
@@ -176,24 +179,36 @@ bool is_cut(const ModelPlan& plan)
     return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
 }
 
-/// Of each metric the largest error that a run so set has in any scene of the kind, with that of its reference; wider, the less alike the
-/// nearest of them is.
-std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+bool same_scene(const MeasuredScene& a, const MeasuredScene& b) { return a.fabric == b.fabric && a.experiment == b.experiment; }
+
+/// Of each metric the error that 90 % of the runs so set keep, by Student's law from the mean square of those of all measured scenes of the
+/// kind, each with that of its reference; wider, the less alike the nearest of them is. Scenes that were not measured on the plan's backend
+/// count as they were on another, for both compute the same.
+std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured,
+                                             const std::vector<MeasuredScene>& elsewhere)
 {
-    std::map<std::string, double> errors;
+    std::map<std::string, std::pair<double, int>> squares; // and their number
     double nearest = 1;
-    for (const MeasuredScene& scene : measured)
+    const auto take = [&](const MeasuredScene& scene) {
         for (const MeasuredRun& run : scene.runs) {
             const double far = distance(plan, run.plan);
             if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
             nearest = std::min(nearest, far);
             for (const auto& [metric, error] : run.errors) {
                 const auto own = scene.reference_errors.find(metric);
-                const double with_own = error + (own == scene.reference_errors.end() ? 0 : own->second);
-                errors[metric] = std::max(errors[metric], with_own);
+                const double of_reference = own == scene.reference_errors.end() ? 0 : own->second;
+                auto& [sum, count] = squares[metric];
+                sum += error * error + of_reference * of_reference;
+                ++count;
             }
         }
-    for (auto& [metric, error] : errors) error *= 1 + nearest;
+    };
+    for (const MeasuredScene& scene : measured) take(scene);
+    for (const MeasuredScene& scene : elsewhere)
+        if (std::none_of(measured.begin(), measured.end(), [&](const MeasuredScene& own) { return same_scene(own, scene); })) take(scene);
+    std::map<std::string, double> errors;
+    for (const auto& [metric, of] : squares)
+        errors[metric] = (1 + nearest) * student_factor(of_intervals, of.second) * std::sqrt(of.first / of.second);
     return errors;
 }
 
@@ -202,8 +217,7 @@ void share_errors_of_references(std::vector<MeasuredScene>& scenes)
 {
     for (MeasuredScene& scene : scenes)
         for (const MeasuredScene& other : scenes)
-            if (scene.reference_errors.empty() && other.fabric == scene.fabric && other.experiment == scene.experiment)
-                scene.reference_errors = other.reference_errors;
+            if (scene.reference_errors.empty() && same_scene(scene, other)) scene.reference_errors = other.reference_errors;
 }
 
 [[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
@@ -344,7 +358,7 @@ double rough_bytes(const ModelPlan& plan)
            wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
-void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
+void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere)
 {
     const Nearest nearest = nearest_run(plan, measured);
     plan.expected_error.reset();
@@ -366,7 +380,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured)
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
                as_set = set_alike(run.plan, plan) && !is_cut(plan) && !otherwise;
     if (as_set) plan.expected_error = run.error;
-    if (as_set) plan.expected_errors = errors_of_kind(plan, measured);
+    if (as_set) plan.expected_errors = errors_of_kind(plan, measured, elsewhere);
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,

@@ -14,7 +14,7 @@ namespace hygroloom {
 struct MeasuredRun {
     ModelPlan plan;
     KnobSettings settings;                ///< that differed from the fidelity's
-    double seconds = 0;                   ///< of wall time
+    double seconds = 0;                   ///< of wall time; 0: it was not timed
     double bytes = 0;                     ///< largest resident set
     std::optional<double> error;          ///< against the reference, relative; none: not measured
     std::map<std::string, double> errors; ///< the same of each metric
@@ -57,7 +57,7 @@ double rough_bytes(const ModelPlan& plan);
 
 /// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
-void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured);
+void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere = {});
 
 /// What a run of this machine took against what was expected of it.
 struct LearnedRun {

@@ -17,7 +17,7 @@ ModelPlan plan_run(const Design& design, const Textile& textile, const Experimen
                    const KnobSettings& settings, const std::string& backend)
 {
     ModelPlan plan = plan_model(design, textile, experiment, fidelity, forced, settings);
-    expect(plan, shipped_measurements(backend));
+    expect(plan, shipped_measurements(backend), shipped_measurements());
     expect_as_learned(plan, backend);
     return plan;
 }

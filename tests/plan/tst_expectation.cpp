@@ -293,6 +293,55 @@ private Q_SLOTS:
         plan.particles_per_droplet /= 8;
         QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
     }
+    void errorsAreOfTheKindByStudentsLaw()
+    {
+        const ModelPlan plan = plan_of(35), other = plan_of(35, Fidelity::draft);
+        MeasuredScene first = scene_of("first", plan, 7, 0.02), second = scene_of("second", plan, 7, 0.02);
+        first.runs[0].errors = {{"radius", 0.03}};
+        second.runs[0].errors = {{"radius", 0.04}, {"time", 0.1}};
+        second.reference_errors = {{"time", 0.1}};
+        MeasuredScene draft = scene_of("draft", other, 7, 0.02);
+        draft.runs[0].errors = {{"radius", 0.5}};
+        MeasuredScene untimed = scene_of("third", plan, 0, 0.02); // on another backend
+        untimed.runs[0].errors = {{"radius", 0.05}};
+        const auto errors = [&](const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere) {
+            ModelPlan expected = plan;
+            expect(expected, measured, elsewhere);
+            return expected.expected_errors;
+        };
+        const auto of_two = errors({first, second, draft}, {first, second});
+        QVERIFY(std::abs(of_two.at("radius") - 2.920 * std::sqrt((9e-4 + 16e-4) / 2)) < 1e-3);
+        QVERIFY(std::abs(of_two.at("time") - 6.314 * std::sqrt(0.02)) < 1e-3); // of one scene, with its reference's own
+        const auto of_three = errors({first, second}, {untimed});
+        QVERIFY(std::abs(of_three.at("radius") - 2.353 * std::sqrt((9e-4 + 16e-4 + 25e-4) / 3)) < 1e-3);
+    }
+    // Each shipped scene is expected from the others. Of 420 numbers 88 % came out within their intervals; half a crossing, which
+    // numerical_error() adds to how far water has come, is not among them.
+    void nineOfTenErrorsLieWithinWhatOtherScenesLetExpect()
+    {
+        int within = 0, all = 0;
+        for (const MeasuredScene& scene : shipped_measurements()) {
+            std::vector<MeasuredScene> others, elsewhere;
+            for (const MeasuredScene& other : shipped_measurements()) {
+                if (other.fabric == scene.fabric && other.experiment == scene.experiment) continue;
+                (other.backend == scene.backend ? others : elsewhere).push_back(other);
+            }
+            for (const MeasuredRun& run : scene.runs) {
+                if (!run.settings.empty() || run.plan.fidelity == Fidelity::reference) continue;
+                ModelPlan plan = run.plan;
+                expect(plan, others, elsewhere);
+                for (const auto& [metric, error] : run.errors) {
+                    const auto found = plan.expected_errors.find(metric);
+                    if (found == plan.expected_errors.end()) continue;
+                    ++all;
+                    within += error <= found->second + 1e-9;
+                }
+            }
+        }
+        qInfo("%d of %d", within, all);
+        QVERIFY(all > 300);
+        QVERIFY2(within >= 0.85 * all, qPrintable(QString("%1 of %2").arg(within).arg(all)));
+    }
     // On these it is calibrated: counted with 1c1e975 and, by suction, with the program that absorbs drops as this one does. Ratios to the
     // drop of 15 ul on textile F, from whose run others are estimated.
     void countedDropsComeOutWithinHalf_data()

@@ -3,9 +3,11 @@
 #include "compare_test.h"
 #include "core/base/error.h"
 #include "core/project/project_file.h"
+#include "ui/compare/study_report.h"
 #include "ui/document/run_folder.h"
 
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +22,7 @@ private Q_SLOTS:
     {
         QLocale::setDefault(QLocale::c());
         qputenv("XDG_DATA_HOME", folder_.path().toUtf8()); // unsaved work
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
         design_ = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/three-candidates.hygro");
         design_.experiments.resize(1);
         design_.experiments[0].duration_s = 0.1;
@@ -211,6 +214,39 @@ private Q_SLOTS:
         const Grid grid = gridOf(comparison, {{"a", "a", false, 1}, {"b", "b", false, 1}});
         QCOMPARE(grid.rows[1].cells[0].verdict, QString("1 of 4 runs"));
         QCOMPARE(grid.rows[0].rank, QString("1 ="));
+    }
+
+    void measuredNumbersStandBesideTheSimulated()
+    {
+        Comparison comparison;
+        comparison.experiment = "one drop";
+        comparison.criteria = compared_by(ExperimentType::droplet);
+        comparison.ranked_by = comparison.criteria.front();
+        comparison.baseline = "a";
+        comparison.candidates = {candidate("a", 5, 0.1), candidate("b", 8, 0.5)};
+        judge(comparison);
+        const QString key = QString::fromStdString(comparison.criteria.front().key);
+        const QString file = folder_.filePath("measured.csv");
+        const auto write = [&file](const QString& rows) {
+            QFile table(file);
+            QVERIFY(table.open(QIODevice::WriteOnly));
+            table.write(("fabric,metric,value,unit,spread\n" + rows).toUtf8());
+        };
+        write("b," + key + ",7.25,mm,0.5\n");
+        comparison.measured = readMeasured(comparison, file);
+        const Grid grid = gridOf(comparison, {{"a", "a", false, 1}, {"b", "b", false, 1}});
+        QCOMPARE(grid.rows[0].cells[0].measured, QString());
+        QCOMPARE(grid.rows[1].cells[0].measured, QString("measured 7.25 ± 0.50") + QChar(0x00a0) + "mm");
+        CandidateTable table;
+        table.setGrid(grid, {}, false);
+        QVERIFY(table.item(0, CandidateTable::first_number)->text().contains("measured 7.25")); // b is the best
+        const QString report = studyReport(comparison, {});
+        QVERIFY(report.contains("measured 7.25") && report.contains("worse"));
+        write("c," + key + ",7.25,mm,\n");
+        QVERIFY_EXCEPTION_THROWN(readMeasured(comparison, file), Error); // there is no c
+        rememberMeasured("/a/b.hygro", "one drop", file);
+        QCOMPARE(measuredFile("/a/b.hygro", "one drop"), file);
+        QCOMPARE(measuredFile("/a/b.hygro", "another"), QString());
     }
 
     void mouseAndKeysRunOpenAndPin()

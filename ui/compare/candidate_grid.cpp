@@ -55,9 +55,24 @@ void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& c
                                 found->pairs == 1 ? words("one run of each") : words("%1 pairs of runs").arg(found->pairs));
 }
 
+/// " · measured 7.2 ± 0.1 mm"; empty: it was not.
+QString measuredText(const Comparison& comparison, const std::string& fabric, const OutcomeInfo& info)
+{
+    const LaboratoryValue* found = measured_of(comparison, fabric, info.key);
+    if (!found) { return {}; }
+    const ShownValue value = shown(info, found->value);
+    QString text = words("measured %1").arg(shownNumber(value.value, decimals_for(std::abs(value.value), 3)));
+    if (found->spread) {
+        const double spread = std::abs(shown(info, found->value + *found->spread).value - value.value);
+        text += QStringLiteral(" ± ") + shownNumber(spread, decimals_for(std::abs(value.value), 3));
+    }
+    return value.unit.empty() ? text : text + QChar(0x00a0) + QString::fromStdString(value.unit);
+}
+
 GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const OutcomeInfo& info)
 {
     GridCell cell;
+    cell.measured = measuredText(comparison, entry.name, info);
     cell.path = entry.path;
     cell.missing = entry.missing;
     const Candidate* candidate = candidateNamed(comparison, entry.name);

@@ -27,8 +27,9 @@ struct GridColumn {
 struct GridCell {
     enum class State { number, no_number, reading, missing };
     State state = State::no_number;
-    QString number;  ///< "23.1 ± 0.4 mm"
-    QString verdict; ///< "better", "baseline", "1 of 8 runs", of what is missing "running", "waiting"; empty: there is nothing to say
+    QString number;   ///< "23.1 ± 0.4 mm"
+    QString measured; ///< "measured 7.2 ± 0.1 mm"; empty: it was not
+    QString verdict;  ///< "better", "baseline", "1 of 8 runs", of what is missing "running", "waiting"; empty: there is nothing to say
     QString tip;
     double low = 0, value = 0, high = 0; ///< in the shown unit
     QString path;                        ///< of the run behind it

@@ -40,8 +40,8 @@ void addField(QHBoxLayout* row, const QString& name, QWidget* field)
 CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     : QWidget(parent), experiment_(new QComboBox), fidelity_(new QComboBox), replicates_(new QComboBox),
       run_(new QPushButton(themedIcon("run"), tr("&Run All Missing"))), state_(new QLabel), progress_(new QProgressBar),
-      cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), save_(new QPushButton(tr("Save &Table…"))),
-      tools_(new QHBoxLayout), runs_(runs)
+      cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), measured_(new QPushButton(tr("&Measured…"))),
+      save_(new QPushButton(tr("Save &Table…"))), report_(new QPushButton(tr("Save Re&port…"))), runs_(runs)
 {
     experiment_->setMinimumContentsLength(16);
     experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -66,7 +66,11 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     filter_->setAccessibleName(tr("Filter fabrics"));
     filter_->setClearButtonEnabled(true);
     filter_->setMaximumWidth(220);
+    measured_->setToolTip("<p>" + tr("Put a laboratory's numbers beside the simulated ones, from a CSV file with the columns fabric, metric, "
+                                     "value, unit and, if known, spread.") +
+                          "</p>");
     save_->setToolTip(tr("Write the numbers as a CSV file for spreadsheets."));
+    report_->setToolTip("<p>" + tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page.") + "</p>");
 
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 6, 8, 2);
@@ -80,10 +84,11 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     first->addWidget(progress_);
     first->addWidget(cancel_);
     rows->addLayout(first);
-    tools_->addWidget(filter_, 1);
-    tools_->addStretch(1);
-    tools_->addWidget(save_);
-    rows->addLayout(tools_);
+    auto* tools = new QHBoxLayout;
+    tools->addWidget(filter_, 1);
+    tools->addStretch(1);
+    for (QPushButton* button : {measured_, save_, report_}) { tools->addWidget(button); }
+    rows->addLayout(tools);
 
     connect(experiment_, &QComboBox::activated, this, &CompareBar::experimentChosen);
     connect(fidelity_, &QComboBox::activated, this, &CompareBar::fidelityChosen);
@@ -92,6 +97,8 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     connect(cancel_, &QPushButton::clicked, this, &CompareBar::cancelRequested);
     connect(filter_, &QLineEdit::textChanged, this, &CompareBar::filterChanged);
     connect(save_, &QPushButton::clicked, this, &CompareBar::saveRequested);
+    connect(measured_, &QPushButton::clicked, this, &CompareBar::measuredRequested);
+    connect(report_, &QPushButton::clicked, this, &CompareBar::reportRequested);
     showProgress();
 }
 

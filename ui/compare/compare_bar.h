@@ -7,7 +7,6 @@
 #include <QWidget>
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -33,9 +32,9 @@ public:
     void setMissing(int runs, double seconds, const QString& why_not);
     void showProgress();
     QPushButton* save() { return save_; }
+    QPushButton* report() { return report_; }
+    QPushButton* measured() { return measured_; }
     QPushButton* runAll() { return run_; }
-    /// Where further tools stand, right of the filter.
-    QHBoxLayout* tools() { return tools_; }
 
 Q_SIGNALS:
     void experimentChosen();
@@ -45,6 +44,8 @@ Q_SIGNALS:
     void cancelRequested();
     void filterChanged(const QString& text);
     void saveRequested();
+    void reportRequested();
+    void measuredRequested();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -60,8 +61,9 @@ private:
     QProgressBar* progress_;
     QPushButton* cancel_;
     QLineEdit* filter_;
+    QPushButton* measured_;
     QPushButton* save_;
-    QHBoxLayout* tools_;
+    QPushButton* report_;
     const StudyRuns& runs_;
     QString missing_;
     QString said_; ///< in full

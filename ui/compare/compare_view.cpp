@@ -90,6 +90,8 @@ void CompareView::connectParts()
     connect(bar_, &CompareBar::replicatesChosen, this, &CompareView::refresh);
     connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
     connect(bar_, &CompareBar::saveRequested, this, &CompareView::saveTable);
+    connect(bar_, &CompareBar::reportRequested, this, &CompareView::saveReport);
+    connect(bar_, &CompareBar::measuredRequested, this, &CompareView::chooseMeasured);
     connect(bar_, &CompareBar::runAllRequested, this, [this] { start(missing()); });
     connect(bar_, &CompareBar::cancelRequested, &runs_, &StudyRuns::cancel);
     connect(&runs_, &StudyRuns::progressed, bar_, &CompareBar::showProgress);
@@ -106,6 +108,7 @@ void CompareView::connectParts()
         selected_ = -1;
         baseline_.clear();
         chosen_.clear();
+        measured_.clear();
     });
     connect(&document_, &Document::designChanged, this, [this] {
         if (isVisible()) { refresh(); } // else once it is shown

@@ -59,6 +59,8 @@ Q_SIGNALS:
     void forgetRequested(const QString& path);
     void mapsChanged();
     void failed(const QString& sentence);
+    /// A report was written.
+    void saved(const QString& file);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -96,6 +98,10 @@ private:
     void plan(const std::vector<StudyJob>& jobs);
     void start(const std::vector<StudyJob>& jobs);
     void saveTable();
+    void saveReport();
+    void chooseMeasured();
+    /// Takes up the file that was chosen for the experiment in an earlier session.
+    void recallMeasured(const Comparison& comparison);
 
     Document& document_;
     RunHistory& history_;
@@ -105,6 +111,7 @@ private:
     std::vector<StudyRow> rows_;                  ///< of the selected experiment
     std::vector<std::vector<StudyRow>> all_rows_; ///< in the overview, of each of the project's experiments
     Comparison numbers_;                          ///< of rows_, judged
+    std::map<std::string, LaboratoryTable> measured_; ///< by experiment
     QStringList chosen_;
     std::string baseline_;                                                                ///< as named in the table
     bool proposing_ = true;                                                               ///< until the user chooses
@@ -125,6 +132,7 @@ private:
     QLabel* note_;
     QTimer soon_; ///< many runs may end in a short time
     NewestJob planner_;
+    NewestJob reporter_;
 };
 
 } // namespace hygroloom

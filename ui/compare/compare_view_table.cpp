@@ -12,7 +12,9 @@
 #include "ui/compare/curves_view.h"
 #include "ui/compare/fingerprint_view.h"
 #include "ui/compare/scatter_view.h"
+#include "ui/compare/study_report.h"
 #include "ui/document/document.h"
+#include "ui/results/report_file.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -41,6 +43,8 @@ void CompareView::refreshTable()
         const auto ranked = static_cast<std::size_t>(table_->rankedBy()); // less than 0: none, beyond all
         if (ranked < numbers_.criteria.size()) { numbers_.ranked_by = numbers_.criteria[ranked]; }
         judge(numbers_);
+        if (!measured_.contains(numbers_.experiment)) { recallMeasured(numbers_); }
+        numbers_.measured = measured_[numbers_.experiment];
         grid = gridOf(numbers_, gridEntries(rows_));
         const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
         for (std::size_t i = 0; i < grid.rows.size(); ++i) { grid.rows[i].candidate = i < own; }
@@ -50,6 +54,8 @@ void CompareView::refreshTable()
     markMissing(grid);
     table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
     bar_->save()->setEnabled(numbers_.candidates.size() > 1);
+    bar_->report()->setEnabled(numbers_.candidates.size() > 1);
+    bar_->measured()->setEnabled(!numbers_.candidates.empty());
     refreshHint();
 }
 
@@ -259,6 +265,62 @@ void CompareView::saveTable()
         write_file((chosen.endsWith(".csv", Qt::CaseInsensitive) ? chosen : chosen + ".csv").toStdString(), tableCsv());
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+}
+
+/// The recordings are read in the background.
+void CompareView::saveReport()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString file = askForReportFile(this, QDir(folder).filePath(QString::fromStdString(numbers_.experiment)));
+    if (file.isEmpty()) { return; }
+    std::map<std::string, QString> recordings;
+    for (const StudyRow& row : rows_) {
+        if (!row.path.isEmpty()) { recordings[row.fabric] = row.path; }
+    }
+    reporter_.run([this, file, recordings, comparison = numbers_](const NewestJob::Turn& turn) {
+        QString page, why;
+        try {
+            page = studyReport(comparison, recordings);
+        } catch (const std::exception& error) {
+            why = QString::fromStdString(error.what());
+        }
+        turn.deliver([this, file, page, why] {
+            try {
+                if (!why.isEmpty()) { throw Error(why.toStdString()); }
+                writeReport(page, file);
+                Q_EMIT saved(file);
+            } catch (const Error& error) {
+                Q_EMIT failed(QString::fromStdString(error.what()));
+            }
+        });
+    });
+}
+
+void CompareView::chooseMeasured()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Measured Numbers"), measuredFile(document_.path(), numbers_.experiment),
+                                                      tr("Tables (*.csv);;All files (*)"));
+    if (file.isEmpty()) { return; }
+    try {
+        measured_[numbers_.experiment] = readMeasured(numbers_, file);
+        rememberMeasured(document_.path(), numbers_.experiment, file);
+        refreshTable();
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+}
+
+void CompareView::recallMeasured(const Comparison& comparison)
+{
+    LaboratoryTable& table = measured_[comparison.experiment];
+    const QString file = document_.path().isEmpty() ? QString() : measuredFile(document_.path(), comparison.experiment);
+    if (file.isEmpty()) { return; }
+    try {
+        table = readMeasured(comparison, file);
+    } catch (const Error& error) {
+        const QString why = QString::fromStdString(error.what());
+        QTimer::singleShot(0, this, [this, why] { Q_EMIT failed(why); }); // the table is being filled
     }
 }
 

@@ -212,6 +212,8 @@ void MainWindow::connectParts()
     });
     connect(&compare_->view(), &CompareView::runRequested, simulate_.get(), &SimulateWorkspace::showEarlierRun);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);
+    connect(&compare_->view(), &CompareView::saved, this,
+            [this](const QString& file) { statusBar()->showMessage(tr("Saved %1").arg(file), 4000); });
     // Where the end of the session leaves no time for a question, changes and runs are on the disk and are offered at the next start.
     connect(qApp, &QGuiApplication::commitDataRequest, this, [this](auto& session) {
         if (session.allowsInteraction() && !close()) { session.cancel(); }
