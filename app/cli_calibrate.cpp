@@ -70,17 +70,14 @@ void write_results(const CalibrateOptions& options, const Design& design, const 
         print_result("{}", calibration_json(result));
     else
         print_result("{}", calibration_table(result));
-    if (!options.report.empty()) {
-        write_report_file(options.report, calibration_report_html(result));
-        if (!options.quiet) print_note("Report: {}\n", options.report);
+    if (!result.identifiable()) print_note("{}\n", result.refusal);
+    if (result.identifiable() && !options.output.empty()) {
+        write_project(calibrated_design(design, result), options.output);
+        if (!options.quiet) print_note("Calibrated project: {}\n", options.output);
     }
-    if (!result.identifiable()) {
-        print_note("{}\n", result.refusal);
-        return;
-    }
-    if (options.output.empty()) return;
-    write_project(calibrated_design(design, result), options.output);
-    if (!options.quiet) print_note("Calibrated project: {}\n", options.output);
+    if (options.report.empty()) return;
+    write_report_file(options.report, calibration_report_html(result));
+    if (!options.quiet) print_note("Report: {}\n", options.report);
 }
 
 int calibrate_verb(const CalibrateOptions& options)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,14 +30,16 @@ std::filesystem::path program_of_window()
     for (const std::string& folder : CLI::detail::split(path ? path : "", ':'))
         if (!folder.empty()) folders.emplace_back(folder);
     for (const std::filesystem::path& folder : folders)
-        if (access((folder / "hygroloom").c_str(), X_OK) == 0) return folder / "hygroloom";
+        if (const std::filesystem::path program = folder / "hygroloom";
+            std::filesystem::is_regular_file(program, none) && access(program.c_str(), X_OK) == 0)
+            return program;
     return {};
 }
 
 /// A file that goes when this does.
 struct Page {
     std::string name = (std::filesystem::temp_directory_path() / "hygroloom-report-XXXXXX").string();
-    int file = mkstemp(name.data());
+    int file = mkostemp(name.data(), O_CLOEXEC);
     ~Page()
     {
         if (file >= 0) {

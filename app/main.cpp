@@ -18,11 +18,13 @@ namespace {
 int printPage(int argc, char* argv[])
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {}); // of a platform that is not used
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& words) { // the others are of a screen
+        if (type == QtFatalMsg) std::fputs((words.toStdString() + "\n").c_str(), stderr);
+    });
     const QGuiApplication application(argc, argv);
     try {
         const std::string html = hygroloom::read_file(argv[2], std::size_t{256} << 20U);
-        hygroloom::writePdf(QString::fromStdString(html), QString::fromLocal8Bit(argv[3]));
+        hygroloom::write_file(argv[3], hygroloom::pdfOf(QString::fromStdString(html)));
         return 0;
     } catch (const std::exception& error) {
         std::fputs((std::string(error.what()) + "\n").c_str(), stderr);

@@ -281,7 +281,13 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
     search.minimize(u);
 
     VectorXd places = Fit::places(u);
-    const MatrixXd jacobian = settle(fit, model, places);
+    const VectorXd found = places;
+    MatrixXd jacobian = settle(fit, model, places);
+    const auto squares = [&](const VectorXd& at) { return fit.weighed(model({fit.point(at)}).front()).squaredNorm(); };
+    if (squares(places) > 2 * squares(found)) { // noise makes dents, not such a difference: the steps went astray
+        places = found;
+        jacobian = fit.by_place(places);
+    }
     const std::vector<double> values = fit.point(places);
     for (std::size_t k = 0; k < values.size(); ++k) result.inputs[k].value = values[k];
     result.fitted = model({values}).front();
@@ -302,7 +308,7 @@ Design calibrated_design(const Design& design, const Calibration& calibration)
     const std::string file = std::filesystem::path(calibration.data.file).filename().string(); // folders are this machine's
     Calibrated from{file, calibration.experiment, name_of(calibration.fidelity), calibration.data.quantity, calibration.residual_rms, {}};
     for (const FittedInput& input : calibration.inputs) {
-        uncertainty_of(fabric, input.key) = input.half;
+        if (input.half > 0) uncertainty_of(fabric, input.key) = input.half; // else nothing is known of it
         before_of(from, input.key) = input.given;
     }
     fabric.calibrated = from;

@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -182,12 +181,16 @@ bool is_cut(const ModelPlan& plan)
 bool same_scene(const MeasuredScene& a, const MeasuredScene& b) { return a.fabric == b.fabric && a.experiment == b.experiment; }
 
 /// Of each metric the error that 90 % of the runs so set keep, by Student's law from the mean square of those of all measured scenes of the
-/// kind, each with that of its reference; wider, the less alike the nearest of them is. Scenes that were not measured on the plan's backend
-/// count as they were on another, for both compute the same.
+/// kind, with the mean square of those of the references that are known; wider, the less alike the nearest of them is. Scenes that were not
+/// measured on the plan's backend count as they were on another, for both compute the same.
 std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured,
                                              const std::vector<MeasuredScene>& elsewhere)
 {
-    std::map<std::string, std::pair<double, int>> squares; // and their number
+    struct Squares {
+        double sum = 0, of_references = 0;
+        int count = 0, references = 0;
+    };
+    std::map<std::string, Squares> squares;
     double nearest = 1;
     const auto take = [&](const MeasuredScene& scene) {
         for (const MeasuredRun& run : scene.runs) {
@@ -195,11 +198,13 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
             if (far >= 1 || run.plan.fidelity != plan.fidelity || !set_alike(run.plan, plan)) continue;
             nearest = std::min(nearest, far);
             for (const auto& [metric, error] : run.errors) {
+                Squares& of = squares[metric];
+                of.sum += error * error;
+                ++of.count;
                 const auto own = scene.reference_errors.find(metric);
-                const double of_reference = own == scene.reference_errors.end() ? 0 : own->second;
-                auto& [sum, count] = squares[metric];
-                sum += error * error + of_reference * of_reference;
-                ++count;
+                if (own == scene.reference_errors.end()) continue;
+                of.of_references += own->second * own->second;
+                ++of.references;
             }
         }
     };
@@ -208,7 +213,8 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
         if (std::none_of(measured.begin(), measured.end(), [&](const MeasuredScene& own) { return same_scene(own, scene); })) take(scene);
     std::map<std::string, double> errors;
     for (const auto& [metric, of] : squares)
-        errors[metric] = (1 + nearest) * student_factor(of_intervals, of.second) * std::sqrt(of.first / of.second);
+        errors[metric] = (1 + nearest) * student_factor(of_intervals, of.count) *
+                         std::sqrt(of.sum / of.count + of.of_references / std::max(1, of.references));
     return errors;
 }
 
@@ -218,20 +224,6 @@ void share_errors_of_references(std::vector<MeasuredScene>& scenes)
     for (MeasuredScene& scene : scenes)
         for (const MeasuredScene& other : scenes)
             if (scene.reference_errors.empty() && same_scene(scene, other)) scene.reference_errors = other.reference_errors;
-}
-
-[[noreturn]] void refuse(const char* option, const char* allowed, const std::string& text)
-{
-    throw Error(fmt::format("{}: It must be {}; \"{}\" was given.", option, allowed, text));
-}
-
-/// A number and the word after it.
-std::pair<double, std::string> number_and_unit(const std::string& text)
-{
-    double value = -1;
-    const auto [last, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || !std::isfinite(value)) return {-1, ""};
-    return {value, std::string(last, text.data() + text.size())};
 }
 
 } // namespace
@@ -409,6 +401,7 @@ void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)
     }
     if (runs == 0) return;
     const double ratio = std::exp(sum / weights);
+    if (!std::isfinite(ratio)) return;
     plan.expected_seconds *= ratio;
     plan.expectation_source +=
         fmt::format(" {} of this kind on this machine took {} times {} estimate, so this time is corrected.",
@@ -437,46 +430,6 @@ ModelPlan expected_of_all(const std::vector<ModelPlan>& plans)
     all.expectation_source =
         fmt::format("That is the largest numerical error of {} runs, and the time of all, one after the other.", plans.size());
     return all;
-}
-
-double parse_error_target(const std::string& text)
-{
-    const auto [value, unit] = number_and_unit(text);
-    const double error = unit == "%" ? value / 100 : value;
-    if ((!unit.empty() && unit != "%") || !(error > 0 && error <= 1)) refuse("--error", "a share over 0 and up to 100 %, such as 5%", text);
-    return error;
-}
-
-double parse_time_target(const std::string& text)
-{
-    const auto [value, unit] = number_and_unit(text);
-    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : -1;
-    if (!(value * factor > 0)) refuse("--time", "a time over 0 in s, min or h, such as 10s", text);
-    return value * factor;
-}
-
-FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const FidelityTarget& target)
-{
-    if (target.error) {
-        const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
-        const auto found = std::find_if(plans.begin(), plans.end(), keeps);
-        if (found != plans.end())
-            return {found->fidelity, fmt::format("The cheapest that is expected to keep the numerical error below {:g} %: {}. {}",
-                                                 100 * *target.error, error_text(*found), found->expectation_source)};
-        return {plans.back().fidelity,
-                fmt::format("No fidelity is known from measurements to keep the numerical error below {:g} % in a scene of this "
-                            "kind, so the finest is taken.",
-                            100 * *target.error)};
-    }
-    const double most = target.seconds.value_or(0);
-    const auto found = std::find_if(plans.rbegin(), plans.rend(), [&](const ModelPlan& p) { return p.expected_seconds <= most; });
-    if (found != plans.rend())
-        return {found->fidelity, fmt::format("The finest that is expected to take at most {:g} s: {:.2g} s. {}", most,
-                                             found->expected_seconds, found->expectation_source)};
-    return {plans.front().fidelity,
-            fmt::format("No fidelity is expected to take at most {:g} s, so the coarsest is taken; it is expected to "
-                        "take {:.2g} s. {}",
-                        most, plans.front().expected_seconds, plans.front().expectation_source)};
 }
 
 } // namespace hygroloom

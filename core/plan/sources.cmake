@@ -16,6 +16,7 @@ target_sources(hygroloom_core PRIVATE
   plan/bundling.cpp
   plan/expectation.cpp
   plan/fidelity.cpp
+  plan/fidelity_choice.cpp
   plan/frame_times.cpp
   plan/idle_keys.cpp
   plan/model_plan.cpp

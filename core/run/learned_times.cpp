@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <mutex>
 
@@ -51,6 +52,13 @@ Json plan_without_words(ModelPlan plan)
     return plan_value(plan);
 }
 
+/// Whether a plan that was read gives an estimate: its numbers may be anybody's.
+bool is_usable(const ModelPlan& plan)
+{
+    const double work = rough_work(plan, "cpu");
+    return plan.expected_seconds > 0 && std::isfinite(plan.expected_seconds) && work > 0 && std::isfinite(work);
+}
+
 /// The file's runs; none where it is missing or not such a file.
 std::vector<Json> entries(const std::filesystem::path& file)
 {
@@ -80,7 +88,7 @@ void read_again(Kept& all)
             ModelPlan plan = plan_from_value(entry.at("plan"));
             expect(plan, shipped_measurements(backend));
             const double ratio = entry.at("seconds").get<double>() / plan.expected_seconds;
-            if (ratio > 0.01 && ratio < 100) all.runs[backend].push_back({std::move(plan), ratio});
+            if (ratio > 0.01 && ratio < 100 && is_usable(plan)) all.runs[backend].push_back({std::move(plan), ratio});
         } catch (const std::exception&) {
             continue; // an entry of another version, or damaged
         }
@@ -109,7 +117,7 @@ void learn_time(const RunRecord& run)
 try {
     Kept& all = kept();
     const std::lock_guard lock(all.mutex);
-    if (all.file.empty() || !(run.wall > 0) || run.threads != 0) return;
+    if (all.file.empty() || !(run.wall > 0) || run.threads != 0 || !run.alone) return;
     std::filesystem::create_directories(all.file.parent_path());
     const ChangeLock only_one(all.file);
     std::vector<Json> list;

@@ -15,7 +15,8 @@ std::filesystem::path usual_learned_times();
 /// empty, one that cannot be written changes nothing.
 void keep_learned_times(const std::filesystem::path& file);
 
-/// Takes up a run that came to its end, with all threads and without a pause, while no other run was on. The newest 60 of a backend stay.
+/// Takes up a run that came to its end, with all threads and without a pause, while no other run of this process was on. The newest 60 of a
+/// backend stay.
 void learn_time(const RunRecord& run);
 
 /// Multiplies the plan's expected time by what runs of its kind took here against their own estimates, and says so. Precondition: expect().

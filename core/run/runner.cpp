@@ -163,6 +163,26 @@ private:
     std::future<void> publishing_;    // the frame before; the last member, so that what ends the run waits for it
 };
 
+/// Of a run, as long as it lives: whether there was another of this process.
+class Presence {
+public:
+    Presence() : others_(running_++ > 0)
+    {
+        if (others_) ++meetings_;
+        meetings_before_ = meetings_;
+    }
+    ~Presence() { --running_; }
+    Presence(const Presence&) = delete;
+    Presence& operator=(const Presence&) = delete;
+    bool alone() const { return !others_ && meetings_ == meetings_before_; }
+
+private:
+    inline static std::atomic<int> running_ = 0;
+    inline static std::atomic<long> meetings_ = 0; ///< runs that began beside another
+    bool others_;
+    long meetings_before_;
+};
+
 } // namespace
 
 RunRecord run_experiment(const Design& design, const std::string& fabric_name, const std::string& experiment_name,
@@ -174,6 +194,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     if (!experiment) throw Error("There is no experiment named \"" + experiment_name + "\" in the project.");
 
     const auto start = std::chrono::steady_clock::now();
+    const Presence presence;
     RunRecord run;
     run.design = design;
     run.fabric = fabric_name;
@@ -195,6 +216,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     publisher.start(options.recording);
     course.go();
     publisher.finish();
+    run.alone = presence.alone();
     return run;
 }
 

@@ -247,6 +247,7 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     take_off(drop, landed, alone);
     flow_.landing = std::max(flow_.landing, drop.time + landed);
     flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
+    flow_.left += water;
     flow_.asleep = 0;
     flow_.hurry = 1;
     flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.longest_step() : flow_.longest_dt, rules_.advective_step(drop.speed));

@@ -84,7 +84,9 @@ private Q_SLOTS:
     {
         const ModelPlan before = plan_of(15);
         keep_learned_times(file_.toStdString());
-        RunRecord one_thread = run_of(before, 3), stopped = run_of(before, 3);
+        RunRecord one_thread = run_of(before, 3), stopped = run_of(before, 3), beside = run_of(before, 3);
+        beside.alone = false;
+        learn_time(beside);
         one_thread.threads = 1;
         stopped.wall = 0;
         learn_time(one_thread);
@@ -128,6 +130,24 @@ private Q_SLOTS:
         QCOMPARE(plan_of(15).expected_seconds, before.expected_seconds);
         learn_time(run_of(before, 3));
         QVERIFY(std::abs(plan_of(15).expected_seconds / before.expected_seconds - 3) < 1e-9);
+    }
+    void numbersThatGiveNoEstimateAreLeftOut()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        learn_time(run_of(before, 3));
+        keep_learned_times({});
+        QFile file(file_);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray content = file.readAll();
+        file.close();
+        const qsizetype at = content.indexOf("\"segments\":");
+        QVERIFY(at > 0);
+        content.insert(at + 11, "-1");
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        keep_learned_times(file_.toStdString());
+        QVERIFY(std::isfinite(plan_of(15).expected_seconds) && plan_of(15).expected_seconds > 0);
     }
     void aFolderThatCannotBeMadeChangesNothing()
     {

@@ -233,7 +233,8 @@ private Q_SLOTS:
             table.write(("fabric,metric,value,unit,spread\n" + rows).toUtf8());
         };
         write("b," + key + ",7.25,mm,0.5\n");
-        comparison.measured = readMeasured(comparison, file);
+        const std::vector<std::string> fabrics{"a", "b", "d"}; // d has not been run
+        comparison.measured = readMeasured(comparison.criteria, fabrics, file);
         const Grid grid = gridOf(comparison, {{"a", "a", false, 1}, {"b", "b", false, 1}});
         QCOMPARE(grid.rows[0].cells[0].measured, QString());
         QCOMPARE(grid.rows[1].cells[0].measured, QString("measured 7.25 ± 0.50") + QChar(0x00a0) + "mm");
@@ -243,7 +244,9 @@ private Q_SLOTS:
         const QString report = studyReport(comparison, {});
         QVERIFY(report.contains("measured 7.25") && report.contains("worse"));
         write("c," + key + ",7.25,mm,\n");
-        QVERIFY_EXCEPTION_THROWN(readMeasured(comparison, file), Error); // there is no c
+        QVERIFY_EXCEPTION_THROWN(readMeasured(comparison.criteria, fabrics, file), Error); // there is no c
+        write("d," + key + ",7.25,mm,\n");
+        QCOMPARE(readMeasured(comparison.criteria, fabrics, file).size(), std::size_t{1});
         rememberMeasured("/a/b.hygro", "one drop", file);
         QCOMPARE(measuredFile("/a/b.hygro", "one drop"), file);
         QCOMPARE(measuredFile("/a/b.hygro", "another"), QString());

@@ -62,16 +62,6 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     state_->setForegroundRole(QPalette::PlaceholderText);
     state_->setAccessibleName(tr("Missing runs"));
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    filter_->setPlaceholderText(tr("Filter fabrics"));
-    filter_->setAccessibleName(tr("Filter fabrics"));
-    filter_->setClearButtonEnabled(true);
-    filter_->setMaximumWidth(220);
-    measured_->setToolTip("<p>" + tr("Put a laboratory's numbers beside the simulated ones, from a CSV file with the columns fabric, metric, "
-                                     "value, unit and, if known, spread.") +
-                          "</p>");
-    save_->setToolTip(tr("Write the numbers as a CSV file for spreadsheets."));
-    report_->setToolTip("<p>" + tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page.") + "</p>");
-
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 6, 8, 2);
     rows->setSpacing(6);
@@ -84,11 +74,7 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     first->addWidget(progress_);
     first->addWidget(cancel_);
     rows->addLayout(first);
-    auto* tools = new QHBoxLayout;
-    tools->addWidget(filter_, 1);
-    tools->addStretch(1);
-    for (QPushButton* button : {measured_, save_, report_}) { tools->addWidget(button); }
-    rows->addLayout(tools);
+    rows->addLayout(toolRow());
 
     connect(experiment_, &QComboBox::activated, this, &CompareBar::experimentChosen);
     connect(fidelity_, &QComboBox::activated, this, &CompareBar::fidelityChosen);
@@ -100,6 +86,26 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     connect(measured_, &QPushButton::clicked, this, &CompareBar::measuredRequested);
     connect(report_, &QPushButton::clicked, this, &CompareBar::reportRequested);
     showProgress();
+}
+
+/// The filter, and what can be done with the table.
+QHBoxLayout* CompareBar::toolRow()
+{
+    filter_->setPlaceholderText(tr("Filter fabrics"));
+    filter_->setAccessibleName(tr("Filter fabrics"));
+    filter_->setClearButtonEnabled(true);
+    filter_->setMaximumWidth(220);
+    measured_->setToolTip("<p>" +
+                          tr("Put a laboratory's numbers beside the simulated ones, from a CSV file with the columns fabric, metric, "
+                             "value, unit and, if known, spread.") +
+                          "</p>");
+    save_->setToolTip(tr("Write the numbers as a CSV file for spreadsheets."));
+    report_->setToolTip("<p>" + tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page.") + "</p>");
+    auto* tools = new QHBoxLayout;
+    tools->addWidget(filter_, 1);
+    tools->addStretch(1);
+    for (QPushButton* button : {measured_, save_, report_}) { tools->addWidget(button); }
+    return tools;
 }
 
 void CompareBar::setExperiments(const QStringList& names, int chosen)

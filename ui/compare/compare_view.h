@@ -101,16 +101,17 @@ private:
     void saveReport();
     void chooseMeasured();
     /// Takes up the file that was chosen for the experiment in an earlier session.
-    void recallMeasured(const Comparison& comparison);
+    void recallMeasured();
+    LaboratoryTable measuredIn(const QString& file) const;
 
     Document& document_;
     RunHistory& history_;
     StudyRuns& runs_;
     std::vector<Entry> entries_;
-    int selected_ = -1;                           ///< less than 0: the overview
-    std::vector<StudyRow> rows_;                  ///< of the selected experiment
-    std::vector<std::vector<StudyRow>> all_rows_; ///< in the overview, of each of the project's experiments
-    Comparison numbers_;                          ///< of rows_, judged
+    int selected_ = -1;                               ///< less than 0: the overview
+    std::vector<StudyRow> rows_;                      ///< of the selected experiment
+    std::vector<std::vector<StudyRow>> all_rows_;     ///< in the overview, of each of the project's experiments
+    Comparison numbers_;                              ///< of rows_, judged
     std::map<std::string, LaboratoryTable> measured_; ///< by experiment
     QStringList chosen_;
     std::string baseline_;                                                                ///< as named in the table

@@ -43,7 +43,7 @@ void CompareView::refreshTable()
         const auto ranked = static_cast<std::size_t>(table_->rankedBy()); // less than 0: none, beyond all
         if (ranked < numbers_.criteria.size()) { numbers_.ranked_by = numbers_.criteria[ranked]; }
         judge(numbers_);
-        if (!measured_.contains(numbers_.experiment)) { recallMeasured(numbers_); }
+        if (!measured_.contains(numbers_.experiment)) { recallMeasured(); }
         numbers_.measured = measured_[numbers_.experiment];
         grid = gridOf(numbers_, gridEntries(rows_));
         const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
@@ -271,30 +271,33 @@ void CompareView::saveTable()
 /// The recordings are read in the background.
 void CompareView::saveReport()
 {
+    if (reporter_.busy()) {
+        Q_EMIT failed(tr("Another report is still being written. Save this one when that is done."));
+        return;
+    }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString file = askForReportFile(this, QDir(folder).filePath(QString::fromStdString(numbers_.experiment)));
+    const QString file = askForReportFile(this, folder, QString::fromStdString(numbers_.experiment));
     if (file.isEmpty()) { return; }
     std::map<std::string, QString> recordings;
     for (const StudyRow& row : rows_) {
         if (!row.path.isEmpty()) { recordings[row.fabric] = row.path; }
     }
     reporter_.run([this, file, recordings, comparison = numbers_](const NewestJob::Turn& turn) {
-        QString page, why;
+        QString why;
         try {
-            page = studyReport(comparison, recordings);
+            writeReport(studyReport(comparison, recordings), file);
         } catch (const std::exception& error) {
             why = QString::fromStdString(error.what());
         }
-        turn.deliver([this, file, page, why] {
-            try {
-                if (!why.isEmpty()) { throw Error(why.toStdString()); }
-                writeReport(page, file);
-                Q_EMIT saved(file);
-            } catch (const Error& error) {
-                Q_EMIT failed(QString::fromStdString(error.what()));
-            }
-        });
+        turn.deliver([this, file, why] { why.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(why); });
     });
+}
+
+LaboratoryTable CompareView::measuredIn(const QString& file) const
+{
+    std::vector<std::string> fabrics;
+    for (const StudyRow& row : rows_) { fabrics.push_back(row.fabric); }
+    return readMeasured(numbers_.criteria, fabrics, file);
 }
 
 void CompareView::chooseMeasured()
@@ -303,7 +306,7 @@ void CompareView::chooseMeasured()
                                                       tr("Tables (*.csv);;All files (*)"));
     if (file.isEmpty()) { return; }
     try {
-        measured_[numbers_.experiment] = readMeasured(numbers_, file);
+        measured_[numbers_.experiment] = measuredIn(file);
         rememberMeasured(document_.path(), numbers_.experiment, file);
         refreshTable();
     } catch (const Error& error) {
@@ -311,13 +314,13 @@ void CompareView::chooseMeasured()
     }
 }
 
-void CompareView::recallMeasured(const Comparison& comparison)
+void CompareView::recallMeasured()
 {
-    LaboratoryTable& table = measured_[comparison.experiment];
-    const QString file = document_.path().isEmpty() ? QString() : measuredFile(document_.path(), comparison.experiment);
+    LaboratoryTable& table = measured_[numbers_.experiment];
+    const QString file = document_.path().isEmpty() ? QString() : measuredFile(document_.path(), numbers_.experiment);
     if (file.isEmpty()) { return; }
     try {
-        table = readMeasured(comparison, file);
+        table = measuredIn(file);
     } catch (const Error& error) {
         const QString why = QString::fromStdString(error.what());
         QTimer::singleShot(0, this, [this, why] { Q_EMIT failed(why); }); // the table is being filled

@@ -38,13 +38,11 @@ QString studyReport(const Comparison& comparison, const std::map<std::string, QS
     return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps))));
 }
 
-LaboratoryTable readMeasured(const Comparison& comparison, const QString& file)
+LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std::vector<std::string>& fabrics, const QString& file)
 {
     constexpr std::size_t most_bytes = std::size_t{16} << 20U;
-    std::vector<std::string> fabrics;
     std::vector<std::pair<std::string, std::string>> metrics;
-    for (const Candidate& candidate : comparison.candidates) { fabrics.push_back(candidate.fabric); }
-    for (const OutcomeInfo& criterion : comparison.criteria) { metrics.emplace_back(criterion.key, criterion.unit); }
+    for (const OutcomeInfo& criterion : criteria) { metrics.emplace_back(criterion.key, criterion.unit); }
     return read_laboratory_table(read_file(file.toStdString(), most_bytes), file.toStdString(), fabrics, metrics);
 }
 

@@ -17,8 +17,8 @@ namespace hygroloom {
 
 namespace {
 
-/// One scene fills a CPU. On a GPU drafts are small.
-std::size_t atOnce() { return expected_backend("auto") == "cpu" ? 1 : 8; }
+/// One scene fills a CPU. A GPU has room for some drafts.
+std::size_t atOnce(Fidelity fidelity) { return expected_backend("auto") == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
 
@@ -66,7 +66,7 @@ void StudyRuns::start(const std::vector<Expected>& jobs)
 
 void StudyRuns::startNext()
 {
-    while (!queue_.empty() && slots_.size() < atOnce()) {
+    while (!queue_.empty() && slots_.size() < atOnce(queue_.front().expected.job.fidelity)) {
         auto slot = std::make_unique<Slot>();
         slot->work = queue_.front();
         queue_.pop_front();

@@ -244,7 +244,9 @@ void CalibrateDialog::showInputs()
         table_->setVerticalHeaderItem(row, new QTableWidgetItem(inputTitle(input.key)));
         const QString half = shownNumber(input.half, input.unit.empty() ? 3 : 1);
         table_->setItem(row, 0, new QTableWidgetItem(number(input.given, input)));
-        table_->setItem(row, 1, new QTableWidgetItem(QString("%1 ± %2").arg(number(input.value, input), half + words(input.unit))));
+        table_->setItem(row, 1,
+                        new QTableWidgetItem(input.half > 0 ? QString("%1 ± %2").arg(number(input.value, input), half + words(input.unit))
+                                                            : number(input.value, input)));
         table_->setItem(row, 2, new QTableWidgetItem(tr("%1 to %2").arg(number(input.low, input), number(input.high, input))));
     }
 }
@@ -296,7 +298,7 @@ void CalibrateDialog::apply()
 
 void CalibrateDialog::saveReport()
 {
-    const QString path = askForReportFile(this, "calibration");
+    const QString path = askForReportFile(this, {}, "calibration");
     if (path.isEmpty()) { return; }
     try {
         writeReport(QString::fromStdString(calibration_report_html(*result_)), path);

@@ -174,7 +174,7 @@ void drawPages(QTextDocument& document, QPdfWriter& writer)
 
 } // namespace
 
-void writePdf(const QString& html, const QString& file)
+std::string pdfOf(const QString& html)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -193,22 +193,26 @@ void writePdf(const QString& html, const QString& file)
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, pictures);
     layOut(document, asRichText(html, *pictures, document));
     drawPages(document, writer);
-    write_file(file.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return bytes.toStdString();
 }
 
 void writeReport(const QString& html, const QString& file)
 {
-    if (file.endsWith(".pdf", Qt::CaseInsensitive)) return writePdf(html, file);
-    write_file(file.toStdString(), html.toStdString());
+    const bool pdf = file.endsWith(".pdf", Qt::CaseInsensitive);
+    write_file(file.toStdString(), pdf ? pdfOf(html) : html.toStdString());
 }
 
-QString askForReportFile(QWidget* parent, const QString& suggested)
+QString askForReportFile(QWidget* parent, const QString& folder, const QString& name)
 {
     const QString pdf = QObject::tr("PDF (*.pdf)"), page = QObject::tr("Web page (*.html)");
-    QString filter = pdf;
-    const QString chosen = QFileDialog::getSaveFileName(parent, QObject::tr("Save Report"), suggested + ".pdf", pdf + ";;" + page, &filter);
-    const bool named = chosen.endsWith(".pdf", Qt::CaseInsensitive) || chosen.endsWith(".html", Qt::CaseInsensitive);
-    return chosen.isEmpty() || named ? chosen : chosen + (filter == page ? ".html" : ".pdf");
+    QFileDialog dialog(parent, QObject::tr("Save Report"), folder);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({pdf, page});
+    dialog.setDefaultSuffix("pdf"); // the dialog asks before it replaces a file of the whole name
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&](const QString& filter) { dialog.setDefaultSuffix(filter == page ? "html" : "pdf"); });
+    dialog.selectFile(QString(name).replace('/', '-') + ".pdf");
+    return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty() ? dialog.selectedFiles().front() : QString();
 }
 
 } // namespace hygroloom

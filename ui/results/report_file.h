@@ -4,18 +4,20 @@
 
 #include <QString>
 
+#include <string>
+
 class QWidget;
 
 namespace hygroloom {
 
-/// Writes a page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
-/// The file is whole or, where writing fails, as it was. Throws Error. Precondition: there is a QGuiApplication.
-void writePdf(const QString& html, const QString& file);
+/// A page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
+/// Precondition: there is a QGuiApplication. Any thread may call it.
+std::string pdfOf(const QString& html);
 
-/// As PDF where the file's name ends so, else as it is. Throws Error.
+/// As PDF where the file's name ends so, else as it is. The file is whole or, where writing fails, as it was. Throws Error.
 void writeReport(const QString& html, const QString& file);
 
-/// Asks where a report is to be saved, as PDF or web page; empty: nowhere. suggested: without an ending.
-QString askForReportFile(QWidget* parent, const QString& suggested);
+/// Asks where a report is to be saved, as PDF or web page; empty: nowhere. name: a suggestion, without an ending.
+QString askForReportFile(QWidget* parent, const QString& folder, const QString& name);
 
 } // namespace hygroloom

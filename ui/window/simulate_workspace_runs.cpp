@@ -208,7 +208,7 @@ void SimulateWorkspace::saveReport()
 {
     if (!playback_.run()) { return; }
     const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment);
-    const QString file = askForReportFile(&window_, QDir(folderOf(document_)).filePath(name));
+    const QString file = askForReportFile(&window_, folderOf(document_), name);
     if (file.isEmpty()) { return; }
     try {
         writeReport(results_->report(), file);

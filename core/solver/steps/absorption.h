@@ -72,8 +72,7 @@ struct GiveToSegments {
     TextileShape textile;
     Segments s;
     double density;
-    const double* dt; ///< s, for which they absorb
-    double share;     ///< of that time, in this turn
+    const double* dt; ///< s, for which they absorb in this turn
     Reach reach;
     std::int64_t* absorbed; ///< quanta
 
@@ -90,7 +89,7 @@ struct GiveToSegments {
         const Taker taker{s, density, segment};
         const double room = taker.room();
         if (room <= 0) return;
-        const double wanted = taker.draws(share * *dt, room, true);
+        const double wanted = taker.draws(*dt, room, true);
         const double most = (wanted < room ? wanted : room) / water_quantum;
         const std::int64_t given = most < static_cast<double>(p.content[i]) ? static_cast<std::int64_t>(most) : p.content[i];
         if (given == 0) return;

@@ -20,6 +20,7 @@ constexpr Real skin_in_spacings = Real(0.2); // by which neighbours are listed t
 constexpr double resting_speed = 0.05;         // root of the mean square, over all particles, each times its size
 constexpr double fastest_resting_speed = 0.25; // of any particle away from the cloth: a drip gets faster
 constexpr double most_hurry = 8;               // how much faster liquid creeps that was woken than it would have unasked
+constexpr int absorbing_turns = 4;             // of yarns, once particles are less than half full
 constexpr int fewest_pressure_rounds = 3;
 constexpr int most_pressure_rounds = 8;
 constexpr int least_int = -0x7fffffff - 1;
@@ -69,12 +70,13 @@ struct LiquidControl {
     int side = 0;                   ///< where the particles are: see LiquidFlow
     int budget = 0;                 ///< steps to take before somebody else has a look
     std::int64_t steps = 0, rounds = 0, listings = 0;
-    Flag goes;    ///< another step follows
-    Flag begins;  ///< what neighbours read is not of this step yet
-    Flag lists;   ///< neighbours must be listed
-    Flag presses; ///< another round of pressure follows
-    Flag absorbs; ///< yarns absorb from the particles in this step
-    Flag drains;  ///< the liquid sleeps until liquid and yarns meet: it only drains
+    Flag goes;     ///< another step follows
+    Flag begins;   ///< what neighbours read is not of this step yet
+    Flag lists;    ///< neighbours must be listed
+    Flag presses;  ///< another round of pressure follows
+    Flag absorbs;  ///< yarns absorb from the particles in this step
+    Flag in_turns; ///< when they do, in several turns: see GiveToSegments
+    Flag drains;   ///< the liquid sleeps until liquid and yarns meet: it only drains
 
     CellGrid grid;
     int dead_key = 0;   ///< of particles that are no more: behind all cells
@@ -83,7 +85,7 @@ struct LiquidControl {
     int round = 0;      ///< of pressure in this step
 
     double since_absorbed = 0;    ///< s since yarns last absorbed from drops
-    double absorb_dt = 0;         ///< s, for which yarns absorb now
+    double absorb_dt = 0;         ///< s, for which yarns absorb now, in each turn
     int steps_since_absorbed = 0; ///< of the liquid since yarns last absorbed
     int asleep = 0;
     double landing = 0;                         ///< s, when the last drop released meets the cloth
@@ -98,7 +100,7 @@ struct LiquidControl {
     // Many elements add to these.
     int moved[6] = {};                             ///< see BeginStep
     int box[6] = {};                               ///< see FindBox
-    std::int64_t left = 0;                         ///< quanta that particles held after yarns last absorbed
+    std::int64_t left = 0;                         ///< quanta that particles held after yarns last absorbed, or when they were released
     int farthest = 0;                              ///< see FindFarthestMoved
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
@@ -159,12 +161,14 @@ HL_FN void wake(LiquidControl& c, const LiquidRules& rules)
     c.hurry = hurry < most_hurry ? hurry : most_hurry;
 }
 
-/// Yarns have absorbed nothing for dt longer; whether they absorb now, and if so, for how long a time.
-HL_FN bool absorb_after(LiquidControl& c, double dt, bool now, int steps_between)
+/// Yarns have absorbed nothing for dt longer; whether they absorb now, and if so, for how long a time, and whether in turns.
+HL_FN bool absorb_after(LiquidControl& c, const LiquidRules& rules, double dt, bool now, int steps_between)
 {
     c.since_absorbed += dt;
     if (!now && ++c.steps_since_absorbed < steps_between) return false;
-    c.absorb_dt = c.since_absorbed;
+    const double left = static_cast<double>(c.left) * water_quantum / rules.particle_mass;
+    c.in_turns.on = left < 0.5 * c.count;
+    c.absorb_dt = c.since_absorbed / (c.in_turns.on ? absorbing_turns : 1);
     c.since_absorbed = 0;
     c.left = 0;
     c.steps_since_absorbed = 0;
@@ -175,7 +179,7 @@ HL_FN bool absorb_after(LiquidControl& c, double dt, bool now, int steps_between
 HL_FN void decide_next(LiquidControl& c, const LiquidRules& rules)
 {
     const bool flows = c.time < c.sync_time && c.count > 0;
-    const bool drains = flows && c.asleep && absorb_after(c, c.sync_time - c.time, true, 1);
+    const bool drains = flows && c.asleep && absorb_after(c, rules, c.sync_time - c.time, true, 1);
     const bool goes = flows && !c.asleep && c.budget > 0;
     if (goes) plan_step(c, rules);
     c.drains.on = drains;
@@ -311,7 +315,7 @@ struct EndStep {
         --c.budget;
         c.time = c.last ? c.sync_time : c.time + c.dt;
         if (rules.settle_share > 0 && c.count > 0) watch(c);
-        c.absorbs.on = absorbs && absorb_after(c, c.dt, c.last, rules.steps_between_absorption);
+        c.absorbs.on = absorbs && absorb_after(c, rules, c.dt, c.last, rules.steps_between_absorption);
         if (!c.absorbs.on) decide_next(c, rules);
     }
 

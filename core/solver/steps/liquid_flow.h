@@ -101,22 +101,23 @@ private:
         round(&control->error, EndRound{control, density_tolerance, fewest_pressure_rounds});
         executor.loop(&control->presses, [&] { round(&control->error, EndRound{control, density_tolerance, 1}); });
     }
-    /// In turns, for in each a segment absorbs from one particle only: what is left of a drop is many small ones.
+    /// In turns where little is left in each particle, for in a turn a segment absorbs from one of them only.
     template <typename Executor, typename Next> HL_FN void give_to_segments(Executor& executor, const Particles& p, const Next& next) const
     {
-        constexpr int turns = 4;
-        for (int turn = 1; turn < turns; ++turn) {
-            touch_and_give(executor, p, 1.0 / turns);
-            executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact, nullptr});
-        }
-        touch_and_give(executor, p, 1.0 / turns);
+        executor.when(&control->in_turns, [&] {
+            for (int turn = 1; turn < absorbing_turns; ++turn) {
+                touch_and_give(executor, p);
+                executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact, nullptr});
+            }
+        });
+        touch_and_give(executor, p);
         executor.for_each("forget", all_particles(), ForgetContact{p, textile, segments.contact, &control->left}, next);
     }
-    template <typename Executor> HL_FN void touch_and_give(Executor& executor, const Particles& p, double share) const
+    template <typename Executor> HL_FN void touch_and_give(Executor& executor, const Particles& p) const
     {
         executor.for_each("touch", all_particles(), TouchSegments{p, textile, segments.contact});
         executor.for_each("give", all_particles(),
-                          GiveToSegments{p, textile, segments, rules.density, &control->absorb_dt, share, {reach}, &control->absorbed});
+                          GiveToSegments{p, textile, segments, rules.density, &control->absorb_dt, {reach}, &control->absorbed});
     }
 };
 
