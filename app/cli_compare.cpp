@@ -101,8 +101,8 @@ void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>
 }
 
 /// On one page, with the maps that there are.
-void write_report(const Comparison& comparison, const std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
-                  const std::string& file)
+void write_report(const Comparison& comparison, const std::vector<std::optional<CandidateMaps>>& maps,
+                  const std::vector<std::string>& fabrics, const std::string& file)
 {
     std::vector<std::pair<std::string, MapPicture>> pictures;
     for (const Candidate& candidate : comparison.candidates) {
