@@ -47,9 +47,10 @@ std::string residual_text(const Calibration& calibration)
 
 std::string basis_text(const Calibration& calibration)
 {
-    return fmt::format("Intervals of {:.0f} %, from {}; in trials with simulated strips they held the truth 47 times of 57.",
-                       100 * of_intervals.held,
-                       calibration.data.numbers.front().spread ? "the spreads that the file gives" : "the residuals, by Student's law");
+    return fmt::format("Intervals of {:.0f} %, from {}.", 100 * of_intervals.held,
+                       calibration.data.numbers.front().spread
+                           ? "the spreads that the file gives"
+                           : "the residuals, by Student's law (on simulated strips such intervals held the truth 47 times of 57)");
 }
 
 /// A chart of the data's times; its curves are to be added.

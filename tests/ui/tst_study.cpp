@@ -237,12 +237,12 @@ private Q_SLOTS:
         comparison.measured = readMeasured(comparison.criteria, fabrics, file);
         const Grid grid = gridOf(comparison, {{"a", "a", false, 1}, {"b", "b", false, 1}});
         QCOMPARE(grid.rows[0].cells[0].measured, QString());
-        QCOMPARE(grid.rows[1].cells[0].measured, QString("measured 7.25 ± 0.50") + QChar(0x00a0) + "mm");
+        QCOMPARE(grid.rows[1].cells[0].measured, QString("measured 7.25 ± 0.5") + QChar(0x00a0) + "mm");
         CandidateTable table;
         table.setGrid(grid, {}, false);
         QVERIFY(table.item(0, CandidateTable::first_number)->text().contains("measured 7.25")); // b is the best
         const QString report = studyReport(comparison, {});
-        QVERIFY(report.contains("measured 7.25") && report.contains("worse"));
+        QVERIFY(report.contains("measured 7.25") && report.contains("better"));
         write("c," + key + ",7.25,mm,\n");
         QVERIFY_EXCEPTION_THROWN(readMeasured(comparison.criteria, fabrics, file), Error); // there is no c
         write("d," + key + ",7.25,mm,\n");

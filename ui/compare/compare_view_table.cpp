@@ -283,13 +283,21 @@ void CompareView::saveReport()
         if (!row.path.isEmpty()) { recordings[row.fabric] = row.path; }
     }
     reporter_.run([this, file, recordings, comparison = numbers_](const NewestJob::Turn& turn) {
-        QString why;
+        QString page, why;
         try {
-            writeReport(studyReport(comparison, recordings), file);
+            page = studyReport(comparison, recordings);
         } catch (const std::exception& error) {
             why = QString::fromStdString(error.what());
         }
-        turn.deliver([this, file, why] { why.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(why); });
+        turn.deliver([this, file, page, why] {
+            try {
+                if (!why.isEmpty()) { throw Error(why.toStdString()); }
+                writeReport(page, file);
+                Q_EMIT saved(file);
+            } catch (const Error& error) {
+                Q_EMIT failed(QString::fromStdString(error.what()));
+            }
+        });
     });
 }
 

@@ -11,7 +11,7 @@ class QWidget;
 namespace hygroloom {
 
 /// A page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
-/// Precondition: there is a QGuiApplication. Any thread may call it.
+/// Precondition: there is a QGuiApplication, and this is its thread.
 std::string pdfOf(const QString& html);
 
 /// As PDF where the file's name ends so, else as it is. The file is whole or, where writing fails, as it was. Throws Error.

@@ -150,12 +150,12 @@ struct ForgetContact {
     Particles p;
     TextileShape textile;
     int* contact;
-    std::int64_t* left; ///< quanta that particles still hold; nullptr: not counted
-    HL_FN void operator()(int i) const
+    std::int64_t* total; ///< quanta that particles still hold; nullptr: not counted
+    HL_FN std::int64_t operator()(int i) const
     {
-        if (left != nullptr && p.alive[i]) atomic_add(left, p.content[i]);
         if (p.wall_distance[i] <= p.spacing)
             for_touched_segments(textile, p.position[i], p.spacing, [&](int segment) { forget(contact[segment], i); });
+        return p.alive[i] ? p.content[i] : 0;
     }
 };
 
