@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/report.h"
 
+#include "core/analysis/comparison.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/outcomes.h"
 #include "core/analysis/plots.h"
@@ -23,17 +24,21 @@ std::string results(const RunRecord& run, const Metrics& metrics)
 {
     std::string rows;
     std::vector<std::string> notes = metrics.notes;
+    const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
     for (const Outcome& outcome : outcomes_of(run, metrics)) {
         if (!is_shown(outcome)) continue;
         const ShownValue value = shown(outcome, outcome.value.value_or(0));
-        const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? fmt::format("{:.4g}", value.value) : "–";
+        const auto found = intervals.find(outcome.key);
+        const std::string number = found == intervals.end() ? fmt::format("{:.4g}", value.value) : with_interval(outcome, found->second);
+        const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? number : "–";
         const std::string grade = outcome.grade ? fmt::format("grade {} of 5", *outcome.grade) : "";
         rows += row(full_title(outcome), text, outcome.value ? value.unit : "", grade);
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
     const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed of the tester:</p>\n" + list(metrics.assumed);
-    return table(rows) + list(notes) + assumed;
+    const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
+    return table(rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
 }
 
 std::string balance(const Ledger& ledger)

@@ -414,7 +414,6 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.rules.density_tolerance = plan.knobs.density_tolerance;
     scene.rules.settle_share = plan.knobs.settle_share;
     scene.rules.double_precision = plan.knobs.double_precision != 0;
-    scene.rules.seed = seed;
     return scene;
 }
 

@@ -197,7 +197,6 @@ struct StepRules {
     double settle_share = 0;       ///< of the free liquid at rest that yarns absorb before it settles anew; 0: it takes all its steps
     bool shows_shells = false;     ///< whether frames show the regain of each shell
     bool shows_pressure = false;   ///< whether frames show the free liquid's pressure
-    std::uint64_t seed = 1;
 };
 
 struct Scene {

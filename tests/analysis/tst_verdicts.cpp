@@ -9,6 +9,7 @@
 
 #include <QTest>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <array>
 #include <map>
@@ -83,8 +84,10 @@ Found repeat(const Design& design, const std::string& experiment, int number)
 {
     const int from = qEnvironmentVariableIntValue("HYGROLOOM_VERDICTS_FROM");
     const auto seed = static_cast<std::uint64_t>(1000 * (2 * (from + number) + 1));
-    const Candidate cloth = run_all(design, "cloth", experiment, seed), again = run_all(design, "cloth", experiment, seed, 500),
-                    angle = run_all(design, "55 degrees", experiment, seed), open = run_all(design, "open", experiment, seed);
+    Candidate cloth, again, angle, open;
+    tbb::parallel_invoke(
+        [&] { cloth = run_all(design, "cloth", experiment, seed); }, [&] { again = run_all(design, "cloth", experiment, seed, 500); },
+        [&] { angle = run_all(design, "55 degrees", experiment, seed); }, [&] { open = run_all(design, "open", experiment, seed); });
     Found found;
     for (const OutcomeInfo& criterion : compared_by(find_experiment(design, experiment)->type)) {
         const auto keep = [&](std::map<std::string, Compared>& into, const Candidate& other) {

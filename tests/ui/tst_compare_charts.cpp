@@ -26,6 +26,7 @@ private Q_SLOTS:
         QCOMPARE(found.cells.water[3], 2.0);
         QCOMPARE(largestOf(found), 10.0);
         QCOMPARE(differenceOf(other, baseline, {}).real, (std::vector<bool>{false, true, true, true})); // no error is known
+        QVERIFY(!differenceOf(map({0.5, 0, 0, 0}), baseline, {}).real[0]); // both are dry: below 1 % of the wettest cell
         QCOMPARE(largestOf(differenceOf(baseline, baseline, {})), 0.0);
     }
 

@@ -18,6 +18,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -275,7 +276,8 @@ void CompareView::saveReport()
         Q_EMIT failed(tr("Another report is still being written. Save this one when that is done."));
         return;
     }
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                                      : QFileInfo(document_.path()).absolutePath();
     const QString file = askForReportFile(this, folder, QString::fromStdString(numbers_.experiment));
     if (file.isEmpty()) { return; }
     std::map<std::string, QString> recordings;

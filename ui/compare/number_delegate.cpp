@@ -13,7 +13,9 @@ namespace {
 
 constexpr int margin = 6, bar_height = 10; // pixels
 
-void drawBar(QPainter& painter, const QRectF& room, double low, double value, double high, const QPalette& palette)
+/// on_selected: the colour on a selected cell; else invalid.
+void drawBar(QPainter& painter, const QRectF& room, double low, double value, double high, const QPalette& palette,
+             const QColor& on_selected)
 {
     const double y = room.center().y();
     const auto at = [&room](double share) { return room.left() + share * room.width(); };
@@ -21,7 +23,7 @@ void drawBar(QPainter& painter, const QRectF& room, double low, double value, do
     line.setAlphaF(0.2F);
     painter.setPen(QPen(line, 1));
     painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
-    const QColor ink = isDark(palette) ? QColor("#5ab0e8") : QColor("#0b6aa8");
+    const QColor ink = on_selected.isValid() ? on_selected : isDark(palette) ? QColor("#5ab0e8") : QColor("#0b6aa8");
     painter.setPen(QPen(ink, 3, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(at(low), y), QPointF(std::max(at(high), at(low) + 1), y));
     painter.setPen(QPen(ink, 1));
@@ -62,9 +64,10 @@ void NumberDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         const QRect row(room.left(), room.top() + static_cast<int>(i) * line, room.width(), line);
         painter->drawText(row, Qt::AlignLeft | Qt::AlignVCenter, own.fontMetrics.elidedText(lines[i], Qt::ElideRight, row.width()));
     }
-    if (index.data(low_role).isValid() && !selected) {
+    if (index.data(low_role).isValid()) {
         drawBar(*painter, QRectF(room.left() + 4, own.rect.bottom() - 3 - bar_height, room.width() - 8, bar_height),
-                index.data(low_role).toDouble(), index.data(value_role).toDouble(), index.data(high_role).toDouble(), own.palette);
+                index.data(low_role).toDouble(), index.data(value_role).toDouble(), index.data(high_role).toDouble(), own.palette,
+                selected ? ink : QColor());
     }
     if (index.data(button_role).toBool()) {
         QStyleOptionButton button;

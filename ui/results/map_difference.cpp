@@ -55,10 +55,13 @@ QString whyNoDifference(const CellMap& map, const CellMap& baseline)
 MapDifference differenceOf(const CellMap& map, const CellMap& baseline, const MapError& error)
 {
     MapDifference made{map, std::vector<bool>(map.water.size())};
+    const double most = std::max(map.maximum(), baseline.maximum());
     for (std::size_t i = 0; i < map.water.size(); ++i) {
         made.cells.water[i] = map.water[i] - baseline.water[i];
+        // What both maps show as dry is.
+        const bool dry = std::max(std::abs(map.water[i]), std::abs(baseline.water[i])) < 0.01 * most;
         const double within = error.share.value_or(0) * std::max(std::abs(map.water[i]), std::abs(baseline.water[i]));
-        made.real[i] = std::abs(made.cells.water[i]) > within;
+        made.real[i] = !dry && std::abs(made.cells.water[i]) > within;
     }
     return made;
 }
