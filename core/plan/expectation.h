@@ -23,9 +23,9 @@ struct MeasuredRun {
 struct MeasuredScene {
     std::string fabric, experiment, backend, device, date;
     double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
-    std::vector<MeasuredRun> runs; ///< those with a time
-    std::map<std::string, double>
-        reference_errors; ///< of each metric: of the reference against one twice, and that against one four times as fine
+    std::vector<MeasuredRun> runs; ///< those with a time or errors
+    /// Of each metric: of the reference against one twice as fine, and of that against one four times as fine, summed.
+    std::map<std::string, double> reference_errors;
 };
 
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.
@@ -57,6 +57,7 @@ double rough_bytes(const ModelPlan& plan);
 
 /// Fills in the plan's expectation: from the measured run of its fidelity in the scene of its kind that is nearest, scaled by the ratio of
 /// their rough works; without any, from the rough work alone on the machine that the others were measured on, and without an error.
+/// elsewhere: scenes of other backends, whose errors count where measured lacks the scene.
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere = {});
 
 /// What a run of this machine took against what was expected of it.

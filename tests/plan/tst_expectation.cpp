@@ -315,8 +315,8 @@ private Q_SLOTS:
         const auto of_three = errors({first, second}, {untimed});
         QVERIFY(std::abs(of_three.at("radius") - 2.353 * std::sqrt((9e-4 + 16e-4 + 25e-4) / 3)) < 1e-3);
     }
-    // Each shipped scene is expected from the others. Of 420 numbers 88 % came out within their intervals; half a crossing, which
-    // numerical_error() adds to how far water has come, is not among them.
+    // Each shipped scene is expected from the others: 975 of 1042 numbers lie within, those of both backends and the contents of water
+    // among them; of the GPU's alone without contents 88 % of 420. Half a crossing, which numerical_error() adds, is not in it.
     void nineOfTenErrorsLieWithinWhatOtherScenesLetExpect()
     {
         int within = 0, all = 0;
@@ -340,7 +340,7 @@ private Q_SLOTS:
         }
         qInfo("%d of %d", within, all);
         QVERIFY(all > 300);
-        QVERIFY2(within >= 0.85 * all, qPrintable(QString("%1 of %2").arg(within).arg(all)));
+        QVERIFY2(within >= 0.9 * all, qPrintable(QString("%1 of %2").arg(within).arg(all)));
     }
     // On these it is calibrated: counted with 1c1e975 and, by suction, with the program that absorbs drops as this one does. Ratios to the
     // drop of 15 ul on textile F, from whose run others are estimated.
