@@ -45,17 +45,17 @@ Samples sampled(const std::vector<double>& time, const std::vector<TesterReading
 /// Slope of the straight rise that leaves the same area above it, from a sample until half of the further rise within the feed is first
 /// reached, %/s; 0 when the feed ended before or nothing rises. Unlike the time of a level it changes little where a content lingers near
 /// that level.
-double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
+double initial_slope(const std::vector<double>& time, const std::vector<double>& content, std::size_t wetting, double feed_end)
 {
     std::size_t end = wetting; // the first sample past the feed
-    while (end < face.time.size() && face.time[end] <= feed_end + 1e-9) ++end;
+    while (end < time.size() && time[end] <= feed_end + 1e-9) ++end;
     if (end < wetting + 2) return 0;
-    const double start = face.content[wetting];
-    const auto from = face.content.begin() + static_cast<std::ptrdiff_t>(wetting);
-    const double rise = share_of_largest * (*std::max_element(from, face.content.begin() + static_cast<std::ptrdiff_t>(end)) - start);
+    const double start = content[wetting];
+    const auto from = content.begin() + static_cast<std::ptrdiff_t>(wetting);
+    const double rise = share_of_largest * (*std::max_element(from, content.begin() + static_cast<std::ptrdiff_t>(end)) - start);
     double above = 0, missing = rise, reached = start;
     for (std::size_t i = wetting + 1; i < end && missing > 0; ++i) {
-        reached = std::max(reached, face.content[i]);
+        reached = std::max(reached, content[i]);
         const double next = rise - (reached - start);
         const double until = next > 0 ? 1.0 : missing / (missing - next); // share of the interval
         above += tester_interval * until * 0.5 * (missing + std::max(next, 0.0));
@@ -64,7 +64,47 @@ double initial_slope(const Samples& face, std::size_t wetting, double feed_end)
     return rise > 0 ? 0.5 * rise * rise / above : 0.0;
 }
 
-FaceIndices face_indices(const Samples& face, double feed_end)
+/// Mean of the last samples of an interval, s, that which began before the first counts as that: steps become rises of one interval.
+std::vector<double> averaged(const std::vector<double>& content, double interval)
+{
+    const auto count = static_cast<std::size_t>(std::max(1.0, std::round(interval / tester_interval)));
+    std::vector<double> means(content.size());
+    double sum = static_cast<double>(count) * content.front();
+    for (std::size_t i = 0; i < content.size(); ++i) {
+        sum += content[i] - content[i < count ? 0 : i - count];
+        means[i] = sum / static_cast<double>(count);
+    }
+    return means;
+}
+
+/// When each ring outside the middle reads wet, s, outwards to the first that stays dry.
+std::vector<double> times_of_wet_rings(const Samples& face)
+{
+    std::vector<double> times;
+    for (std::size_t ring = 1; ring < tester_rings; ++ring) {
+        const auto at = std::find_if(face.rings.begin(), face.rings.end(), [&](const RingContents& r) { return is_wet(r[ring]); });
+        if (at == face.rings.end()) break;
+        const double time = face.time[static_cast<std::size_t>(at - face.rings.begin())];
+        times.push_back(times.empty() ? time : std::max(time, times.back()));
+    }
+    return times;
+}
+
+/// Mean over the wet rings of the speed from ring to ring, mm/s. Rings that one drop reached have the way that it gained over its interval.
+double spreading_speed(const std::vector<double>& rings, double wetting_time, double drop_interval)
+{
+    const double least = std::max(tester_interval, drop_interval);
+    double speeds = 0;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        std::size_t gained = 1;
+        while (drop_interval > 0 && gained <= i && rings[i - gained] > rings[i] - drop_interval + 0.5 * tester_interval) ++gained;
+        const double since = gained <= i ? rings[i - gained] : wetting_time;
+        speeds += mm_from_metre(ring_step) * static_cast<double>(gained) / std::max(rings[i] - since, least);
+    }
+    return rings.empty() ? 0 : speeds / static_cast<double>(rings.size());
+}
+
+FaceIndices face_indices(const Samples& face, const TesterFeed& feed)
 {
     FaceIndices indices;
     std::size_t wetting = 0;
@@ -72,20 +112,10 @@ FaceIndices face_indices(const Samples& face, double feed_end)
         ++wetting;
     if (wetting + 1 >= face.time.size()) return indices;
     indices.wetting_time = face.time[wetting];
-    indices.absorption_rate = initial_slope(face, wetting, feed_end);
-
-    double before = *indices.wetting_time, speeds = 0;
-    int wet = 0;
-    for (std::size_t ring = 1; ring < tester_rings; ++ring) {
-        const auto at = std::find_if(face.rings.begin(), face.rings.end(), [&](const RingContents& r) { return is_wet(r[ring]); });
-        if (at == face.rings.end()) break;
-        const double time = face.time[static_cast<std::size_t>(at - face.rings.begin())];
-        ++wet;
-        speeds += mm_from_metre(ring_step) / std::max(time - before, tester_interval);
-        before = std::max(time, before);
-    }
-    indices.maximum_wetted_radius = mm_from_metre(ring_step) * wet;
-    if (wet > 0) indices.spreading_speed = speeds / wet;
+    indices.absorption_rate = initial_slope(face.time, averaged(face.content, feed.drop_interval), wetting, feed.end);
+    const std::vector<double> rings = times_of_wet_rings(face);
+    indices.maximum_wetted_radius = mm_from_metre(ring_step) * static_cast<double>(rings.size());
+    indices.spreading_speed = spreading_speed(rings, *indices.wetting_time, feed.drop_interval);
     return indices;
 }
 
@@ -144,20 +174,20 @@ double face_content(const RingContents& rings)
     return sum > 0 ? weighted / sum : 0;
 }
 
-ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, double feed_end)
+ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, const TesterFeed& feed)
 {
     ManagementIndices indices;
     if (time.size() < 2) return indices;
     const Samples top = sampled(time, readings, &TesterReading::top), bottom = sampled(time, readings, &TesterReading::bottom);
     if (top.time.size() < 2) return indices;
-    indices.top = face_indices(top, feed_end);
-    indices.bottom = face_indices(bottom, feed_end);
+    indices.top = face_indices(top, feed);
+    indices.bottom = face_indices(bottom, feed);
     indices.one_way_transport = (area(bottom) - area(top)) / (top.time.back() - top.time.front());
     indices.ommc = overall_capability(indices.bottom.absorption_rate, indices.one_way_transport, indices.bottom.spreading_speed);
     return indices;
 }
 
-std::vector<std::string> tester_assumptions(double drop_ul, double frame_interval)
+std::vector<std::string> tester_assumptions(double drop_ul, const TesterFeed& feed, double frame_interval)
 {
     return {
         "Simulated, not measured: a tester reads conductances; here the water content is the mass of water over the dry mass.",
@@ -175,9 +205,11 @@ std::vector<std::string> tester_assumptions(double drop_ul, double frame_interva
                     "reached, both over the content at wetting: that of a straight rise with the same area above it.",
                     100 * share_of_largest),
         drop_ul > 0
-            ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it. They join a pool "
-                          "that the cloth absorbs; how they fall and strike is left out.",
-                          drop_ul)
+            ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it, one every {:.3g} s. They "
+                          "join a pool that the cloth absorbs; how they fall and strike is left out. Absorption rates are taken from "
+                          "contents averaged over the last {:.3g} s, and rings that one drop reaches count with the way it gained in that "
+                          "time.",
+                          drop_ul, feed.drop_interval, feed.drop_interval)
             : fmt::format("The solution flows evenly into a pool that the cloth absorbs; it covers at least the base of a half ball of "
                           "{:g} ul, a hanging drop.",
                           hanging_drop_ul)};

@@ -50,11 +50,18 @@ private:
 /// Content that a face shows: mean over its rings, each weighted with its own content; of rings that are alike their own, %.
 double face_content(const RingContents& rings);
 
+/// How the pump delivers the solution.
+struct TesterFeed {
+    double end = 0;           ///< s
+    double drop_interval = 0; ///< s, from drop to drop; 0: it flows evenly
+};
+
 /// The test's indices. time in s, rising, one reading for each; between them readings change linearly. With fewer than two times all
-/// indices are 0.
-ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, double feed_end);
+/// indices are 0. A feed in drops says nothing of what happens between two of them: absorption rates are taken from contents that are
+/// averaged over the last interval, and rings that one drop reaches count with the way gained in an interval.
+ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, const TesterFeed& feed);
 
 /// What the indices rest on that no public text of the method says, in sentences. drop: ul, 0 of a pool; frame_interval: s.
-std::vector<std::string> tester_assumptions(double drop_ul, double frame_interval);
+std::vector<std::string> tester_assumptions(double drop_ul, const TesterFeed& feed, double frame_interval);
 
 } // namespace hygroloom

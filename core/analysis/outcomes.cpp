@@ -186,11 +186,13 @@ const MetricGroup& conditioning()
 void compute_management(Metrics& m, const Experiment& experiment, double)
 {
     const Series& s = m.series;
-    m.management = tester_indices(s.time, s.tester, experiment.feed_s);
+    const int drops = drops_of_feed(experiment);
+    const TesterFeed feed{experiment.feed_s, drops > 0 ? experiment.feed_s / drops : 0.0};
+    m.management = tester_indices(s.time, s.tester, feed);
     double interval = 0; // longest between frames while the pump runs
     for (std::size_t i = 1; i < s.time.size() && s.time[i] <= experiment.feed_s; ++i)
         interval = std::max(interval, s.time[i] - s.time[i - 1]);
-    m.assumed = tester_assumptions(experiment.drop_ul, interval);
+    m.assumed = tester_assumptions(experiment.drop_ul, feed, interval);
 }
 
 void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }

@@ -25,6 +25,8 @@ Experiment usual(const Climate& climate, const char* liquid, std::array<double, 
 Table make_table()
 {
     using E = Experiment;
+    Experiment tester = usual({21, 0.65, 0}, "saline", {80, 80}, 120);
+    tester.drop_ul = hanging_drop_ul;
     const ExperimentField volume{"volume_ul", &E::volume_ul, "volume of liquid", 1e-3, 1e5, "ul"};
     return {{{.key = "droplet",
               .title = "Droplets",
@@ -37,7 +39,7 @@ Table make_table()
               .title = "Moisture management",
               .standard = "AATCC 195",
               .source = WaterSource::pool,
-              .usual = usual({21, 0.65, 0}, "saline", {80, 80}, 120),
+              .usual = tester,
               .fields = {{"feed_s", &E::feed_s, "time the pump runs", 0.01, 86400, "s"}, {.key = "drop_ul", .value = &E::drop_ul}, volume}},
              {.key = "vertical_wicking",
               .title = "Vertical wicking",

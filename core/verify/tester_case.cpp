@@ -62,7 +62,7 @@ std::vector<VerifyResult> tester(const VerifyValues& v, Backend&)
     const TesterPins pins(cloth);
     const Frame dry = disc(cloth, metre_from_mm(radius), 0, 0), full = disc(cloth, metre_from_mm(radius), content, bottom);
     const TesterReading start = pins.read(dry, dry.regain), end = pins.read(full, dry.regain);
-    const ManagementIndices m = tester_indices({0, rise, duration}, {start, end, end}, feed);
+    const ManagementIndices m = tester_indices({0, rise, duration}, {start, end, end}, {feed, 0});
 
     const ExpectedRings rings = rings_of(radius);
     // Samples lie 0.1 s apart and are joined by straight lines; the last one below that share may bend the rise.

@@ -45,6 +45,7 @@ Experiment small_experiment(const VerifyValues& v)
     if (type == ExperimentType::vertical_wicking) experiment.sample_mm = {4, 30};
     experiment.immersion_mm = 5;
     experiment.volume_ul = volume;
+    experiment.drop_ul = volume / 4; // of the tester: a usual drop may be all of it
     experiment.feed_s = std::min(experiment.feed_s, duration);
     for (Droplet& droplet : experiment.droplets) droplet.volume_ul = volume;
     experiment.duration_s = duration;

@@ -27,7 +27,10 @@ double ramp(double t, double from, double to, double slope) { return slope * (st
 struct Run {
     std::vector<double> time;
     std::vector<TesterReading> readings;
-    ManagementIndices indices(double feed_end = 20) const { return tester_indices(time, readings, feed_end); }
+    ManagementIndices indices(double feed_end = 20, double drop_interval = 0) const
+    {
+        return tester_indices(time, readings, {feed_end, drop_interval});
+    }
 };
 
 Run run_of(double step, double end, const std::function<TesterReading(double)>& reading)
@@ -165,6 +168,28 @@ private Q_SLOTS:
         QVERIFY(near(m.one_way_transport, (bottom - top) / 120, 1e-6));
         QCOMPARE(m.ommc, overall_capability(m.bottom.absorption_rate, m.one_way_transport, m.bottom.spreading_speed));
     }
+    void dropsCountOverTheirIntervals()
+    {
+        // Every 2 s a drop, absorbed within a sample: the first fills the middle and the rings at 5 and 10 mm, each later one a ring more.
+        const auto fed = [](double largest) {
+            return run_of(0.1, 60, [largest](double t) {
+                TesterReading reading;
+                for (int ring = 0; ring < 5; ++ring) {
+                    const double drop = 2 * std::max(1, ring - 1);
+                    reading.top[static_cast<std::size_t>(ring)] = ramp(t, drop, drop + 0.1, 10 * largest);
+                }
+                return reading;
+            });
+        };
+        const ManagementIndices m = fed(80).indices(20, 2), twice = fed(160).indices(20, 2);
+        QVERIFY(near(*m.top.wetting_time, 2, 1e-9));
+        QCOMPARE(m.top.maximum_wetted_radius, 20.0);
+        // 10 mm in the first interval, of which the inner ring is half way; then 5 mm in each.
+        QVERIFY(near(m.top.spreading_speed, (5 / 2.0 + 10 / 2.0 + 5 / 2.0 + 5 / 2.0) / 4, 1e-6));
+        QVERIFY(near(m.top.absorption_rate, 80 / 2.0, 1e-6)); // a step becomes a rise of one interval
+        QVERIFY(near(twice.top.absorption_rate, 160 / 2.0, 1e-6));
+        QVERIFY(fed(80).indices(20, 0).top.absorption_rate > 700); // as an even feed: the sampler's
+    }
     void ringsThatWetOneAfterAnotherGiveTheSpeed()
     {
         // Ring k from dry to 100 % in the sample after 2 + 4 k s, up to 15 mm.
@@ -205,7 +230,7 @@ private Q_SLOTS:
     {
         const Run fine = run_of(0.1, 120, [](double t) { return TesterReading{all(ramp(t, 0, 4, 45)), all(ramp(t, 0, 4, 20))}; });
         const ManagementIndices a = fine.indices();
-        const ManagementIndices b = tester_indices({0, 4, 120}, {{all(0), all(0)}, {all(180), all(80)}, {all(180), all(80)}}, 20);
+        const ManagementIndices b = tester_indices({0, 4, 120}, {{all(0), all(0)}, {all(180), all(80)}, {all(180), all(80)}}, {20, 0});
         QVERIFY(near(a.top.absorption_rate, b.top.absorption_rate, 1e-9));
         QVERIFY(near(b.bottom.absorption_rate, 20, 1e-9));
         QVERIFY(near(a.top.spreading_speed, b.top.spreading_speed, 1e-9));
@@ -220,17 +245,17 @@ private Q_SLOTS:
         const ManagementGrades grades = management_grades(m);
         QCOMPARE(grades.wetting_time_top, 1);
         QCOMPARE(QString(fabric_class(m)), QString("water-proof or water-repellent"));
-        QCOMPARE(tester_indices({0}, {{}}, 20).ommc, 0.0);
+        QCOMPARE(tester_indices({0}, {{}}, {20, 0}).ommc, 0.0);
     }
     void whatIsAssumedIsSaid()
     {
         const auto says = [](const std::vector<std::string>& all, const char* part) {
             return std::any_of(all.begin(), all.end(), [&](const std::string& one) { return one.find(part) != std::string::npos; });
         };
-        const std::vector<std::string> drops = tester_assumptions(25, 1.2), pool = tester_assumptions(0, 0.6);
-        for (const char* part :
-             {"above 5 % of the dry mass", "seven rings", "every 5 mm", "every 0.1 s; frames lie up to 1.2 s apart during the feed",
-              "until 50 % of the largest content", "drops of at most 25 ul", "liquid on the cloth"})
+        const std::vector<std::string> drops = tester_assumptions(25, {20, 2.5}, 1.2), pool = tester_assumptions(0, {20, 0}, 0.6);
+        for (const char* part : {"above 5 % of the dry mass", "seven rings", "every 5 mm",
+                                 "every 0.1 s; frames lie up to 1.2 s apart during the feed", "until 50 % of the largest content",
+                                 "drops of at most 25 ul", "one every 2.5 s", "averaged over the last 2.5 s", "liquid on the cloth"})
             QVERIFY2(says(drops, part), part);
         QVERIFY(says(pool, "flows evenly into a pool") && says(pool, "up to 0.6 s apart"));
     }

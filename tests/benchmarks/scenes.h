@@ -38,6 +38,7 @@ inline Design pool_on_textile_f(double sample_mm, double volume_ul)
     experiment.closure = Closure::kissa; // that of the figures in README.md
     experiment.sample_mm = {sample_mm, sample_mm};
     experiment.volume_ul = volume_ul;
+    experiment.drop_ul = 0;
     experiment.feed_s = 1;
     design.experiments = {experiment};
     return design;

@@ -78,8 +78,8 @@ private Q_SLOTS:
         Design design;
         design.experiments = {standard_experiment(ExperimentType::moisture_management)};
         design.experiments[0].name = "feed";
-        QVERIFY(has(format_project(design), "\"drop_ul\": 0.0"));
-        QVERIFY(parse_project(replaced(format_project(design), "\"drop_ul\": 0.0,", ""), "text") == design);
+        QVERIFY(has(format_project(design), "\"drop_ul\": 25.0"));
+        QVERIFY(parse_project(replaced(format_project(design), "\"drop_ul\": 25.0,", ""), "text") == design);
         design.experiments[0].drop_ul = 12.5;
         const std::string text = format_project(design);
         QVERIFY(has(text, "\"drop_ul\": 12.5"));

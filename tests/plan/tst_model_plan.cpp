@@ -200,9 +200,9 @@ private Q_SLOTS:
     void aFeedIsCutIntoEqualDrops()
     {
         Experiment feed = standard_experiment(ExperimentType::moisture_management);
+        QCOMPARE(drops_of_feed(feed), 8); // of 25 ul
+        feed.drop_ul = 0;
         QCOMPARE(drops_of_feed(feed), 0);
-        feed.drop_ul = 25;
-        QCOMPARE(drops_of_feed(feed), 8);
         feed.volume_ul = 0.3;
         feed.drop_ul = 0.1; // 0.3 / 0.1 is a little more than 3 in binary
         QCOMPARE(drops_of_feed(feed), 3);

@@ -27,6 +27,7 @@ Design small(ExperimentType type, double contact_angle = 35)
     experiment.name = "test";
     experiment.sample_mm = type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 25} : std::array<double, 2>{6, 5};
     experiment.volume_ul = 3;
+    experiment.drop_ul = 0;
     experiment.feed_s = 2;
     experiment.immersion_mm = 2;
     experiment.duration_s = type == ExperimentType::drying || type == ExperimentType::conditioning ? 1800 : 10;
@@ -160,7 +161,6 @@ private Q_SLOTS:
     {
         // 3 ul on 6 x 5 mm: rings at 0 and none beyond the sample, whose mean content both faces show at the end.
         Design design = small(ExperimentType::moisture_management);
-        design.experiments[0].drop_ul = 0;
         const Run result = run(design);
         const Metrics& m = result.metrics;
         QVERIFY(m.management->top.wetting_time && *m.management->top.wetting_time < 0.2); // a pool wets at once

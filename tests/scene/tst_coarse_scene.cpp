@@ -26,6 +26,7 @@ Design small(ExperimentType type, double duration)
     Experiment experiment = standard_experiment(type);
     experiment.name = "drop";
     experiment.closure = Closure::kissa;
+    experiment.drop_ul = 0;
     experiment.sample_mm = {9, 7};
     experiment.duration_s = duration;
     design.experiments = {experiment};

@@ -28,6 +28,7 @@ Stain fed_stain(const std::string& fabric, double of_the_change)
     experiment.closure = Closure::pores;
     experiment.sample_mm = {26, 26};
     experiment.volume_ul = 10;
+    experiment.drop_ul = 0;
     experiment.feed_s = 1;
     experiment.duration_s = 1.2;
     RunRecord run;
