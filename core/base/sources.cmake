@@ -4,3 +4,7 @@ target_sources(hygroloom_core PRIVATE
   base/utf8.cpp
   base/words.cpp
 )
+# Sanitizers watch memory by operators of their own.
+if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  target_sources(hygroloom_core PRIVATE base/large_blocks.cpp)
+endif()
