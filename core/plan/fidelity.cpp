@@ -28,7 +28,7 @@ constexpr KnobInfo table[] = {
      .meaning = "smallest bundle where the whole cloth changes evenly, except at its edges: drying, conditioning"},
     {.name = "network_step_limit_s", .value = &Knobs::network_step_limit, .unit = "s",
      .at = {2e-3, 1e-3, 0.25e-3}, .least = 1e-5, .most = 1, .whole = false, .cheaper = 2e-3, .finer = 0.5e-3,
-     .meaning = "longest time step of the yarns while there is free liquid; a quarter of it with the closure pores"},
+     .meaning = "longest time step of the yarns while there is free liquid; a quarter of it while a drop flows into cloth with the closure pores"},
     {.name = "saturation_change", .value = &Knobs::saturation_change, .unit = "",
      .at = {0.2, 0.1, 0.03}, .least = 1e-3, .most = 1, .whole = false, .cheaper = 0.2, .finer = 0.05,
      .meaning = "target change of saturation in one time step of the yarns while there is free liquid or a pool"},

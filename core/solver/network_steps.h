@@ -12,7 +12,7 @@ namespace hygroloom::inline HL_PRECISION {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
-constexpr double under_drops = 0.25;   ///< of the longest step, where liquid flows by suction: rooms under a drop fill within less
+constexpr double under_drops = 0.25;   ///< of the longest step, where a drop's liquid flows by suction: rooms under it fill within less
 constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are counted; see ManyQuanta
 
 /// kg/s on all of the sample's face.
@@ -80,15 +80,16 @@ public:
     {
         wicking_ = {dt, signs.error};
         double grow = 1.5;
+        const auto change = static_cast<double>(from_ordered_bits(found.largest_change));
         if (signs.error && scene_->rules.wicking)
             grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake(delivered));
         if (signs.change()) {
-            const auto change = static_cast<double>(from_ordered_bits(found.largest_change));
             const double wanted = 0.8 * scene_->rules.saturation_change / std::max(1e-9, change);
             grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
         }
         // The limit may be shorter than the shortest: in a run of a microsecond.
-        network_dt_ = std::min(std::max(network_dt_ * grow, std::min(1e-4, scene_->rules.network_step)), step_limit(drops_about));
+        network_dt_ =
+            std::min(std::max(network_dt_ * grow, std::min(1e-4, scene_->rules.network_step)), step_limit(drops_about, change > 0));
     }
 
     /// After an exchange over dt, from its error.
@@ -114,9 +115,10 @@ public:
 
 private:
     bool takes_short_steps(bool drops_about) const { return drops_about || scene_->rules.calm_network_step <= 0; }
-    double step_limit(bool drops_about) const
+    /// flows: whether the cloth's liquid moved; a drop may lie on cloth that takes nothing in.
+    double step_limit(bool drops_about, bool flows = true) const
     {
-        const double shortened = drops_about && scene_->cloth.by_suction ? under_drops : 1.0;
+        const double shortened = drops_about && flows && scene_->cloth.by_suction ? under_drops : 1.0;
         const double longest = takes_short_steps(drops_about) ? shortened * scene_->rules.network_step : scene_->rules.calm_network_step;
         return scene_->supply.sweat > 0 ? std::min(longest, most_sweat / sweat_rate(*scene_)) : longest;
     }
