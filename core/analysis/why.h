@@ -81,8 +81,20 @@ std::string with_unit(const OutcomeInfo& metric, const Compared& compared);
 std::string heading_of(const Why& why);
 /// One for each contribution, in words, the largest first; then what they rest on.
 std::vector<std::string> sentences_of(const Why& why);
+/// "lowers it by 0.10 ± 0.02 s, which is better"; "has no effect that this simulation can show (…)"
+std::string in_words(const Why& why, const Compared& compared, bool plural = false);
 /// "lowers it, better"; "no effect shown"
 std::string effect_words(const Compared& compared);
+
+/// A row of the table: a contribution, what the parts do together, the whole difference.
+struct WhyLine {
+    std::string title, first, second;
+    const Compared* compared = nullptr; ///< in the Why
+    bool whole = false;
+};
+/// The largest contribution first. Precondition: why.nothing is empty. They point into the why.
+std::vector<WhyLine> lines_of(const Why& why);
+
 /// A table, then the sentences.
 std::string why_text(const Why& why);
 /// HTML with bars, for a report.

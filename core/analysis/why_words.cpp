@@ -41,15 +41,6 @@ std::string size_of(const OutcomeInfo& metric, Compared compared)
 
 bool is_plural(const Contribution& part) { return part.several || (part.title.ends_with('s') && !part.title.ends_with("ss")); }
 
-std::string in_words(const Why& why, const Compared& compared, bool plural)
-{
-    if (!is_shown(compared))
-        return fmt::format("{} no effect that this simulation can show ({})", plural ? "have" : "has", with_unit(why.metric, compared));
-    const bool more = compared.difference > 0;
-    return fmt::format("{}{}{} it by {}, which is {}", is_probable(compared) ? "probably " : "", more ? "raise" : "lower",
-                       plural ? "" : "s", size_of(why.metric, compared), is_good(compared) ? "better" : "worse");
-}
-
 /// The largest first.
 std::vector<const Contribution*> in_order(const Why& why)
 {
@@ -75,27 +66,13 @@ std::string basis_of(const Why& why)
                        why.fabric, why.against, runs);
 }
 
-struct Line {
-    std::string title, first, second;
-    const Compared* compared;
-};
-
-std::vector<Line> lines_of(const Why& why)
-{
-    std::vector<Line> lines;
-    for (const Contribution* part : in_order(why)) lines.push_back({part->title, part->first, part->second, &part->compared});
-    if (why.together) lines.push_back({"together", "", "", &*why.together});
-    lines.push_back({"difference", "", "", &*why.whole});
-    return lines;
-}
-
 /// A bar from 0 for each contribution, with its interval.
 std::string bars(const Why& why)
 {
     constexpr double left = 240, width = 330, line = 24;
-    const std::vector<Line> lines = lines_of(why);
+    const std::vector<WhyLine> lines = lines_of(why);
     double low = 0, high = 0;
-    for (const Line& each : lines) {
+    for (const WhyLine& each : lines) {
         low = std::min({low, each.compared->low, each.compared->difference});
         high = std::max({high, each.compared->high, each.compared->difference});
     }
@@ -103,7 +80,7 @@ std::string bars(const Why& why)
     const auto x_of = [&](double value) { return left + width * (value - low) / (high - low); };
     std::string body;
     double y = 20;
-    for (const Line& each : lines) {
+    for (const WhyLine& each : lines) {
         const Compared& made = *each.compared;
         const char* colour = !is_shown(made) ? "#a8a8a8" : is_good(made) ? "#2a5ca8" : "#b06a20";
         body += svg_text(left - 10, y + 4, "end", each.title);
@@ -128,6 +105,24 @@ std::string with_unit(const OutcomeInfo& metric, const Compared& compared)
 {
     const std::string unit = shown(metric, 0).unit;
     return with_interval(metric, interval_of(compared)) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string in_words(const Why& why, const Compared& compared, bool plural)
+{
+    if (!is_shown(compared))
+        return fmt::format("{} no effect that this simulation can show ({})", plural ? "have" : "has", with_unit(why.metric, compared));
+    const bool more = compared.difference > 0;
+    return fmt::format("{}{}{} it by {}, which is {}", is_probable(compared) ? "probably " : "", more ? "raise" : "lower",
+                       plural ? "" : "s", size_of(why.metric, compared), is_good(compared) ? "better" : "worse");
+}
+
+std::vector<WhyLine> lines_of(const Why& why)
+{
+    std::vector<WhyLine> lines;
+    for (const Contribution* part : in_order(why)) lines.push_back({part->title, part->first, part->second, &part->compared, false});
+    if (why.together) lines.push_back({"together", "", "", &*why.together, false});
+    lines.push_back({"difference", "", "", &*why.whole, true});
+    return lines;
 }
 
 std::string heading_of(const Why& why)
@@ -168,13 +163,13 @@ std::string why_text(const Why& why)
     std::string text = "\nWhy: " + heading_of(why) + "\n";
     if (why.nothing.empty()) {
         std::size_t title = 0, number = 0;
-        for (const Line& each : lines_of(why)) {
+        for (const WhyLine& each : lines_of(why)) {
             title = std::max(title, each.title.size());
             number = std::max(number, with_unit(why.metric, *each.compared).size());
         }
-        for (const Line& each : lines_of(why))
+        for (const WhyLine& each : lines_of(why))
             text += fmt::format("    {:<{}}  {:>{}}  {}\n", each.title, title, with_unit(why.metric, *each.compared), number,
-                                each.compared == &*why.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
+                                each.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
     }
     text += "\n";
     for (const std::string& sentence : sentences_of(why)) text += "  " + sentence + "\n";
@@ -188,11 +183,11 @@ std::string why_html(const Why& why)
         html += bars(why);
         std::string rows = "<tr><th></th><th>" + escaped_markup(why.fabric) + "</th><th>" + escaped_markup(why.against) +
                            "</th><th>contribution</th><th></th></tr>\n";
-        for (const Line& each : lines_of(why))
+        for (const WhyLine& each : lines_of(why))
             rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
                                 escaped_markup(each.title), escaped_markup(each.first), escaped_markup(each.second),
                                 escaped_markup(with_unit(why.metric, *each.compared)),
-                                each.compared == &*why.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
+                                each.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
         html += table(rows);
     }
     std::vector<std::string> sentences = sentences_of(why);
