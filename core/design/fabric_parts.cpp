@@ -156,7 +156,7 @@ const Material* only_fibre(const Design& design, const Yarn& yarn)
 bool differ_in_angles_alone(const Design& design, const Yarn& a, const Yarn& b)
 {
     const Material *one = only_fibre(design, a), *other = only_fibre(design, b);
-    if (!one || !other || library_name(*one) != library_name(*other)) return false;
+    if (!one || !other || two_stage_law(*one) != two_stage_law(*other)) return false;
     Material alike = *other;
     alike.name = one->name;
     alike.based_on = one->based_on;
