@@ -161,7 +161,7 @@ void WhyView::showState()
         if (const auto left = runs_.timeLeft()) { text += tr(", %1 left").arg(roughDuration(*left)); }
         text += ".";
     }
-    find_->setText(asking_ ? tr("Canc&el Runs") : tr("Find &Out"));
+    find_->setText(asking_ ? tr("Ca&ncel Runs") : tr("Find &Out"));
     find_->setEnabled(asking_ || count > 0);
     state_->setText(text);
 }
