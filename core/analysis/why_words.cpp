@@ -145,6 +145,9 @@ std::vector<std::string> sentences_of(const Why& why)
     for (const Contribution* part : in_order(why))
         sentences.push_back(fmt::format("The {} ({} instead of {}) {}.", part->title, part->first, part->second,
                                         in_words(why, part->compared, is_plural(*part))));
+    if (why.parts.size() > 1 &&
+        std::none_of(why.parts.begin(), why.parts.end(), [](const Contribution& part) { return is_shown(part.compared); }))
+        sentences.emplace_back("No part by itself makes a difference that this simulation can show; only all of them do.");
     if (why.together) sentences.push_back(fmt::format("What the parts do together {}.", in_words(why, *why.together, false)));
     sentences.push_back(basis_of(why));
     sentences.insert(sentences.end(), why.notes.begin(), why.notes.end());

@@ -127,8 +127,7 @@ void WhyView::showWhy()
         addBar(*line.compared, low, high);
     }
     QStringList notes;
-    const std::size_t of_parts = why.parts.size() + (why.together ? 1 : 0);
-    for (std::size_t i = of_parts; i < sentences.size(); ++i) { notes << capital(sentences[i]); }
+    for (std::size_t i = why.parts.size(); i < sentences.size(); ++i) { notes << capital(sentences[i]); } // the others stand in the table
     note_->setText(notes.join(' '));
 }
 
