@@ -207,7 +207,7 @@ Why why_of(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fabr
                         "known and there is one replicate.",
                         plan.fabric, plan.against, full_title(metric));
     else if (plan.parts.empty())
-        why.nothing = "The two fabrics are alike in all inputs that act: there is nothing to explain.";
+        why.nothing = "No difference: all inputs that act are the same in both fabrics.";
     else if (why.whole->verdict == Verdict::no_difference)
         why.nothing =
             fmt::format("No difference that this simulation can show ({}): there is nothing to explain.", with_unit(metric, *why.whole));

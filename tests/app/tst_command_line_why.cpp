@@ -12,38 +12,38 @@ class TestCommandLineWhy : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
 
+    static QString structures() { return example("paper/figure-13-structures.hygro"); }
+
     /// A small drop at draft.
-    static QStringList scene(const QString& project)
+    static QStringList scene(const QString& project, const QString& experiment = "one drop", const QString& seconds = "0.2")
     {
+        const QString of = "experiments." + experiment + ".";
         return {"compare",
                 project,
                 "--experiment",
-                "one drop",
+                experiment,
                 "--fidelity",
                 "draft",
                 "--backend",
                 "cpu",
-                "--physics",
-                "heat=off,vapour=off",
                 "--json",
                 "--quiet",
                 "--set",
-                "experiments.one drop.duration_s=0.3",
-                "experiments.one drop.sample_mm=[8,8]",
-                "experiments.one drop.droplets[0].volume_ul=2",
-                "experiments.one drop.droplets[0].height_mm=0"};
+                of + "duration_s=" + seconds,
+                of + "sample_mm=[16,16]",
+                of + R"(droplets=[{"volume_ul": 5}])"};
     }
 
-    /// The candidates' project with a copy of "Cotton plain", named "copy", with other values at some keys.
+    /// The project of structures with a copy of "base", named "copy", with other values at some keys.
     QString with_copy(const QString& name, const QJsonObject& other)
     {
-        QFile in(example("three-candidates.hygro"));
+        QFile in(structures());
         if (!in.open(QIODevice::ReadOnly)) return {};
         QJsonObject project = QJsonDocument::fromJson(in.readAll()).object();
         QJsonArray fabrics = project["fabrics"].toArray();
         for (const auto& each : project["fabrics"].toArray()) {
             QJsonObject copy = each.toObject();
-            if (copy["name"] != "Cotton plain") continue;
+            if (copy["name"] != "base") continue;
             copy["name"] = "copy";
             for (auto key = other.begin(); key != other.end(); ++key) copy[key.key()] = key.value();
             fabrics.append(copy);
@@ -63,16 +63,28 @@ class TestCommandLineWhy : public QObject {
     }
 
 private Q_SLOTS:
+    void contributionsAddUpToTheDifference_data()
+    {
+        QTest::addColumn<QStringList>("question");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("fabrics");
+        QTest::newRow("two parts, in all orders")
+            << scene(structures()) + QStringList{"--why", "25 threads per cm", "--baseline", "35 threads per cm"} << "shapley" << 4;
+        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.1") +
+                                                           QStringList{"--why", "Textile F", "--baseline", "Textile G"}
+                                                    << "one_at_a_time" << 18;
+    }
     void contributionsAddUpToTheDifference()
     {
-        const QString project = example("three-candidates.hygro");
-        const Answer answer = run_cli(scene(project) + QStringList{"--why", "Hemp plain", "--baseline", "Cotton plain", "--by",
-                                                                   "absorbency_time_s", "--report", folder_.filePath("why.html")},
-                                      300);
+        QFETCH(QStringList, question);
+        QFETCH(QString, method);
+        QFETCH(int, fabrics);
+        const Answer answer = run_cli(question + QStringList{"--report", folder_.filePath("why.html")}, 300);
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonObject why = answer.json()["why"].toObject();
-        QCOMPARE(why["metric"].toString(), QString("absorbency_time_s"));
-        QVERIFY2(why["contributions"].toArray().size() > 1, answer.out.right(3000));
+        QCOMPARE(why["metric"].toString(), QString("maximum_wetted_radius_top_mm"));
+        QCOMPARE(why["method"].toString(), method);
+        QCOMPARE(why["fabrics"].toInt(), fabrics);
         QCOMPARE(answer.json()["candidates"].toArray().size(), 2); // the two it is about
         const double whole = why["whole"].toObject()["difference"].toDouble();
         QVERIFY2(std::abs(whole) > 0 && std::abs(sum_of(why) - whole) <= 1e-12 * std::abs(whole), answer.out.right(3000));
@@ -80,15 +92,13 @@ private Q_SLOTS:
             if (verdict.toObject()["metric"] == why["metric"]) QCOMPARE(verdict.toObject()["difference"].toDouble(), whole);
         QFile page(folder_.filePath("why.html"));
         QVERIFY(page.open(QIODevice::ReadOnly));
-        const QByteArray html = page.readAll();
-        QVERIFY(html.contains("<h2>Why</h2>") && html.contains("Hemp plain less Cotton plain"));
+        QVERIFY(page.readAll().contains("<h2>Why</h2>"));
     }
 
     void aContactAngleAloneMakesAllOfTheDifference()
     {
-        const Answer answer = run_cli(scene(with_copy("angle.hygro", {{"contact_angle_deg", 80}})) +
-                                          QStringList{"--why", "Cotton plain", "--baseline", "copy", "--by", "absorbency_time_s"},
-                                      300);
+        const Answer answer =
+            run_cli(scene(with_copy("angle.hygro", {{"contact_angle_deg", 80}})) + QStringList{"--why", "base", "--baseline", "copy"}, 300);
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonObject why = answer.json()["why"].toObject();
         const QJsonArray parts = why["contributions"].toArray();
@@ -104,7 +114,7 @@ private Q_SLOTS:
         const QString project = with_copy("copy.hygro", {});
         for (const char* replicates : {"1", "2"}) {
             const Answer answer =
-                run_cli(scene(project) + QStringList{"--why", "Cotton plain", "--baseline", "copy", "--replicates", replicates}, 300);
+                run_cli(scene(project) + QStringList{"--why", "base", "--baseline", "copy", "--replicates", replicates}, 300);
             QVERIFY2(answer.code == 0, answer.err);
             const QJsonObject why = answer.json()["why"].toObject();
             QCOMPARE(why["whole"].toObject()["verdict"].toString(), QString("no difference"));
@@ -114,15 +124,15 @@ private Q_SLOTS:
 
     void aWrongQuestionIsRefused()
     {
-        const QString project = example("three-candidates.hygro");
+        const QString project = structures();
         const auto refused = [&](const QStringList& more) {
             const Answer answer = run_cli(scene(project) + more);
             return answer.code == 2 ? QString(answer.err) : QString();
         };
         QVERIFY(refused({"--why", "no such"}).contains("no fabric \"no such\""));
-        QVERIFY(refused({"--why", "Hemp plain", "--baseline", "Hemp plain"}).contains("needs another fabric"));
-        QVERIFY(refused({"--why", "Hemp plain", "--baseline", "no such"}).contains("not among the compared fabrics"));
-        QVERIFY(refused({"--why", "Hemp plain", "--fabrics", "Cotton plain,Cotton twill"}).contains("not among the compared fabrics"));
+        QVERIFY(refused({"--why", "base", "--baseline", "base"}).contains("needs another fabric"));
+        QVERIFY(refused({"--why", "base", "--baseline", "no such"}).contains("not among the compared fabrics"));
+        QVERIFY(refused({"--why", "base", "--fabrics", "no flyaways,twice the flyaways"}).contains("not among the compared fabrics"));
     }
 };
 
