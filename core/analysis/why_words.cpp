@@ -3,6 +3,7 @@
 #include "core/analysis/report_parts.h"
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
+#include "core/base/text.h"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,7 @@ std::string basis_of(const Why& why)
 std::string bars(const Why& why)
 {
     constexpr double left = 240, width = 330, line = 24;
+    constexpr std::size_t longest_label = 36;
     const std::vector<WhyLine> lines = lines_of(why);
     double low = 0, high = 0;
     for (const WhyLine& each : lines) {
@@ -83,7 +85,8 @@ std::string bars(const Why& why)
     for (const WhyLine& each : lines) {
         const Compared& made = *each.compared;
         const char* colour = !is_shown(made) ? "#a8a8a8" : is_good(made) ? "#2a5ca8" : "#b06a20";
-        body += svg_text(left - 10, y + 4, "end", each.title);
+        const bool fits = each.title.size() <= longest_label;
+        body += svg_text(left - 10, y + 4, "end", fits ? each.title : cut_text(each.title, longest_label) + "…");
         body += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\" fill=\"{}\"/>\n",
                             std::min(x_of(0), x_of(made.difference)), y - 6, std::abs(x_of(made.difference) - x_of(0)), colour);
         body += svg_line(x_of(made.low), y, x_of(made.high), y, "#222");

@@ -22,8 +22,8 @@ struct StudyJob {
     bool recorded = true; ///< an ordinary run of the project; of the others only the numbers are kept
     int number = 0;       ///< of the replicate
     int of = 1;
-    std::string against; ///< of a mixture, see why.h: whose parts are in the fabric
-    Mixture mixture = 0; ///< 0: the fabric as it is
+    std::string against{}; ///< of a mixture, see why.h: whose parts are in the fabric
+    Mixture mixture = 0;   ///< 0: the fabric as it is
     bool operator==(const StudyJob&) const = default;
 };
 

@@ -26,7 +26,7 @@ public:
     struct Expected {
         StudyJob job;
         double seconds = 1;
-        std::shared_ptr<const Design> design; ///< of a mixture; nullptr: the document's
+        std::shared_ptr<const Design> design{}; ///< of a mixture; nullptr: the document's
     };
     enum class State { none, waiting, running };
 
