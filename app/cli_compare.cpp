@@ -152,8 +152,9 @@ std::vector<std::string> compared_fabrics(const Design& design, CompareOptions& 
     }
     if (!is_other(options.baseline))
         throw Stop(exit_usage, fmt::format("--why: \"{}\" needs another fabric beside it; name one with --baseline.", options.why));
-    if (options.fabrics.empty() && std::find(fabrics.begin(), fabrics.end(), options.baseline) != fabrics.end())
-        fabrics = {options.why, options.baseline};
+    one.fabric = options.baseline;
+    chosen_fabric(design, one);
+    if (options.fabrics.empty()) fabrics = {options.why, options.baseline};
     if (std::find(fabrics.begin(), fabrics.end(), options.why) == fabrics.end())
         throw Stop(exit_usage, fmt::format("--why: \"{}\" is not among the compared fabrics.", options.why));
     return fabrics;

@@ -131,7 +131,7 @@ private Q_SLOTS:
         };
         QVERIFY(refused({"--why", "no such"}).contains("no fabric \"no such\""));
         QVERIFY(refused({"--why", "base", "--baseline", "base"}).contains("needs another fabric"));
-        QVERIFY(refused({"--why", "base", "--baseline", "no such"}).contains("not among the compared fabrics"));
+        QVERIFY(refused({"--why", "base", "--baseline", "no such"}).contains("no fabric \"no such\""));
         QVERIFY(refused({"--why", "base", "--fabrics", "no flyaways,twice the flyaways"}).contains("not among the compared fabrics"));
     }
 };
