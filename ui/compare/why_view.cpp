@@ -94,7 +94,7 @@ void WhyView::connectParts()
         connect(box, &QComboBox::currentIndexChanged, this, &WhyView::plan);
     }
     connect(metric_, &QComboBox::activated, this, [this] { ranking_ = false; });
-    connect(metric_, &QComboBox::currentIndexChanged, this, &WhyView::show);
+    connect(metric_, &QComboBox::currentIndexChanged, this, &WhyView::refresh);
     connect(find_, &QPushButton::clicked, this, &WhyView::findOut);
     connect(&runs_, &StudyRuns::mixtureEnded, this, &WhyView::take);
     connect(&runs_, &StudyRuns::changed, this, [this] { showState(); });
@@ -189,14 +189,14 @@ void WhyView::plan()
         planner_.drop();
         planned_ = possible ? wanted : Planned();
     }
-    show();
+    refresh();
     if (known || !possible) { return; }
     planner_.run([this, design = study_.design, choice = study_.choice, fabric = wanted.fabric,
                   against = wanted.against](const NewestJob::Turn& turn) {
         WhyPlan made = plan_why(*design, fabric, against, choice.experiment, choice.replicates > 1);
         turn.deliver([this, made = std::move(made)] {
             plan_ = made;
-            show();
+            refresh();
         });
     });
 }
@@ -268,7 +268,7 @@ void WhyView::take(const StudyJob& job, const Candidate& candidate)
 void WhyView::end()
 {
     asking_ = false;
-    show();
+    refresh();
 }
 
 } // namespace hygroloom

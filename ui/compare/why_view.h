@@ -60,7 +60,7 @@ private:
     void fillBoxes();
     void connectParts();
     void plan();
-    void show();
+    void refresh();
     void showParts();
     void showWhy();
     void showState();

@@ -26,7 +26,7 @@ QString capital(const std::string& text)
 
 } // namespace
 
-void WhyView::show()
+void WhyView::refresh()
 {
     why_.reset();
     table_->setRowCount(0);
