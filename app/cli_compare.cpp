@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_replicates.h"
 #include "app/cli_report.h"
+#include "app/cli_why.h"
 
 #include "core/analysis/comparison_report.h"
 #include "core/analysis/map_picture.h"
@@ -26,6 +27,7 @@ struct CompareOptions : FidelityOptions {
     std::string baseline;
     std::string report;
     std::string measured; ///< file
+    std::string why;      ///< fabric; empty: no question
     int replicates = 1;
     int at_once = 0;
 };
@@ -135,7 +137,50 @@ Comparison comparison_of(const CompareOptions& options, const Experiment& experi
     return comparison;
 }
 
-int compare(const CompareOptions& options)
+/// The compared fabrics; with --why the two that it is about, unless others are named, too. Sets the baseline of --why.
+std::vector<std::string> compared_fabrics(const Design& design, CompareOptions& options)
+{
+    std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
+    if (options.why.empty()) return fabrics;
+    ProjectOptions one;
+    one.fabric = options.why;
+    chosen_fabric(design, one); // throws with the names there are
+    const auto is_other = [&](const std::string& name) { return name != options.why; };
+    if (options.baseline.empty()) {
+        const auto other = std::find_if(fabrics.begin(), fabrics.end(), is_other);
+        options.baseline = other == fabrics.end() ? options.why : *other;
+    }
+    if (!is_other(options.baseline))
+        throw Stop(exit_usage, fmt::format("--why: \"{}\" needs another fabric beside it; name one with --baseline.", options.why));
+    one.fabric = options.baseline;
+    chosen_fabric(design, one);
+    if (options.fabrics.empty()) fabrics = {options.why, options.baseline};
+    if (std::find(fabrics.begin(), fabrics.end(), options.why) == fabrics.end())
+        throw Stop(exit_usage, fmt::format("--why: \"{}\" is not among the compared fabrics.", options.why));
+    return fabrics;
+}
+
+/// Results on stdout and in the files that were asked for.
+void give_results(const CompareOptions& options, const Comparison& comparison, const FidelityChoice& choice,
+                  std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics)
+{
+    const bool some = !comparison.candidates.empty();
+    if (options.json)
+        print_result("{}", comparison_json(comparison));
+    else if (some)
+        print_result("{}{}", comparison_table(comparison), fidelity_text(choice));
+    if (!options.output.empty() && some) {
+        if (comparison.why) write_numbers(comparison, options.output);
+        write_pictures(maps, fabrics, options.output);
+        if (!options.quiet) print_note("Table and maps: {}\n", options.output);
+    }
+    if (!options.report.empty() && some) {
+        write_report(comparison, maps, fabrics, options.report);
+        if (!options.quiet) print_note("Report: {}\n", options.report);
+    }
+}
+
+int compare(CompareOptions options)
 {
     check_fidelity(options);
     check_report_name(options.report);
@@ -144,37 +189,32 @@ int compare(const CompareOptions& options)
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
-    const std::vector<std::string> fabrics = chosen_fabrics(design, options.fabrics);
+    const std::vector<std::string> fabrics = compared_fabrics(design, options);
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two or more fabrics; use simulate for one.");
     const int runs = static_cast<int>(fabrics.size()) * options.replicates;
-    announce_scenes(options.at_once, runs);
+    std::optional<WhyPlan> why;
+    if (!options.why.empty()) why = plan_why(design, options.why, options.baseline, experiment.name, options.replicates > 1);
+    const int scenes = why ? std::max(runs, static_cast<int>(why->mixtures.size()) * options.replicates) : runs;
+    announce_scenes(options.at_once, scenes);
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
-    const FidelityChoice choice = chosen_fidelity(options, design, textiles, how.forced, how.knobs);
+    std::vector<Textile> all_textiles = textiles;
+    if (why && !options.time.empty())
+        for (Textile& textile : textiles_of_mixtures(design, *why)) all_textiles.push_back(std::move(textile));
+    const FidelityChoice choice = chosen_fidelity(options, design, all_textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     Comparison comparison = comparison_of(options, experiment, fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
-    const auto backends = open_backends(options, options.at_once, runs, bytes_of_largest(design, experiment, textiles, how));
+    const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, textiles, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
     const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
     run_candidates(jobs, fabrics, options, control, backends, comparison, maps);
-    const bool some = !comparison.candidates.empty();
-    if (options.json)
-        print_result("{}", comparison_json(comparison));
-    else if (some)
-        print_result("{}{}", comparison_table(comparison), fidelity_text(choice));
-    if (!options.output.empty() && some) {
-        write_pictures(maps, fabrics, options.output);
-        if (!options.quiet) print_note("Table and maps: {}\n", options.output);
-    }
-    if (!options.report.empty() && some) {
-        write_report(comparison, maps, fabrics, options.report);
-        if (!options.quiet) print_note("Report: {}\n", options.report);
-    }
+    if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
+    give_results(options, comparison, choice, maps, fabrics);
     if (!comparison.complete) {
         std::size_t ended = 0;
         for (const Candidate& candidate : comparison.candidates)
@@ -183,6 +223,7 @@ int compare(const CompareOptions& options)
         print_note("Cancelled after {} of {} runs.\n", ended, runs);
         return exit_cancelled;
     }
+    if (why && !comparison.why) return exit_cancelled;
     const bool failed = std::any_of(comparison.candidates.begin(), comparison.candidates.end(),
                                     [](const Candidate& candidate) { return !candidate.failure.empty(); });
     return failed ? exit_failed : exit_ok;
@@ -197,7 +238,8 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Textile E,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
-        "Ctrl-C keeps the finished runs.\n\n" +
+        "Ctrl-C keeps the finished runs.\n"
+        "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n\n" +
         knob_help());
     add_project_options(verb, *options, true);
     verb.remove_option(verb.get_option("--fabric"));
@@ -207,6 +249,11 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.add_option("--by", options->by, "Metric to rank by, such as absorbency_time_s; the first of the table when left out");
     verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
     add_replicates_option(verb, options->replicates, " of each fabric");
+    verb.add_option(
+            "--why", options->why,
+            "Fabric to explain: how much of its difference to the baseline in the metric of --by each input that differs makes. Runs "
+            "mixtures of the two, 14 at most where 4 parts differ, else two a part")
+        ->type_name("FABRIC");
     verb.add_option("--measured", options->measured, "Numbers of a laboratory beside: CSV with fabric, metric, value, unit and spread")
         ->type_name("FILE");
     add_fidelity_options(verb, *options, ", for all runs together");

@@ -33,6 +33,8 @@ struct Candidate {
     bool tied = false;
 };
 
+struct Why;
+
 struct Comparison {
     std::string experiment;
     std::vector<OutcomeInfo> criteria; ///< see compared_by()
@@ -43,6 +45,7 @@ struct Comparison {
     std::vector<Compared> verdicts; ///< each candidate against the baseline, by each criterion
     LaboratoryTable measured;       ///< of a laboratory, beside the simulated
     bool complete = false;          ///< whether all runs of all fabrics are among them
+    std::shared_ptr<const Why> why; ///< of one fabric against another; nullptr: nobody asked
 };
 
 /// The criterion of that key, the first for an empty key. Throws Error naming those there are.

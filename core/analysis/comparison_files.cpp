@@ -2,6 +2,7 @@
 // A comparison as text, JSON and CSV.
 #include "core/analysis/comparison.h"
 #include "core/analysis/metrics_json.h"
+#include "core/analysis/why_json.h"
 #include "core/base/text.h"
 
 #include <fmt/format.h>
@@ -173,6 +174,7 @@ std::string comparison_table(const Comparison& comparison)
     text += "\n  " + basis_text(comparison) + "\n";
     for (const Candidate& c : comparison.candidates)
         for (const std::string& note : c.notes) text += fmt::format("  {}: {}\n", c.fabric, note);
+    if (comparison.why) text += why_text(*comparison.why);
     return text;
 }
 
@@ -192,19 +194,19 @@ std::string comparison_json(const Comparison& comparison)
                                                        {"spread", value.spread ? Json(*value.spread) : Json(nullptr)}};
         candidates.push_back(std::move(candidate));
     }
-    return Json{{"format", "hygroloom-comparison"},
-                {"version", 1},
-                {"experiment", comparison.experiment},
-                {"ranked_by", comparison.ranked_by.key},
-                {"first", most_first(comparison.ranked_by) ? "most" : "least"},
-                {"baseline", comparison.baseline},
-                {"replicates", comparison.replicates},
-                {"basis", basis_text(comparison)},
-                {"complete", comparison.complete},
-                {"candidates", candidates},
-                {"verdicts", verdicts_value(comparison)}}
-               .dump(2) +
-           "\n";
+    Json json{{"format", "hygroloom-comparison"},
+              {"version", 1},
+              {"experiment", comparison.experiment},
+              {"ranked_by", comparison.ranked_by.key},
+              {"first", most_first(comparison.ranked_by) ? "most" : "least"},
+              {"baseline", comparison.baseline},
+              {"replicates", comparison.replicates},
+              {"basis", basis_text(comparison)},
+              {"complete", comparison.complete},
+              {"candidates", candidates},
+              {"verdicts", verdicts_value(comparison)}};
+    if (comparison.why) json["why"] = why_value(*comparison.why);
+    return json.dump(2) + "\n";
 }
 
 std::string comparison_csv(const Comparison& comparison)

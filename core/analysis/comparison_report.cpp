@@ -4,6 +4,7 @@
 #include "core/analysis/line_chart.h"
 #include "core/analysis/plots.h"
 #include "core/analysis/svg.h"
+#include "core/analysis/why.h"
 #include "core/base/text.h"
 #include "core/project/project_json.h"
 
@@ -224,7 +225,8 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion);
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
-                    section("Results", results(comparison)) + section("Intervals", intervals) + section("Maps", figures_of(maps)) +
+                    section("Results", results(comparison)) + section("Intervals", intervals) +
+                    section("Why", comparison.why ? why_html(*comparison.why) : std::string()) + section("Maps", figures_of(maps)) +
                     section("Over time", curves(comparison)) + section("What differs in the descriptions", differences(comparison)) +
                     section("Computation", computation(comparison)) + section("What is not known", unknown(comparison)));
 }

@@ -31,4 +31,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/tradeoff_json.cpp
   analysis/tradeoff_plot.cpp
   analysis/vtk_files.cpp
+  analysis/why.cpp
+  analysis/why_json.cpp
+  analysis/why_words.cpp
 )

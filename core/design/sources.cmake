@@ -7,6 +7,7 @@ target_sources(hygroloom_core PRIVATE
   design/draft.cpp
   design/drawdown.cpp
   design/experiment.cpp
+  design/fabric_parts.cpp
   design/fabric_quantities.cpp
   design/fitted_fabric.cpp
   design/free_inputs.cpp

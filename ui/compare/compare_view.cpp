@@ -10,6 +10,7 @@
 #include "ui/compare/fingerprint_view.h"
 #include "ui/compare/run_list.h"
 #include "ui/compare/scatter_view.h"
+#include "ui/compare/why_view.h"
 #include "ui/document/document.h"
 
 #include <QLabel>
@@ -25,7 +26,7 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
       table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
       maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView),
-      cloths_(new ClothsView), note_(new QLabel)
+      why_(new WhyView(runs)), cloths_(new ClothsView), note_(new QLabel)
 {
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -44,6 +45,7 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     lower_->addTab(curves_, tr("Curves"));
     lower_->addTab(fingerprint_, tr("Fingerprint"));
     lower_->addTab(scatter_, tr("Scatter"));
+    lower_->addTab(why_, tr("Why"));
     lower_->addTab(cloths_, tr("3D"));
     auto* parts = new QSplitter(Qt::Vertical);
     parts->setChildrenCollapsible(false);

@@ -24,6 +24,7 @@ class CompareMaps;
 class CurvesView;
 class FingerprintView;
 class ScatterView;
+class WhyView;
 class RunList;
 
 class CompareView : public QWidget {
@@ -129,6 +130,7 @@ private:
     CurvesView* curves_;
     FingerprintView* fingerprint_;
     ScatterView* scatter_;
+    WhyView* why_;
     ClothsView* cloths_;
     QLabel* note_;
     QTimer soon_; ///< many runs may end in a short time

@@ -13,6 +13,7 @@
 #include "ui/compare/fingerprint_view.h"
 #include "ui/compare/scatter_view.h"
 #include "ui/compare/study_report.h"
+#include "ui/compare/why_view.h"
 #include "ui/document/document.h"
 #include "ui/results/report_file.h"
 
@@ -156,6 +157,8 @@ void CompareView::refreshLower()
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
     fingerprint_->setCandidates(numbers_, names);
     scatter_->setComparison(numbers_);
+    const Entry* shown = entry();
+    why_->setStudy({numbers_, document_.design(), shown ? choiceOf(*shown) : StudyChoice(), shown && shown->own, whyNoRun()});
 }
 
 std::vector<StudyJob> CompareView::missing() const
@@ -284,7 +287,9 @@ void CompareView::saveReport()
     for (const StudyRow& row : rows_) {
         if (!row.path.isEmpty()) { recordings[row.fabric] = row.path; }
     }
-    reporter_.run([this, file, recordings, comparison = numbers_](const NewestJob::Turn& turn) {
+    Comparison numbers = numbers_;
+    numbers.why = why_->why();
+    reporter_.run([this, file, recordings, comparison = std::move(numbers)](const NewestJob::Turn& turn) {
         QString page, why;
         try {
             page = studyReport(comparison, recordings);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/replicate_file.h"
+#include "core/analysis/why.h"
 #include "ui/results/run_history.h"
 
 namespace hygroloom {
@@ -21,6 +22,8 @@ struct StudyJob {
     bool recorded = true; ///< an ordinary run of the project; of the others only the numbers are kept
     int number = 0;       ///< of the replicate
     int of = 1;
+    std::string against{}; ///< of a mixture, see why.h: whose parts are in the fabric
+    Mixture mixture = 0;   ///< 0: the fabric as it is
     bool operator==(const StudyJob&) const = default;
 };
 

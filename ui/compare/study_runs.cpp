@@ -56,7 +56,7 @@ void StudyRuns::start(const std::vector<Expected>& jobs)
     for (const Expected& each : jobs) {
         if (stateOf(each.job) != State::none) { continue; }
         failures_.erase({each.job.fabric, each.job.experiment});
-        queue_.push_back({each, document_.design()});
+        queue_.push_back({each, each.design ? each.design : document_.design()});
         all_seconds_ += each.seconds;
         ++all_;
     }
@@ -129,12 +129,14 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     const StudyJob& job = own->work.expected.job;
     done_seconds_ += own->work.expected.seconds;
     ++done_;
-    if (job.recorded) {
+    if (job.mixture != 0) {
+        handOver(job, *result);
+    } else if (job.recorded) {
         keepRecorded(*own, *result);
     } else if (result->finished) {
         keepNumbers(*own, *result);
     }
-    if (!result->failure.isEmpty()) { failures_[{job.fabric, job.experiment}] = result->failure; }
+    if (!result->failure.isEmpty() && job.mixture == 0) { failures_[{job.fabric, job.experiment}] = result->failure; }
     startNext();
     Q_EMIT changed();
     if (!running()) { Q_EMIT ended(); }
@@ -171,6 +173,23 @@ void StudyRuns::keepNumbers(const Slot& slot, const Result& result)
     run.places = result.drawn.places;
     set.runs[slot.work.expected.job.number] = std::move(run);
     store_.add(set);
+}
+
+/// Of a run that was cancelled there is nothing.
+void StudyRuns::handOver(const StudyJob& job, const Result& result)
+{
+    Candidate candidate;
+    candidate.fabric = job.fabric;
+    candidate.failure = result.failure.toStdString();
+    if (result.finished) {
+        candidate = candidate_of(std::make_shared<const RunRecord>(result.finished->run),
+                                 std::make_shared<const Metrics>(result.finished->metrics));
+        candidate.replicates.front()->places = result.drawn.places;
+        candidate.unknowns = result.drawn.names;
+        candidate.run.reset(); // large, and nobody reads them
+        candidate.metrics.reset();
+    }
+    if (result.finished || !result.failure.isEmpty()) { Q_EMIT mixtureEnded(job, candidate); }
 }
 
 void StudyRuns::cancel()

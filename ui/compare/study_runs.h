@@ -26,6 +26,7 @@ public:
     struct Expected {
         StudyJob job;
         double seconds = 1;
+        std::shared_ptr<const Design> design{}; ///< of a mixture; nullptr: the document's
     };
     enum class State { none, waiting, running };
 
@@ -49,6 +50,8 @@ Q_SIGNALS:
     /// A run began or ended, or numbers came.
     void changed();
     void progressed();
+    /// A mixture's run gave this, or failed; it is kept nowhere.
+    void mixtureEnded(const hygroloom::StudyJob& job, const hygroloom::Candidate& candidate);
     /// All are done or cancelled.
     void ended();
     void failed(const QString& sentence);
@@ -75,6 +78,7 @@ private:
     void end(Slot* slot, const std::shared_ptr<Result>& result);
     void keepRecorded(Slot& slot, const Result& result);
     void keepNumbers(const Slot& slot, const Result& result);
+    void handOver(const StudyJob& job, const Result& result);
 
     Document& document_;
     ProjectRuns& runs_;
