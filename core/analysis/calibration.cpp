@@ -9,8 +9,9 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
+#include <map>
 
 namespace hygroloom {
 namespace {
@@ -99,6 +100,73 @@ private:
     const Model& model_;
 };
 
+/// As the model, but runs each point once.
+Model remembering(const Model& model)
+{
+    return [&model, known = std::make_shared<std::map<std::vector<double>, std::vector<double>>>()](const auto& points) {
+        std::vector<std::vector<double>> fresh;
+        for (const std::vector<double>& point : points)
+            if (!known->contains(point)) fresh.push_back(point);
+        const std::vector<std::vector<double>> found = fresh.empty() ? fresh : model(fresh);
+        for (std::size_t i = 0; i < fresh.size(); ++i) (*known)[fresh[i]] = found[i];
+        std::vector<std::vector<double>> all;
+        for (const std::vector<double>& point : points) all.push_back(known->at(point));
+        return all;
+    };
+}
+
+/// Runs about the fit, five evenly over 10 % of the range either way.
+struct Surroundings {
+    MatrixXd jacobian;                                       ///< by the lines of least squares through them
+    std::vector<std::vector<std::vector<double>>> simulated; ///< of each input, at each of its places: the numbers
+    std::vector<std::array<double, 2>> ends;                 ///< values of each input
+};
+
+Surroundings look_about(const Fit& fit, const Model& model, const VectorXd& places)
+{
+    constexpr int about = 5, middle = 2;
+    constexpr double apart = step_share / middle;
+    Surroundings found;
+    found.jacobian = MatrixXd::Zero(fit.values(), fit.inputs());
+    std::vector<std::vector<double>> points;
+    for (Index k = 0; k < places.size(); ++k)
+        for (int i = 0; i < about; ++i) {
+            VectorXd at = places;
+            at[k] = i == middle && places[k] == std::clamp(places[k], step_share, 1 - step_share)
+                        ? places[k]
+                        : std::clamp(places[k], step_share, 1 - step_share) + (i - middle) * apart;
+            points.push_back(fit.point(at));
+        }
+    const std::vector<std::vector<double>> simulated = model(points);
+    for (Index k = 0; k < places.size(); ++k) {
+        const auto first = static_cast<std::ptrdiff_t>(k * about);
+        const std::vector<std::vector<double>> own(simulated.begin() + first, simulated.begin() + first + about);
+        double squares = 0;
+        for (int i = 0; i < about; ++i) {
+            const double off = (i - middle) * apart;
+            squares += off * off;
+            found.jacobian.col(k) += off * fit.weighed(own[static_cast<std::size_t>(i)]);
+        }
+        found.jacobian.col(k) /= squares;
+        const auto input = static_cast<std::size_t>(k);
+        found.ends.push_back({points[input * about][input], points[input * about + about - 1][input]});
+        found.simulated.push_back(own);
+    }
+    return found;
+}
+
+/// How many values a number takes as an input moves: as many as there are runs unless it jumps.
+int values_of(const std::vector<std::vector<double>>& simulated, std::size_t number)
+{
+    constexpr double same = 1e-9;
+    int values = 1;
+    for (std::size_t i = 1; i < simulated.size(); ++i) {
+        const double before = simulated[i - 1][number], now = simulated[i][number];
+        values += std::abs(now - before) > same * std::max(std::abs(now), std::abs(before)) ? 1 : 0;
+    }
+    return values;
+}
+
 bool has_spreads(const MeasuredData& data) { return data.numbers.front().spread.has_value(); }
 
 /// By how much standard deviations widen as neighbours on a curve deviate alike: root of (1 + r) / (1 - r) of a series whose neighbours
@@ -124,6 +192,53 @@ VectorXd half_widths(const MeasuredData& data, const MatrixXd& jacobian, const V
     VectorXd left = residuals.array() / (1 - leverage.array()).max(1e-3);
     const VectorXd uneven = (left.asDiagonal() * reach).colwise().norm();
     return student_factor(of_intervals, free) * alike * (std::sqrt(variance) * plain).cwiseMax(uneven);
+}
+
+/// A number that takes fewer values than that in five runs stands still and jumps: its slope says where the jump lies.
+constexpr int fewest_values = 4;
+
+/// Where more than half of what tells an input comes from numbers that jump.
+std::string refused_jumps(const Calibration& result, const Surroundings& about)
+{
+    for (std::size_t k = 0; k < result.inputs.size(); ++k) {
+        const VectorXd told = about.jacobian.col(static_cast<Index>(k)).cwiseAbs2();
+        double by_jumps = 0, most = 0;
+        std::size_t worst = 0;
+        for (std::size_t i = 0; i < result.data.numbers.size(); ++i) {
+            const double by_it = told[static_cast<Index>(i)];
+            if (by_it == 0 || values_of(about.simulated[k], i) >= fewest_values) continue;
+            by_jumps += by_it;
+            if (by_it > most) worst = i;
+            most = std::max(most, by_it);
+        }
+        if (!(by_jumps > 0.5 * told.sum())) continue;
+        const MeasuredNumber& number = result.data.numbers[worst];
+        const auto [low, high] = std::minmax(about.simulated[k].front()[worst], about.simulated[k].back()[worst]);
+        const FittedInput& input = result.inputs[k];
+        return fmt::format(
+            "{}{} jumps: {} runs with the {} from {:.3g} to {:.3g}{} give {} values of it, {:.4g} to {:.4g} {}. Between jumps "
+            "it tells nothing. Fit a curve over time, or a number that changes smoothly.",
+            number.key, result.data.is_curve() ? fmt::format(" at {:g} s", number.time) : "", about.simulated[k].size(), input.title,
+            about.ends[k][0], about.ends[k][1], input.unit, values_of(about.simulated[k], worst), low, high, number.unit);
+    }
+    return {};
+}
+
+/// Half widths of the places' intervals by the numerical errors of the numbers, carried through the fit. Those of a curve are one error.
+VectorXd numerical_halves(Calibration& result, const MatrixXd& jacobian, const MatrixXd& inverse, const NumericalErrors& numerical)
+{
+    VectorXd halves = VectorXd::Zero(jacobian.cols());
+    if (!numerical) return halves;
+    const std::vector<std::optional<double>> errors = numerical(result.fitted);
+    VectorXd weighed = VectorXd::Zero(jacobian.rows());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const MeasuredNumber& number = result.data.numbers[i];
+        weighed[static_cast<Index>(i)] = errors[i].value_or(0) / number.spread.value_or(1);
+        if (!errors[i] && (i == 0 || !result.data.is_curve()))
+            result.notes.push_back(fmt::format("The numerical error of {} is not known; the intervals lack it.", number.key));
+    }
+    const MatrixXd moved = inverse * jacobian.transpose() * weighed.asDiagonal(); // of each input by each number's error
+    return result.data.is_curve() ? VectorXd(moved.rowwise().sum().cwiseAbs()) : VectorXd(moved.rowwise().norm());
 }
 
 std::string refused_correlation(const Calibration& result)
@@ -156,14 +271,17 @@ std::string refused_values(const Calibration& result)
 }
 
 /// Intervals and correlations, and what they do not allow to say.
-void judge(Calibration& result, const MatrixXd& jacobian, const VectorXd& residuals)
+void judge(Calibration& result, const Surroundings& about, const VectorXd& residuals, const NumericalErrors& numerical)
 {
+    const MatrixXd& jacobian = about.jacobian;
     const Index n = jacobian.cols();
     const VectorXd scale = jacobian.colwise().norm();
     for (Index k = 0; k < n; ++k)
         if (!(scale[k] > 1e-9 * std::max(1.0, scale.maxCoeff()))) {
-            result.refusal = fmt::format("The data do not depend on the {}; nothing can be told of it.",
-                                         result.inputs[static_cast<std::size_t>(k)].title);
+            const FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
+            const std::array<double, 2>& ends = about.ends[static_cast<std::size_t>(k)];
+            result.refusal = fmt::format("The data do not depend on the {} from {:.3g} to {:.3g}{}; nothing can be told of it.",
+                                         input.title, ends[0], ends[1], input.unit);
             return;
         }
     const MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
@@ -177,23 +295,26 @@ void judge(Calibration& result, const MatrixXd& jacobian, const VectorXd& residu
     }
     const MatrixXd inverse = scale.cwiseInverse().asDiagonal() * scaled_inverse * scale.cwiseInverse().asDiagonal();
     const VectorXd halves = half_widths(result.data, jacobian, residuals, inverse);
+    const VectorXd by_runs = numerical_halves(result, jacobian, inverse, numerical);
     for (Index k = 0; k < n; ++k) {
         FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
-        input.half = halves[k] * (input.high - input.low);
+        input.numerical = by_runs[k] * (input.high - input.low);
+        input.half = std::hypot(halves[k] * (input.high - input.low), input.numerical);
     }
-    result.refusal = refused_correlation(result);
+    result.refusal = refused_jumps(result, about);
+    if (result.refusal.empty()) result.refusal = refused_correlation(result);
     if (result.refusal.empty() && eigen[n - 1] / eigen[0] > largest_condition)
         result.refusal = "The data cannot tell the inputs apart: together they can change without changing what was measured. Fit fewer.";
     if (result.refusal.empty()) result.refusal = refused_values(result);
 }
 
 /// Goes on by plain Gauss-Newton steps from where the search stopped: it stops at the first dent that noise makes in the sum of squares,
-/// which the wide differences do not see. Gives the Jacobian at the place that it moves to.
-MatrixXd settle(const Fit& fit, const Model& model, VectorXd& places)
+/// which the wide differences do not see.
+void settle(const Fit& fit, const Model& model, VectorXd& places)
 {
     constexpr int most = 3;
-    MatrixXd jacobian = fit.by_place(places);
     for (int i = 0; i < most; ++i) {
+        const MatrixXd jacobian = fit.by_place(places);
         const VectorXd residuals = fit.weighed(model({fit.point(places)}).front());
         const VectorXd wanted = places - jacobian.colPivHouseholderQr().solve(residuals);
         const VectorXd next = wanted.cwiseMax(places - VectorXd::Constant(places.size(), step_share))
@@ -203,9 +324,7 @@ MatrixXd settle(const Fit& fit, const Model& model, VectorXd& places)
         const double moved = (next - places).cwiseAbs().maxCoeff();
         places = next;
         if (moved < edge_share) break;
-        jacobian = fit.by_place(places);
     }
-    return jacobian;
 }
 
 double rms(const VectorXd& residuals) { return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())); }
@@ -252,7 +371,7 @@ std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& i
     return {};
 }
 
-Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model)
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& runs, const NumericalErrors& numerical)
 {
     Calibration result;
     result.data = data;
@@ -260,6 +379,7 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
     result.refusal = refusal_of(data, inputs);
     if (!result.refusal.empty()) return result;
 
+    const Model model = remembering(runs);
     Fit fit(data, inputs, model);
     VectorXd u(static_cast<Index>(inputs.size()));
     for (Index k = 0; k < u.size(); ++k) {
@@ -282,37 +402,17 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
 
     VectorXd places = Fit::places(u);
     const VectorXd found = places;
-    MatrixXd jacobian = settle(fit, model, places);
+    settle(fit, model, places);
     const auto squares = [&](const VectorXd& at) { return fit.weighed(model({fit.point(at)}).front()).squaredNorm(); };
-    if (squares(places) > 2 * squares(found)) { // noise makes dents, not such a difference: the steps went astray
-        places = found;
-        jacobian = fit.by_place(places);
-    }
+    if (squares(places) > 2 * squares(found)) places = found; // noise makes dents, not such a difference: the steps went astray
     const std::vector<double> values = fit.point(places);
     for (std::size_t k = 0; k < values.size(); ++k) result.inputs[k].value = values[k];
     result.fitted = model({values}).front();
     const VectorXd residuals = fit.weighed(result.fitted);
     result.residual_rms = residual_rms(data, result.fitted, residuals);
-    judge(result, jacobian, residuals);
+    judge(result, look_about(fit, model, places), residuals, numerical);
     add_notes(result, residuals);
     return result;
-}
-
-Design calibrated_design(const Design& design, const Calibration& calibration)
-{
-    std::vector<FreeInput> inputs(calibration.inputs.begin(), calibration.inputs.end());
-    std::vector<double> values;
-    for (const FittedInput& input : calibration.inputs) values.push_back(input.value);
-    Design other = with_inputs(design, calibration.fabric, inputs, values);
-    Fabric& fabric = other.fabrics[static_cast<std::size_t>(find_fabric(other, calibration.fabric) - other.fabrics.data())];
-    const std::string file = std::filesystem::path(calibration.data.file).filename().string(); // folders are this machine's
-    Calibrated from{file, calibration.experiment, name_of(calibration.fidelity), calibration.data.quantity, calibration.residual_rms, {}};
-    for (const FittedInput& input : calibration.inputs) {
-        if (input.half > 0) uncertainty_of(fabric, input.key) = input.half; // else nothing is known of it
-        before_of(from, input.key) = input.given;
-    }
-    fabric.calibrated = from;
-    return other;
 }
 
 } // namespace hygroloom

@@ -43,21 +43,32 @@ std::array<double, 2> wetted_ellipse(const Textile& textile, const Frame& frame)
     return {semi_axis(sx, sxx), semi_axis(sy, syy)};
 }
 
+/// How far a yarn along a strip is wet from the strip's lower end on, in crossings. The front lies where the saturation falls to
+/// wet_saturation on a line from the middle of the last wet segment to the middle of the next, which is dry beyond the strip's end. So it
+/// goes on between crossings, never jumps as a segment gets wet, and never falls where a saturation rises.
+double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft, int yarn)
+{
+    const int crossings = along_weft ? textile.ends() : textile.picks();
+    const auto saturation = [&](int at) {
+        const int segment = along_weft ? textile.segment(YarnKind::weft, at, yarn) : textile.segment(YarnKind::warp, yarn, at);
+        return static_cast<double>(frame.saturation[static_cast<std::size_t>(segment)]);
+    };
+    int last = crossings - 1;
+    while (last >= 0 && saturation(last) < wet_saturation) --last;
+    if (last < 0) return 0;
+    const double wet = saturation(last), beyond = last + 1 < crossings ? saturation(last + 1) : 0.0;
+    return std::min(last + 0.5 + (wet - wet_saturation) / (wet - beyond), static_cast<double>(crossings));
+}
+
 /// Mean over the yarns along the strip of how far each is wet above the liquid, m.
 double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment)
 {
     const YarnKind kind = experiment.along_weft ? YarnKind::weft : YarnKind::warp;
-    const int yarns = textile.system(kind).count, crossings = textile.system(other_kind(kind)).count;
+    const int yarns = textile.system(kind).count;
     const double pitch = textile.system(other_kind(kind)).pitch, surface = metre_from_mm(experiment.immersion_mm);
     double sum = 0;
-    for (int yarn = 0; yarn < yarns; ++yarn) {
-        int wet = crossings;
-        while (wet > 0 &&
-               frame.saturation[static_cast<std::size_t>(experiment.along_weft ? textile.segment(kind, wet - 1, yarn)
-                                                                               : textile.segment(kind, yarn, wet - 1))] < wet_saturation)
-            --wet;
-        sum += std::max(0.0, wet * pitch - surface);
-    }
+    for (int yarn = 0; yarn < yarns; ++yarn)
+        sum += std::max(0.0, wet_crossings(textile, frame, experiment.along_weft, yarn) * pitch - surface);
     return sum / yarns;
 }
 
