@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/analysis/calibration.h"
-
+// What a calibration's fit says of its inputs, and what it does not.
+#include "core/analysis/calibration_fit.h"
 #include "core/analysis/intervals.h"
-#include "core/base/units.h"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace hygroloom {
 namespace {
@@ -20,142 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Difference step as a share of the range. Simulated numbers change in small steps: a front reaches one crossing more or not, a drop's
-/// particles settle another way. Differences over a step of the size of that noise would be noise; over 10 % either way it is small.
-constexpr double step_share = 0.1;
-constexpr double edge_share = 0.01; ///< of the range: that close to an end is at the end
 constexpr double told_apart = 0.99; ///< largest correlation of two inputs
 /// Of the scaled normal matrix; two inputs correlated by 0.99 have 199. Larger: three that only together cannot be told apart.
 constexpr double largest_condition = 1e4;
 
-/// Places in the ranges, 0 to 1; the fit's own variable u has place = (1 + sin u) / 2, which never leaves the range.
-class Fit {
-public:
-    using Scalar = double;
-    using InputType = VectorXd;
-    using ValueType = VectorXd;
-    using JacobianType = MatrixXd;
-    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-    Fit(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model) : data_(data), inputs_(inputs), model_(model) {}
-
-    int inputs() const { return static_cast<int>(inputs_.size()); }
-    int values() const { return static_cast<int>(data_.numbers.size()); }
-
-    static VectorXd places(const VectorXd& u) { return 0.5 * (1 + u.array().sin()); }
-
-    int operator()(const VectorXd& u, VectorXd& residuals) const
-    {
-        residuals = weighed(model_({point(places(u))}).front());
-        return 0;
-    }
-    int df(const VectorXd& u, MatrixXd& jacobian) const
-    {
-        jacobian = by_place(places(u)) * (0.5 * u.array().cos()).matrix().asDiagonal();
-        return 0;
-    }
-
-    /// Measured less simulated, in spreads if given.
-    VectorXd weighed(const std::vector<double>& simulated) const
-    {
-        VectorXd residuals(values());
-        for (Index i = 0; i < residuals.size(); ++i) {
-            const MeasuredNumber& number = data_.numbers[static_cast<std::size_t>(i)];
-            residuals[i] = (number.value - simulated[static_cast<std::size_t>(i)]) / number.spread.value_or(1);
-        }
-        return residuals;
-    }
-    /// Derivatives of the residuals by the places, from central differences whose runs go side by side.
-    MatrixXd by_place(const VectorXd& places) const
-    {
-        std::vector<std::vector<double>> points;
-        VectorXd widths(places.size());
-        for (Index k = 0; k < places.size(); ++k) {
-            VectorXd low = places, high = places;
-            low[k] = std::max(0.0, places[k] - step_share);
-            high[k] = std::min(1.0, places[k] + step_share);
-            widths[k] = high[k] - low[k];
-            points.push_back(point(low));
-            points.push_back(point(high));
-        }
-        const std::vector<std::vector<double>> simulated = model_(points);
-        MatrixXd jacobian(values(), places.size());
-        for (Index k = 0; k < places.size(); ++k) {
-            const auto at = static_cast<std::size_t>(2 * k);
-            jacobian.col(k) = (weighed(simulated[at + 1]) - weighed(simulated[at])) / widths[k];
-        }
-        return jacobian;
-    }
-    std::vector<double> point(const VectorXd& places) const
-    {
-        std::vector<double> values;
-        for (std::size_t k = 0; k < inputs_.size(); ++k)
-            values.push_back(inputs_[k].low + places[static_cast<Index>(k)] * (inputs_[k].high - inputs_[k].low));
-        return values;
-    }
-
-private:
-    const MeasuredData& data_;
-    const std::vector<FreeInput>& inputs_;
-    const Model& model_;
-};
-
-/// As the model, but runs each point once.
-Model remembering(const Model& model)
-{
-    return [&model, known = std::make_shared<std::map<std::vector<double>, std::vector<double>>>()](const auto& points) {
-        std::vector<std::vector<double>> fresh;
-        for (const std::vector<double>& point : points)
-            if (!known->contains(point)) fresh.push_back(point);
-        const std::vector<std::vector<double>> found = fresh.empty() ? fresh : model(fresh);
-        for (std::size_t i = 0; i < fresh.size(); ++i) (*known)[fresh[i]] = found[i];
-        std::vector<std::vector<double>> all;
-        for (const std::vector<double>& point : points) all.push_back(known->at(point));
-        return all;
-    };
-}
-
-/// Runs about the fit, five evenly over 10 % of the range either way.
-struct Surroundings {
-    MatrixXd jacobian;                                       ///< by the lines of least squares through them
-    std::vector<std::vector<std::vector<double>>> simulated; ///< of each input, at each of its places: the numbers
-    std::vector<std::array<double, 2>> ends;                 ///< values of each input
-};
-
-Surroundings look_about(const Fit& fit, const Model& model, const VectorXd& places)
-{
-    constexpr int about = 5, middle = 2;
-    constexpr double apart = step_share / middle;
-    Surroundings found;
-    found.jacobian = MatrixXd::Zero(fit.values(), fit.inputs());
-    std::vector<std::vector<double>> points;
-    for (Index k = 0; k < places.size(); ++k)
-        for (int i = 0; i < about; ++i) {
-            VectorXd at = places;
-            at[k] = i == middle && places[k] == std::clamp(places[k], step_share, 1 - step_share)
-                        ? places[k]
-                        : std::clamp(places[k], step_share, 1 - step_share) + (i - middle) * apart;
-            points.push_back(fit.point(at));
-        }
-    const std::vector<std::vector<double>> simulated = model(points);
-    for (Index k = 0; k < places.size(); ++k) {
-        const auto first = static_cast<std::ptrdiff_t>(k * about);
-        const std::vector<std::vector<double>> own(simulated.begin() + first, simulated.begin() + first + about);
-        double squares = 0;
-        for (int i = 0; i < about; ++i) {
-            const double off = (i - middle) * apart;
-            squares += off * off;
-            found.jacobian.col(k) += off * fit.weighed(own[static_cast<std::size_t>(i)]);
-        }
-        found.jacobian.col(k) /= squares;
-        const auto input = static_cast<std::size_t>(k);
-        found.ends.push_back({points[input * about][input], points[input * about + about - 1][input]});
-        found.simulated.push_back(own);
-    }
-    return found;
-}
-
-/// How many values a number takes as an input moves: as many as there are runs unless it jumps.
+/// How many values a number takes as an input moves: as many as there are runs unless it stands still and jumps.
 int values_of(const std::vector<std::vector<double>>& simulated, std::size_t number)
 {
     constexpr double same = 1e-9;
@@ -194,51 +58,94 @@ VectorXd half_widths(const MeasuredData& data, const MatrixXd& jacobian, const V
     return student_factor(of_intervals, free) * alike * (std::sqrt(variance) * plain).cwiseMax(uneven);
 }
 
-/// A number that takes fewer values than that in five runs stands still and jumps: its slope says where the jump lies.
-constexpr int fewest_values = 4;
+/// Whether a number stands still and jumps as an input moves, or changes by less than one of its jumps: its slope says where a jump lies.
+bool jumps(const Surroundings::Line& line, std::size_t number, double step)
+{
+    constexpr int fewest_values = 4; // of five
+    return values_of(line.simulated, number) < fewest_values ||
+           std::abs(line.simulated.back()[number] - line.simulated.front()[number]) < step;
+}
 
 /// Where more than half of what tells an input comes from numbers that jump.
-std::string refused_jumps(const Calibration& result, const Surroundings& about)
+std::string refused_jumps(const Calibration& result, const Surroundings& about, const std::vector<NumberError>& errors)
 {
     for (std::size_t k = 0; k < result.inputs.size(); ++k) {
         const VectorXd told = about.jacobian.col(static_cast<Index>(k)).cwiseAbs2();
+        const Surroundings::Line& line = about.lines[k];
         double by_jumps = 0, most = 0;
         std::size_t worst = 0;
         for (std::size_t i = 0; i < result.data.numbers.size(); ++i) {
             const double by_it = told[static_cast<Index>(i)];
-            if (by_it == 0 || values_of(about.simulated[k], i) >= fewest_values) continue;
+            if (!jumps(line, i, errors.empty() ? 0 : errors[i].step)) continue;
             by_jumps += by_it;
             if (by_it > most) worst = i;
             most = std::max(most, by_it);
         }
         if (!(by_jumps > 0.5 * told.sum())) continue;
         const MeasuredNumber& number = result.data.numbers[worst];
-        const auto [low, high] = std::minmax(about.simulated[k].front()[worst], about.simulated[k].back()[worst]);
         const FittedInput& input = result.inputs[k];
+        double low = line.simulated.front()[worst], high = low;
+        for (const std::vector<double>& each : line.simulated) {
+            low = std::min(low, each[worst]);
+            high = std::max(high, each[worst]);
+        }
+        const double step = errors.empty() ? 0 : errors[worst].step;
         return fmt::format(
-            "{}{} jumps: {} runs with the {} from {:.3g} to {:.3g}{} give {} values of it, {:.4g} to {:.4g} {}. Between jumps "
-            "it tells nothing. Fit a curve over time, or a number that changes smoothly.",
-            number.key, result.data.is_curve() ? fmt::format(" at {:g} s", number.time) : "", about.simulated[k].size(), input.title,
-            about.ends[k][0], about.ends[k][1], input.unit, values_of(about.simulated[k], worst), low, high, number.unit);
+            "{}{} jumps{}, so that it does not tell the {}: runs from {:.3g} to {:.3g}{} give {:.4g} to {:.4g} {}, {} values in "
+            "{} runs. Fit a curve over time, or a number that changes smoothly.",
+            number.key, result.data.is_curve() ? fmt::format(" at {:g} s", number.time) : "",
+            step > 0 ? fmt::format(" by {:.2g} {} from crossing to crossing", step, number.unit) : "", input.title, line.low, line.high,
+            input.unit, low, high, number.unit, values_of(line.simulated, worst), line.simulated.size());
     }
     return {};
 }
 
-/// Half widths of the places' intervals by the numerical errors of the numbers, carried through the fit. Those of a curve are one error.
-VectorXd numerical_halves(Calibration& result, const MatrixXd& jacobian, const MatrixXd& inverse, const NumericalErrors& numerical)
+/// How far from each fitted value a point was tried that the data allow as well as the ends of a linear interval: where the numbers do not
+/// follow an input evenly, other values may fit as well. In the inputs' units.
+std::vector<double> reaches(const Calibration& result, const Fit& fit, const VectorXd& residuals)
 {
-    VectorXd halves = VectorXd::Zero(jacobian.cols());
-    if (!numerical) return halves;
-    const std::vector<std::optional<double>> errors = numerical(result.fitted);
-    VectorXd weighed = VectorXd::Zero(jacobian.rows());
+    const auto free = static_cast<int>(residuals.size()) - fit.inputs();
+    double least = residuals.squaredNorm();
+    for (const auto& [point, simulated] : fit.tried()) least = std::min(least, fit.weighed(simulated).squaredNorm());
+    const double variance = free > 0 ? least / free : 0;
+    const double own = has_spreads(result.data) ? std::max(1.0, variance) : variance;
+    const double factor = has_spreads(result.data) ? of_intervals.normal : student_factor(of_intervals, free);
+    const double allowed = least + own * std::pow(factor * alike_neighbours(result.data, residuals), 2);
+    std::vector<double> far(result.inputs.size(), 0.0);
+    for (const auto& [point, simulated] : fit.tried()) {
+        if (fit.weighed(simulated).squaredNorm() > allowed) continue;
+        for (std::size_t k = 0; k < far.size(); ++k) far[k] = std::max(far[k], std::abs(point[k] - result.inputs[k].value));
+    }
+    return far;
+}
+
+/// Half widths of the places' intervals by how unevenly the numbers follow the input: what five runs would be fitted as, by the same linear
+/// fit, scatters about where they were made. It contains what all numbers do alike, which no residual shows.
+VectorXd uneven_halves(const Surroundings& about, const MatrixXd& moved)
+{
+    constexpr int free = Surroundings::runs - 2; // a line's level and slope
+    VectorXd halves(moved.rows());
+    for (Index k = 0; k < moved.rows(); ++k) {
+        const Eigen::RowVectorXd fitted = moved.row(k) * about.lines[static_cast<std::size_t>(k)].residuals;
+        double squares = 0;
+        for (int i = 0; i < Surroundings::runs; ++i) squares += std::pow(fitted[i] - fitted.mean() - Surroundings::offset(i), 2);
+        halves[k] = student_factor(of_intervals, free) * std::sqrt(squares / free);
+    }
+    return halves;
+}
+
+/// Half widths of the places' intervals by the numerical errors of the numbers, carried through the fit. Those of a curve are one error.
+VectorXd numerical_halves(Calibration& result, const std::vector<NumberError>& errors, const MatrixXd& moved)
+{
+    VectorXd weighed = VectorXd::Zero(moved.cols());
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const MeasuredNumber& number = result.data.numbers[i];
-        weighed[static_cast<Index>(i)] = errors[i].value_or(0) / number.spread.value_or(1);
-        if (!errors[i] && (i == 0 || !result.data.is_curve()))
+        weighed[static_cast<Index>(i)] = errors[i].half.value_or(0) / number.spread.value_or(1);
+        if (!errors[i].half && (i == 0 || !result.data.is_curve()))
             result.notes.push_back(fmt::format("The numerical error of {} is not known; the intervals lack it.", number.key));
     }
-    const MatrixXd moved = inverse * jacobian.transpose() * weighed.asDiagonal(); // of each input by each number's error
-    return result.data.is_curve() ? VectorXd(moved.rowwise().sum().cwiseAbs()) : VectorXd(moved.rowwise().norm());
+    const MatrixXd each = moved * weighed.asDiagonal(); // of each input by each number's error
+    return result.data.is_curve() ? VectorXd(each.rowwise().sum().cwiseAbs()) : VectorXd(each.rowwise().norm());
 }
 
 std::string refused_correlation(const Calibration& result)
@@ -271,7 +178,8 @@ std::string refused_values(const Calibration& result)
 }
 
 /// Intervals and correlations, and what they do not allow to say.
-void judge(Calibration& result, const Surroundings& about, const VectorXd& residuals, const NumericalErrors& numerical)
+void judge(Calibration& result, const Fit& fit, const Surroundings& about, const VectorXd& residuals,
+           const std::vector<NumberError>& errors)
 {
     const MatrixXd& jacobian = about.jacobian;
     const Index n = jacobian.cols();
@@ -279,9 +187,9 @@ void judge(Calibration& result, const Surroundings& about, const VectorXd& resid
     for (Index k = 0; k < n; ++k)
         if (!(scale[k] > 1e-9 * std::max(1.0, scale.maxCoeff()))) {
             const FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
-            const std::array<double, 2>& ends = about.ends[static_cast<std::size_t>(k)];
+            const Surroundings::Line& line = about.lines[static_cast<std::size_t>(k)];
             result.refusal = fmt::format("The data do not depend on the {} from {:.3g} to {:.3g}{}; nothing can be told of it.",
-                                         input.title, ends[0], ends[1], input.unit);
+                                         input.title, line.low, line.high, input.unit);
             return;
         }
     const MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
@@ -294,37 +202,22 @@ void judge(Calibration& result, const Surroundings& about, const VectorXd& resid
         for (Index k = 0; k < n; ++k) result.correlation.back().push_back(scaled_inverse(i, k) / (deviation[i] * deviation[k]));
     }
     const MatrixXd inverse = scale.cwiseInverse().asDiagonal() * scaled_inverse * scale.cwiseInverse().asDiagonal();
-    const VectorXd halves = half_widths(result.data, jacobian, residuals, inverse);
-    const VectorXd by_runs = numerical_halves(result, jacobian, inverse, numerical);
+    const MatrixXd moved = inverse * jacobian.transpose(); // of each input by each number
+    const VectorXd by_residuals = half_widths(result.data, jacobian, residuals, inverse), by_unevenness = uneven_halves(about, moved),
+                   by_runs = numerical_halves(result, errors, moved);
+    const std::vector<double> as_good = reaches(result, fit, residuals);
     for (Index k = 0; k < n; ++k) {
         FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
-        input.numerical = by_runs[k] * (input.high - input.low);
-        input.half = std::hypot(halves[k] * (input.high - input.low), input.numerical);
+        const double range = input.high - input.low;
+        input.uneven = by_unevenness[k] * range;
+        input.numerical = by_runs[k] * range;
+        input.half = std::hypot(std::max(by_residuals[k] * range, as_good[static_cast<std::size_t>(k)]), input.uneven, input.numerical);
     }
-    result.refusal = refused_jumps(result, about);
+    result.refusal = refused_jumps(result, about, errors);
     if (result.refusal.empty()) result.refusal = refused_correlation(result);
     if (result.refusal.empty() && eigen[n - 1] / eigen[0] > largest_condition)
         result.refusal = "The data cannot tell the inputs apart: together they can change without changing what was measured. Fit fewer.";
     if (result.refusal.empty()) result.refusal = refused_values(result);
-}
-
-/// Goes on by plain Gauss-Newton steps from where the search stopped: it stops at the first dent that noise makes in the sum of squares,
-/// which the wide differences do not see.
-void settle(const Fit& fit, const Model& model, VectorXd& places)
-{
-    constexpr int most = 3;
-    for (int i = 0; i < most; ++i) {
-        const MatrixXd jacobian = fit.by_place(places);
-        const VectorXd residuals = fit.weighed(model({fit.point(places)}).front());
-        const VectorXd wanted = places - jacobian.colPivHouseholderQr().solve(residuals);
-        const VectorXd next = wanted.cwiseMax(places - VectorXd::Constant(places.size(), step_share))
-                                  .cwiseMin(places + VectorXd::Constant(places.size(), step_share))
-                                  .cwiseMax(0)
-                                  .cwiseMin(1);
-        const double moved = (next - places).cwiseAbs().maxCoeff();
-        places = next;
-        if (moved < edge_share) break;
-    }
 }
 
 double rms(const VectorXd& residuals) { return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())); }
@@ -371,7 +264,7 @@ std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& i
     return {};
 }
 
-Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& runs, const NumericalErrors& numerical)
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model, const NumberErrors& errors)
 {
     Calibration result;
     result.data = data;
@@ -379,38 +272,18 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
     result.refusal = refusal_of(data, inputs);
     if (!result.refusal.empty()) return result;
 
-    const Model model = remembering(runs);
     Fit fit(data, inputs, model);
-    VectorXd u(static_cast<Index>(inputs.size()));
-    for (Index k = 0; k < u.size(); ++k) {
-        const FreeInput& input = inputs[static_cast<std::size_t>(k)];
-        // At the very end of a range sin is flat: the fit would not leave it.
-        const double place = std::clamp((input.given - input.low) / (input.high - input.low), 0.02, 0.98);
-        u[k] = std::asin(2 * place - 1) + 2 * pi; // a turn on, as the search takes its first step as a share of the distance from 0
-    }
     std::vector<double> given;
     for (const FreeInput& input : inputs) given.push_back(input.given);
-    result.before = model({given}).front();
+    result.before = fit.simulated({given}).front();
     result.residual_rms_before = residual_rms(data, result.before, fit.weighed(result.before));
-
-    Eigen::LevenbergMarquardt<Fit> search(fit);
-    search.parameters.factor = 0.1;
-    search.parameters.ftol = 1e-4;
-    search.parameters.xtol = 1e-4;
-    search.parameters.maxfev = 20;
-    search.minimize(u);
-
-    VectorXd places = Fit::places(u);
-    const VectorXd found = places;
-    settle(fit, model, places);
-    const auto squares = [&](const VectorXd& at) { return fit.weighed(model({fit.point(at)}).front()).squaredNorm(); };
-    if (squares(places) > 2 * squares(found)) places = found; // noise makes dents, not such a difference: the steps went astray
+    const VectorXd places = search(fit, inputs);
     const std::vector<double> values = fit.point(places);
     for (std::size_t k = 0; k < values.size(); ++k) result.inputs[k].value = values[k];
-    result.fitted = model({values}).front();
+    result.fitted = fit.simulated({values}).front();
     const VectorXd residuals = fit.weighed(result.fitted);
     result.residual_rms = residual_rms(data, result.fitted, residuals);
-    judge(result, look_about(fit, model, places), residuals, numerical);
+    judge(result, fit, look_about(fit, places), residuals, errors ? errors(result.fitted) : std::vector<NumberError>());
     add_notes(result, residuals);
     return result;
 }

@@ -19,7 +19,8 @@ class Backend;
 struct FittedInput : FreeInput {
     double value = 0;
     double half = 0;      ///< half width of the 90 % interval
-    double numerical = 0; ///< the part of it that the numerical errors of the runs make; both parts add up as squares
+    double uneven = 0;    ///< the part of it by how unevenly the runs follow the input; the parts add up as squares
+    double numerical = 0; ///< the part of it that the numerical errors of the runs make
 };
 
 struct Calibration {
@@ -39,18 +40,21 @@ struct Calibration {
 /// What the experiment gives of each measured number with the inputs at each of some points, in their order.
 using Model = std::function<std::vector<std::vector<double>>(const std::vector<std::vector<double>>& points)>;
 
-/// Half width of the 90 % interval of each simulated number's numerical error, in its unit; none: not known. Of a curve they are those of
-/// the curve as a whole, which move all its numbers alike.
-using NumericalErrors = std::function<std::vector<std::optional<double>>(const std::vector<double>& simulated)>;
+/// Of a simulated number, in its unit.
+struct NumberError {
+    std::optional<double> half; ///< of the 90 % interval of its numerical error; none: not known. All numbers of a curve err alike
+    double step = 0;            ///< by which it jumps, as water that stands at one crossing or the next; 0: it does not
+};
+using NumberErrors = std::function<std::vector<NumberError>(const std::vector<double>& simulated)>;
 
 /// Fits by least squares (Levenberg-Marquardt, from the given values, within the ranges). Residuals are weighed by the spreads, if given.
 /// The intervals follow from the Jacobian: by the spreads where given, widened where the residuals are larger; else by Student's law from
 /// the residuals, whose size may change along a curve (MacKinnon and White 1985, HC3) and of which neighbours that deviate alike count as
-/// fewer. Residuals show what differs from number to number, which is also how coarsely a run resolves each; what moves all numbers of a
-/// curve alike the fit takes up, so that numerical errors come on top, carried through the fit. Refuses where the numbers that tell an
-/// input jump as it moves. Throws what the model throws.
-Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model,
-                      const NumericalErrors& numerical = {});
+/// fewer. What moves all numbers of a curve alike does not show in the residuals, as the fit takes it up. On top, as squares, therefore
+/// come how unevenly the numbers follow each input, by the scatter of five runs about a line (Student's law), and their numerical errors,
+/// both carried through the fit. At last the interval is widened to the points tried that fit as well as its ends would on a straight line.
+/// Refuses where the numbers that tell an input jump as it moves. Throws what the model throws.
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model, const NumberErrors& errors = {});
 
 /// Before any run: too few numbers, or all the same. Empty: it may be tried.
 std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& inputs);
@@ -70,7 +74,7 @@ struct CalibrationRuns {
 
     std::vector<std::vector<double>> operator()(const std::vector<std::vector<double>>& points) const;
     /// By what the plan of such a run expects: of a metric its own, of a curve that of the metric which is read from it.
-    std::vector<std::optional<double>> numerical_errors(const std::vector<double>& simulated) const;
+    std::vector<NumberError> errors_of(const std::vector<double>& simulated) const;
 };
 
 /// calibrate() by real runs, with what was fitted to what.

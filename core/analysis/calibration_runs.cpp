@@ -45,7 +45,7 @@ std::vector<std::vector<double>> CalibrationRuns::operator()(const std::vector<s
     return numbers;
 }
 
-std::vector<std::optional<double>> CalibrationRuns::numerical_errors(const std::vector<double>& simulated) const
+std::vector<NumberError> CalibrationRuns::errors_of(const std::vector<double>& simulated) const
 {
     RunRecord run;
     run.design = design;
@@ -53,15 +53,16 @@ std::vector<std::optional<double>> CalibrationRuns::numerical_errors(const std::
     run.experiment = experiment;
     run.plan = plan_run(design, *find_fabric(design, fabric), *find_experiment(design, experiment), how.fidelity, how.forced, how.knobs,
                         backends.front()->name());
-    std::vector<std::optional<double>> errors;
+    std::vector<NumberError> errors;
     for (std::size_t i = 0; i < simulated.size(); ++i) {
-        const std::string& metric = metric_of(data.numbers[i].key);
+        const std::string& key = data.numbers[i].key;
         if (!data.is_curve()) {
-            errors.push_back(numerical_error(run, metric, simulated[i]));
+            errors.push_back({numerical_error(run, key, simulated[i]), step_of(run, key)});
             continue;
         }
-        const auto share = run.plan.expected_errors.find(metric); // how coarsely each is resolved the residuals show
-        errors.push_back(share == run.plan.expected_errors.end() ? std::nullopt : std::optional(share->second * std::abs(simulated[i])));
+        const auto share = run.plan.expected_errors.find(metric_of(key));
+        errors.emplace_back(); // its numbers jump at different values of an input
+        if (share != run.plan.expected_errors.end()) errors.back().half = share->second * std::abs(simulated[i]);
     }
     return errors;
 }
@@ -69,7 +70,7 @@ std::vector<std::optional<double>> CalibrationRuns::numerical_errors(const std::
 Calibration calibrate(const CalibrationRuns& runs)
 {
     Calibration result =
-        calibrate(runs.data, runs.inputs, std::cref(runs), [&runs](const std::vector<double>& at) { return runs.numerical_errors(at); });
+        calibrate(runs.data, runs.inputs, std::cref(runs), [&runs](const std::vector<double>& at) { return runs.errors_of(at); });
     result.fabric = runs.fabric;
     result.experiment = runs.experiment;
     result.fidelity = runs.how.fidelity;

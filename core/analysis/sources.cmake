@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   analysis/calibration.cpp
   analysis/calibration_files.cpp
+  analysis/calibration_fit.cpp
   analysis/calibration_runs.cpp
   analysis/cell_map.cpp
   analysis/closed_forms.cpp

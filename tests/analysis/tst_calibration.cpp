@@ -310,19 +310,21 @@ private Q_SLOTS:
     void realRunsHoldTheAngle()
     {
         Strips strips;
+        strips.design.experiments[0].sample_mm = {1, 60}; // a third of the work; its yarns are alike
         const int strips_asked = asked_for("HYGROLOOM_CALIBRATIONS_BY_RUNS", 6);
-        int held = 0, held_by_residuals = 0;
+        int held = 0, held_by_itself = 0;
         for (int i = 0; i < strips_asked; ++i) {
             const double angle = true_angle(i);
             strips.data = measured(heights(), strips.model()({{angle}}).front(), static_cast<std::uint64_t>(100 + i), false);
             const Calibration fit = calibrate(strips.runs());
             const FittedInput& input = fit.inputs[0];
-            const double off = std::abs(input.value - angle),
-                         by_residuals = std::sqrt(input.half * input.half - input.numerical * input.numerical);
+            const double off = std::abs(input.value - angle);
+            const double by_itself = std::sqrt(input.half * input.half - input.numerical * input.numerical);
             held += fit.identifiable() && off <= input.half ? 1 : 0;
-            held_by_residuals += fit.identifiable() && off <= by_residuals ? 1 : 0;
-            qInfo("strip %d: angle %.2f, fitted %.2f ± %.2f, by residuals alone ± %.2f; %d and %d of %d hold it%s", i, angle, input.value,
-                  input.half, by_residuals, held, held_by_residuals, i + 1, fit.identifiable() ? "" : (": " + fit.refusal).c_str());
+            held_by_itself += fit.identifiable() && off <= by_itself ? 1 : 0;
+            qInfo("strip %d: angle %.2f, fitted %.2f ± %.2f, without the numerical error %.2f, uneven by %.2f; %d and %d of %d hold it%s",
+                  i, angle, input.value, input.half, by_itself, input.uneven, held, held_by_itself, i + 1,
+                  fit.identifiable() ? "" : (": " + fit.refusal).c_str());
         }
         QVERIFY(100 * held >= 85 * strips_asked - 100); // one more may miss, as there are few
     }
