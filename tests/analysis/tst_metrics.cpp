@@ -173,6 +173,14 @@ private Q_SLOTS:
         QCOMPARE(strip.height([](int, int) { return 0.04; }), 0.0);
         QCOMPARE(strip.height([](int, int at) { return at < 3 ? 0.8 : 0.0; }), 0.0); // 2.5 + 0.9: below the surface
     }
+    void aStripInBundlesIsReadBetweenTheirMiddles()
+    {
+        HangingStrip strip(false);
+        strip.run.plan.crossings_per_cell = 5; // seven cells
+        // From the middle of cell 3, at 17.5, to that of cell 4: 0.05 is met after 0.55 of 0.6 - 0.01 of five crossings.
+        const double height = strip.height([](int, int at) { return at < 20 ? 0.6 : at < 25 ? 0.01 : 0.0; });
+        QVERIFY(std::abs(height - (17.5 + 5 * 0.55 / 0.59 - 3.5)) < 1e-5);
+    }
     void aStripsHeightNeitherJumpsNorFallsAsWaterRises()
     {
         const HangingStrip strip(false);
