@@ -66,38 +66,54 @@ bool jumps(const Surroundings::Line& line, std::size_t number, double step)
            std::abs(line.simulated.back()[number] - line.simulated.front()[number]) < step;
 }
 
+std::string jump_in_words(const Calibration& result, const Surroundings& about, std::size_t k, std::size_t number, double step)
+{
+    const MeasuredNumber& of = result.data.numbers[number];
+    const FittedInput& input = result.inputs[k];
+    const Surroundings::Line& line = about.lines[k];
+    double low = line.simulated.front()[number], high = low;
+    for (const std::vector<double>& each : line.simulated) {
+        low = std::min(low, each[number]);
+        high = std::max(high, each[number]);
+    }
+    const int values = values_of(line.simulated, number);
+    return fmt::format(
+        "{}{} jumps{}, so that it does not tell the {}: {} runs from {:.3g} to {:.3g}{} give {} of it, {:.4g}{} {}. Fit a curve "
+        "over time, or a number that changes smoothly.",
+        of.key, result.data.is_curve() ? fmt::format(" at {:g} s", of.time) : "",
+        step > 0 ? fmt::format(" by {:.2g} {} from crossing to crossing", step, of.unit) : "", input.title, line.simulated.size(), line.low,
+        line.high, input.unit, values == 1 ? "one value" : fmt::format("{} values", values), low,
+        values == 1 ? "" : fmt::format(" to {:.4g}", high), of.unit);
+}
+
 /// Where more than half of what tells an input comes from numbers that jump.
 std::string refused_jumps(const Calibration& result, const Surroundings& about, const std::vector<NumberError>& errors)
 {
     for (std::size_t k = 0; k < result.inputs.size(); ++k) {
         const VectorXd told = about.jacobian.col(static_cast<Index>(k)).cwiseAbs2();
-        const Surroundings::Line& line = about.lines[k];
         double by_jumps = 0, most = 0;
         std::size_t worst = 0;
         for (std::size_t i = 0; i < result.data.numbers.size(); ++i) {
             const double by_it = told[static_cast<Index>(i)];
-            if (!jumps(line, i, errors.empty() ? 0 : errors[i].step)) continue;
+            if (!jumps(about.lines[k], i, errors.empty() ? 0 : errors[i].step)) continue;
             by_jumps += by_it;
             if (by_it > most) worst = i;
             most = std::max(most, by_it);
         }
-        if (!(by_jumps > 0.5 * told.sum())) continue;
-        const MeasuredNumber& number = result.data.numbers[worst];
-        const FittedInput& input = result.inputs[k];
-        double low = line.simulated.front()[worst], high = low;
-        for (const std::vector<double>& each : line.simulated) {
-            low = std::min(low, each[worst]);
-            high = std::max(high, each[worst]);
-        }
-        const double step = errors.empty() ? 0 : errors[worst].step;
-        return fmt::format(
-            "{}{} jumps{}, so that it does not tell the {}: runs from {:.3g} to {:.3g}{} give {:.4g} to {:.4g} {}, {} values in "
-            "{} runs. Fit a curve over time, or a number that changes smoothly.",
-            number.key, result.data.is_curve() ? fmt::format(" at {:g} s", number.time) : "",
-            step > 0 ? fmt::format(" by {:.2g} {} from crossing to crossing", step, number.unit) : "", input.title, line.low, line.high,
-            input.unit, low, high, number.unit, values_of(line.simulated, worst), line.simulated.size());
+        if (by_jumps > 0.5 * told.sum()) return jump_in_words(result, about, k, worst, errors.empty() ? 0 : errors[worst].step);
     }
     return {};
+}
+
+/// Of an input that changed nothing about the fit: whether the numbers changed anywhere.
+std::string refused_silence(const Calibration& result, const Fit& fit, const Surroundings& about, std::size_t k,
+                            const std::vector<NumberError>& errors)
+{
+    for (const auto& [point, simulated] : fit.tried())
+        for (std::size_t i = 0; i < simulated.size(); ++i)
+            if (values_of({result.fitted, simulated}, i) > 1)
+                return jump_in_words(result, about, k, i, errors.empty() ? 0 : errors[i].step);
+    return fmt::format("The data do not depend on the {}; nothing can be told of it.", result.inputs[k].title);
 }
 
 /// How far from each fitted value a point was tried that the data allow as well as the ends of a linear interval: where the numbers do not
@@ -186,10 +202,7 @@ void judge(Calibration& result, const Fit& fit, const Surroundings& about, const
     const VectorXd scale = jacobian.colwise().norm();
     for (Index k = 0; k < n; ++k)
         if (!(scale[k] > 1e-9 * std::max(1.0, scale.maxCoeff()))) {
-            const FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
-            const Surroundings::Line& line = about.lines[static_cast<std::size_t>(k)];
-            result.refusal = fmt::format("The data do not depend on the {} from {:.3g} to {:.3g}{}; nothing can be told of it.",
-                                         input.title, line.low, line.high, input.unit);
+            result.refusal = refused_silence(result, fit, about, static_cast<std::size_t>(k), errors);
             return;
         }
     const MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();

@@ -196,7 +196,9 @@ private Q_SLOTS:
         QVERIFY2(fit.identifiable(), fit.refusal.c_str());
         QVERIFY(std::abs(fit.inputs[0].value - 1) < 1e-3 && std::abs(fit.inputs[1].value - 2) < 1e-3);
         QVERIFY(std::abs(fit.residual_rms - 1) < 1e-3);
-        QVERIFY(fit.inputs[1].half > 0.999 * 2.920 * std::sqrt(2.0 / 5));
+        const double slope_half = 2.920 * std::sqrt(2.0 / 5);
+        QVERIFY(fit.inputs[1].half > 0.999 * slope_half); // HC3: the outer errors count (1 - leverage)^-1 = 10 / 3 times
+        QVERIFY(fit.inputs[1].half < 1.001 * 2.920 * std::sqrt(2 * std::pow(1.5 / 5 / 0.3, 2) + 2 * std::pow(0.5 / 5 / 0.7, 2)));
         QVERIFY(std::abs(fit.correlation[0][1] + 1.5 / std::sqrt(3.5)) < 1e-3); // -mean t / root of mean t2
         MeasuredData known = data;
         for (MeasuredNumber& number : known.numbers) number.spread = 10;
@@ -231,6 +233,79 @@ private Q_SLOTS:
             return std::vector<std::vector<double>>(points.size(), std::vector<double>(data.numbers.size(), 1.0));
         });
         QVERIFY(has(deaf.refusal, "do not depend on the contact angle"));
+    }
+    void numbersThatJumpAreRefused()
+    {
+        MeasuredData one = line_data({3});
+        one.numbers[0].spread = 0.1;
+        const auto fit = [&](double width, const NumberErrors& errors = {}) { // a staircase, or a line where its steps are 0 wide
+            return calibrate(
+                one, {level},
+                [width](const std::vector<std::vector<double>>& points) {
+                    std::vector<std::vector<double>> found;
+                    for (const auto& p : points) found.push_back({width > 0 ? width * std::floor(p[0] / width) : p[0]});
+                    return found;
+                },
+                errors);
+        };
+        const std::string refusal = fit(3).refusal; // runs are 1 apart
+        QVERIFY2(has(refusal, "wick_height_mm at 0 s jumps, so that it does not tell the contact angle"), refusal.c_str());
+        QVERIFY2(has(refusal, "values in 5 runs"), refusal.c_str());
+        QVERIFY(fit(0).identifiable());
+        const auto jumps_by = [](double step) {
+            return [step](const std::vector<double>&) { return std::vector<NumberError>{{0.0, step}}; };
+        };
+        QVERIFY(fit(0, jumps_by(3.9)).identifiable()); // it changes by 4 in those runs
+        QVERIFY(has(fit(0, jumps_by(4.1)).refusal, "jumps by 4.1 mm from crossing to crossing"));
+    }
+    void aDropsRadiusIsRefused()
+    {
+        Strips drops;
+        Experiment& drop = drops.design.experiments[1];
+        drop.droplets[0].volume_ul = 1;
+        drop.sample_mm = {6, 6};
+        drop.duration_s = 0.5;
+        drops.data = {"radius.csv", "metrics", {}, {{"maximum_wetted_radius_top_mm", "mm", 0, 2.1, 0.05}}};
+        const Calibration fit =
+            calibrate({drops.design, "cloth", "drop", drops.data, drops.inputs, draft(), drops.backends, drops.control});
+        qInfo("%s", fit.refusal.c_str());
+        QVERIFY(has(fit.refusal, "maximum_wetted_radius_top_mm jumps by 0.29 mm") ||
+                has(fit.refusal, "do not depend on the contact angle"));
+    }
+    void whatAllNumbersDoAlikeIsInTheInterval()
+    {
+        // The numbers are the level but for a bump of theirs; residuals show nothing of it, nor of an error that all have.
+        const MeasuredData data = line_data({1.01, 0.99, 1.01, 0.99, 1.01, 0.99});
+        const auto fit = [&](double bump, double error) {
+            return calibrate(
+                data, {level},
+                [&](const std::vector<std::vector<double>>& points) {
+                    std::vector<std::vector<double>> found;
+                    for (const auto& p : points) found.emplace_back(6, p[0] + bump * std::sin(3 * p[0]));
+                    return found;
+                },
+                [error](const std::vector<double>& simulated) {
+                    return std::vector<NumberError>(simulated.size(), {error, 0});
+                });
+        };
+        const Calibration even = fit(0, 0), uneven = fit(0.2, 0), off = fit(0, 0.3);
+        QVERIFY(even.inputs[0].uneven < 1e-9 && even.inputs[0].numerical == 0);
+        QVERIFY(uneven.inputs[0].uneven > 0.1 && uneven.inputs[0].half >= uneven.inputs[0].uneven);
+        QVERIFY(std::abs(off.inputs[0].numerical - 0.3) < 1e-9); // of a curve it is one error, which the level takes up whole
+        QVERIFY(std::abs(off.inputs[0].half - std::hypot(even.inputs[0].half, 0.3)) < 1e-9);
+    }
+    void whatFitsAsWellElsewhereIsInTheInterval()
+    {
+        // Level 1 and level 3 give the same, as the numbers jump back at 2.5; from 1 the search tries both.
+        const MeasuredData data = line_data({1.01, 0.99, 1.01, 0.99, 1.01, 0.99});
+        const Calibration fit = calibrate(data, {level}, [](const std::vector<std::vector<double>>& points) {
+            std::vector<std::vector<double>> found;
+            for (const auto& p : points) found.emplace_back(6, p[0] > 2.5 ? p[0] - 2 : p[0]);
+            return found;
+        });
+        const double other = std::abs(fit.inputs[0].value - 1) < 0.5 ? 3 : 1;
+        QVERIFY2(std::abs(fit.inputs[0].value - other) <= fit.inputs[0].half + 0.05,
+                 qPrintable(QString("%1 ± %2").arg(fit.inputs[0].value).arg(fit.inputs[0].half)));
     }
     void measuredFilesSayWhatTheyAre()
     {
