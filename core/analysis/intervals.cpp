@@ -136,7 +136,7 @@ ShownInterval shown(const OutcomeInfo& info, const Interval& interval)
 
 const char* name_of(Verdict verdict)
 {
-    constexpr const char* names[] = {"better", "probably better", "no difference", "probably worse", "worse"};
+    constexpr const char* names[] = {"better", "probably better", "no difference shown", "probably worse", "worse"};
     return names[static_cast<int>(verdict)];
 }
 
