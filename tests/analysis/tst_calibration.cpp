@@ -358,7 +358,7 @@ private Q_SLOTS:
         QCOMPARE(receding_angle_of(fitted, fitted.fabrics[1].warp.material, {}), 25.0);
         QVERIFY(!has_error(validate(fitted)));
         QVERIFY(parse_project(format_project(fitted), "p") == fitted);
-        const Design again = with_inputs(fitted, "cloth", {free_input(fitted, fitted.fabrics[0], "receding_angle_deg")}, {29});
+        const Design again = with_inputs(fitted, "cloth", {angle}, {29});
         QCOMPARE(receding_angle_of(again, again.fabrics[0].warp.material, {}), 29.0);
         QCOMPARE(again.materials.size(), fitted.materials.size()); // its own fibre is changed, none is left behind
         Design shared = fitted;
