@@ -55,12 +55,9 @@ Calibration fit(const CalibrateOptions& options, CalibrationRuns runs)
         done += points;
     };
     runs.progress = [&](std::size_t point, const RunProgress& progress) { bar->show(point, progress); };
-    Calibration result = calibrate(runs.data, runs.inputs, std::cref(runs));
+    Calibration result = calibrate(runs);
     bar.reset();
     if (!options.quiet) print_note("{} runs.\n", done);
-    result.fabric = runs.fabric;
-    result.experiment = runs.experiment;
-    result.fidelity = runs.how.fidelity;
     return result;
 }
 

@@ -47,20 +47,13 @@ void write_numbers(const Comparison& comparison, const std::filesystem::path& fo
     write_file(folder / "comparison.csv", comparison_csv(comparison));
 }
 
-/// All on one colour scale, so that they can be compared.
-void share_range(std::vector<std::optional<CandidateMaps>>& maps)
-{
-    double most = 0;
-    for (const auto& m : maps)
-        if (m) most = std::max({most, m->top.map.maximum(), m->bottom.map.maximum()});
-    for (auto& m : maps)
-        if (m) m->top.image.most = m->bottom.image.most = most;
-}
-
 void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
                     const std::filesystem::path& folder)
 {
-    share_range(maps);
+    std::vector<MapPicture*> all;
+    for (auto& of : maps)
+        if (of) all.insert(all.end(), {&of->top, &of->bottom});
+    share_scale(all);
     const std::vector<std::string> stems = file_stems(fabrics);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         if (!maps[i]) continue;

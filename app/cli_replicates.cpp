@@ -32,10 +32,11 @@ CandidateRun candidate_of(const Job& job, FinishedRun finished)
 
 void add_replicates_option(CLI::App& verb, int& replicates, const std::string& whose)
 {
-    verb.add_option("--replicates", replicates,
-                    "Runs" + whose +
-                        ": the first as given, the others with inputs drawn within what is not known of them, and all on "
-                        "yarns as uneven as is typical")
+    verb.add_option(
+            "--replicates", replicates,
+            "Runs" + whose +
+                "; 1: the cloth as given. Of more all have yarns as uneven as is typical, and all but the first inputs drawn within "
+                "what is not known of them")
         ->check(CLI::Range(1, 1000));
 }
 

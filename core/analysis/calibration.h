@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ class Backend;
 
 struct FittedInput : FreeInput {
     double value = 0;
-    double half = 0; ///< half width of the 90 % interval
+    double half = 0;      ///< half width of the 90 % interval
+    double uneven = 0;    ///< the part of it by how unevenly the runs follow the input; the parts add up as squares
+    double numerical = 0; ///< the part of it that the numerical errors of the runs make
 };
 
 struct Calibration {
@@ -37,11 +40,21 @@ struct Calibration {
 /// What the experiment gives of each measured number with the inputs at each of some points, in their order.
 using Model = std::function<std::vector<std::vector<double>>(const std::vector<std::vector<double>>& points)>;
 
+/// Of a simulated number, in its unit.
+struct NumberError {
+    std::optional<double> half; ///< of the 90 % interval of its numerical error; none: not known. All numbers of a curve err alike
+    double step = 0;            ///< by which it jumps, as water that stands at one crossing or the next; 0: it does not
+};
+using NumberErrors = std::function<std::vector<NumberError>(const std::vector<double>& simulated)>;
+
 /// Fits by least squares (Levenberg-Marquardt, from the given values, within the ranges). Residuals are weighed by the spreads, if given.
 /// The intervals follow from the Jacobian: by the spreads where given, widened where the residuals are larger; else by Student's law from
 /// the residuals, whose size may change along a curve (MacKinnon and White 1985, HC3) and of which neighbours that deviate alike count as
-/// fewer. Throws what the model throws.
-Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model);
+/// fewer. What moves all numbers of a curve alike does not show in the residuals, as the fit takes it up. On top, as squares, therefore
+/// come how unevenly the numbers follow each input, by the scatter of five runs about a line (Student's law), and their numerical errors,
+/// both carried through the fit. At last the interval is widened to the points tried that fit as well as its ends would on a straight line.
+/// Refuses where the numbers that tell an input jump as it moves. Throws what the model throws.
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model, const NumberErrors& errors = {});
 
 /// Before any run: too few numbers, or all the same. Empty: it may be tried.
 std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& inputs);
@@ -60,7 +73,12 @@ struct CalibrationRuns {
     std::function<void(std::size_t point, const RunProgress&)> progress = {};
 
     std::vector<std::vector<double>> operator()(const std::vector<std::vector<double>>& points) const;
+    /// By what the plan of such a run expects: of a metric its own, of a curve that of the metric which is read from it.
+    std::vector<NumberError> errors_of(const std::vector<double>& simulated) const;
 };
+
+/// calibrate() by real runs, with what was fitted to what.
+Calibration calibrate(const CalibrationRuns& runs);
 
 /// The project with the fitted values in its fabric, its `uncertainty` as the intervals are, and where they come from. Precondition: the
 /// data tell the inputs.

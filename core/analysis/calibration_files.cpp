@@ -47,10 +47,11 @@ std::string residual_text(const Calibration& calibration)
 
 std::string basis_text(const Calibration& calibration)
 {
-    return fmt::format("Intervals of {:.0f} %, from {}.", 100 * of_intervals.held,
-                       calibration.data.numbers.front().spread
-                           ? "the spreads that the file gives"
-                           : "the residuals, by Student's law (on simulated strips such intervals held the truth 47 times of 57)");
+    const bool with_runs =
+        std::any_of(calibration.inputs.begin(), calibration.inputs.end(), [](const FittedInput& input) { return input.numerical > 0; });
+    return fmt::format("Intervals of {:.0f} %, from {}, how unevenly the runs follow the input{}.", 100 * of_intervals.held,
+                       calibration.data.numbers.front().spread ? "the spreads that the file gives" : "the residuals by Student's law",
+                       with_runs ? ", and their numerical error" : "");
 }
 
 /// A chart of the data's times; its curves are to be added.
@@ -143,6 +144,8 @@ std::string calibration_json(const Calibration& calibration)
         parameters[input.key] = {{"value", fitted ? Json(input.value) : Json(nullptr)},
                                  {"low", known ? Json(input.value - input.half) : Json(nullptr)},
                                  {"high", known ? Json(input.value + input.half) : Json(nullptr)},
+                                 {"uneven", known ? Json(input.uneven) : Json(nullptr)},
+                                 {"numerical", known ? Json(input.numerical) : Json(nullptr)},
                                  {"before", input.given},
                                  {"range", {input.low, input.high}}};
     }

@@ -162,8 +162,8 @@ std::string basis_text(const Comparison& comparison)
                              "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. The model's "
                              "own error is not in them.",
                              100 * of_intervals.held, comparison.replicates)
-               : "Intervals and verdicts rest on the numerical error alone; --replicates 8 adds what is not known of the cloths and their "
-                 "scatter.";
+               : "Intervals and verdicts rest on the numerical error alone; 8 replicates (Replicates over the window's table, or "
+                 "--replicates 8) add what is not known of the cloths and their scatter.";
 }
 
 std::string comparison_table(const Comparison& comparison)

@@ -31,6 +31,10 @@ Interval interval_of(const std::vector<double>& values, const std::vector<std::v
 /// Half width of a metric's numerical error in a run, in the metric's unit, from the measured runs of its kind; none: not known.
 std::optional<double> numerical_error(const RunRecord& run, const std::string& metric, double value);
 
+/// By which a number that says how far water has come jumps, as a segment is wet or not: a crossing, mm. 0 for others, also for the height
+/// in a strip, which is read between crossings.
+double step_of(const RunRecord& run, const std::string& metric);
+
 /// Of all numbers of one run by key: their numerical parts alone.
 std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const Metrics& metrics);
 

@@ -88,9 +88,12 @@ public:
         cairo_show_text(cairo_.get(), printable(words).c_str());
     }
 
+    /// Throws Error where something could not be drawn: Cairo keeps its first failure to the end.
     Image take()
     {
         cairo_surface_flush(surface_.get());
+        if (const cairo_status_t status = cairo_status(cairo_.get()); status != CAIRO_STATUS_SUCCESS)
+            throw Error(fmt::format("The picture was not drawn: {}.", cairo_status_to_string(status)));
         const int width = cairo_image_surface_get_width(surface_.get()), height = cairo_image_surface_get_height(surface_.get());
         Image image{width, height, {}};
         image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -34,15 +34,20 @@ void write_picture(const MapPicture& picture, const std::filesystem::path& path)
     write_png(draw_map(picture.map, picture.width, picture.height, picture.image), path);
 }
 
-std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps)
+void share_scale(const std::vector<MapPicture*>& pictures)
 {
     double most = 0;
-    for (const auto& [caption, map] : maps) most = std::max(most, map.map.maximum());
+    for (const MapPicture* picture : pictures) most = std::max(most, picture->map.maximum());
+    for (MapPicture* picture : pictures) picture->image.most = most;
+}
+
+std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps)
+{
+    std::vector<MapPicture*> all;
+    for (auto& [caption, map] : maps) all.push_back(&map);
+    share_scale(all);
     std::vector<ReportPicture> pictures;
-    for (auto& [caption, map] : maps) {
-        map.image.most = most;
-        pictures.push_back({caption, draw_map(map.map, map.width, map.height, map.image)});
-    }
+    for (const auto& [caption, map] : maps) pictures.push_back({caption, draw_map(map.map, map.width, map.height, map.image)});
     return pictures;
 }
 

@@ -19,6 +19,9 @@ MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& st
 /// As PNG. Throws FileError.
 void write_picture(const MapPicture& picture, const std::filesystem::path& path);
 
+/// Gives the pictures one colour scale, on which they can be compared.
+void share_scale(const std::vector<MapPicture*>& pictures);
+
 /// With their captions on one colour scale, for a report.
 std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps);
 

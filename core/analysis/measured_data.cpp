@@ -81,8 +81,8 @@ std::vector<double> curve_of(const std::string& key, const Metrics& metrics)
     return grams;
 }
 
-/// On the line of least squares through the frames within a tenth of the time, through the two beside it at least. A simulated front stands
-/// at one crossing or the next, a laboratory's lies between them: the frames about it tell where.
+/// On the line of least squares through the frames within a tenth of the time, through the two beside it at least. A simulated front waits
+/// and leaps from crossing to crossing: the frames about it tell where it would be.
 double at_time(const std::vector<double>& times, const std::vector<double>& values, double time)
 {
     constexpr double about = 0.1;

@@ -3,6 +3,7 @@
 
 #include "core/analysis/outcomes.h"
 #include "core/base/units.h"
+#include "core/plan/bundles.h"
 #include "core/scene/scene.h"
 
 #include <fmt/format.h>
@@ -43,21 +44,35 @@ std::array<double, 2> wetted_ellipse(const Textile& textile, const Frame& frame)
     return {semi_axis(sx, sxx), semi_axis(sy, syy)};
 }
 
+/// How far a yarn along a strip is wet from the strip's lower end on, in crossings. The front lies where the saturation falls to
+/// wet_saturation on a line from the middle of the last wet cell to the middle of the next, which is dry beyond the strip's end. So it
+/// goes on between crossings, never jumps as a cell gets wet, and never falls where a saturation rises. cells: along the yarn; of
+/// several crossings where yarns go in bundles.
+double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft, int yarn, const Bundles& cells)
+{
+    const auto saturation = [&](int cell) {
+        const int at = cells.middle_of(cell);
+        const int segment = along_weft ? textile.segment(YarnKind::weft, at, yarn) : textile.segment(YarnKind::warp, yarn, at);
+        return static_cast<double>(frame.saturation[static_cast<std::size_t>(segment)]);
+    };
+    int last = cells.count - 1;
+    while (last >= 0 && saturation(last) < wet_saturation) --last;
+    if (last < 0) return 0;
+    const double wet = saturation(last), beyond = last + 1 < cells.count ? saturation(last + 1) : 0.0;
+    return std::min(last + 0.5 + (wet - wet_saturation) / (wet - beyond), static_cast<double>(cells.count)) * cells.size();
+}
+
 /// Mean over the yarns along the strip of how far each is wet above the liquid, m.
-double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment)
+double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment, int crossings_per_cell)
 {
     const YarnKind kind = experiment.along_weft ? YarnKind::weft : YarnKind::warp;
-    const int yarns = textile.system(kind).count, crossings = textile.system(other_kind(kind)).count;
-    const double pitch = textile.system(other_kind(kind)).pitch, surface = metre_from_mm(experiment.immersion_mm);
+    const YarnSystem& across = textile.system(other_kind(kind));
+    const int yarns = textile.system(kind).count;
+    const Bundles cells = bundles_of(across.count, crossings_per_cell);
+    const double surface = metre_from_mm(experiment.immersion_mm);
     double sum = 0;
-    for (int yarn = 0; yarn < yarns; ++yarn) {
-        int wet = crossings;
-        while (wet > 0 &&
-               frame.saturation[static_cast<std::size_t>(experiment.along_weft ? textile.segment(kind, wet - 1, yarn)
-                                                                               : textile.segment(kind, yarn, wet - 1))] < wet_saturation)
-            --wet;
-        sum += std::max(0.0, wet * pitch - surface);
-    }
+    for (int yarn = 0; yarn < yarns; ++yarn)
+        sum += std::max(0.0, wet_crossings(textile, frame, experiment.along_weft, yarn, cells) * across.pitch - surface);
     return sum / yarns;
 }
 
@@ -131,6 +146,7 @@ void MetricsCollector::start(const RunRecord& run)
     textile_ = run.textile;
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
+    crossings_per_cell_ = run.plan.crossings_per_cell;
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
@@ -170,7 +186,7 @@ void MetricsCollector::add(const Frame& frame)
     s.regain_mean.push_back(regain / n);
     s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
     if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
-    if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_));
+    if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_, crossings_per_cell_));
     if (uses_field(experiment_.type, "feed_s")) {
         s.tester.push_back(pins_.read(frame, regain_at_start_));
         s.content_top.push_back(face_content(s.tester.back().top));

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
-  analysis/calibration.cpp
   analysis/calibration_files.cpp
+  analysis/calibration_fit.cpp
   analysis/calibration_runs.cpp
+  analysis/calibration_verdict.cpp
   analysis/cell_map.cpp
   analysis/closed_forms.cpp
   analysis/comparison.cpp

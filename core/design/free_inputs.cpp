@@ -66,13 +66,34 @@ std::string free_name(const Design& design, const std::string& wanted)
     return name;
 }
 
+/// Whether the project's fibre of that name is one that an earlier calibration made for the fabric, and nothing else is made of it.
+bool is_own(const Design& design, std::size_t at, const std::string& name)
+{
+    const std::string ending = " of " + design.fabrics[at].name;
+    const bool named_so = name.ends_with(ending) || name.find(ending + " (") != std::string::npos;
+    const auto named = [&name](const auto& each) { return each.name == name; };
+    const auto made_of_it = [&](const Fabric& fabric) {
+        const auto in = [&](const Yarn& yarn) { return std::any_of(yarn.material.begin(), yarn.material.end(), named); };
+        return in(fabric.warp) || in(fabric.weft) || std::any_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), in);
+    };
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i)
+        if (i != at && made_of_it(design.fabrics[i])) return false;
+    return named_so && std::any_of(design.materials.begin(), design.materials.end(), named);
+}
+
 void set_receding_angle(Design& design, std::size_t at, double angle)
 {
     const double in_use = angle_in_use(design, design.fabrics[at]);
+    for (Material& fibre : design.materials)
+        if (is_own(design, at, fibre.name)) {
+            fibre.contact_angle_deg = in_use;
+            fibre.receding_angle_deg = std::min(angle, in_use);
+        }
     std::vector<std::pair<std::string, std::string>> own; // fibre, the fabric's own
     Fabric& fabric = design.fabrics[at];
     for (Yarn* yarn : yarns_of(fabric))
         for (MaterialShare& part : yarn->material) {
+            if (is_own(design, at, part.name)) continue;
             const auto known = std::find_if(own.begin(), own.end(), [&](const auto& pair) { return pair.first == part.name; });
             if (known != own.end()) {
                 part.name = known->second;

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <functional>
 #include <numeric>
 
 using namespace hygroloom;
@@ -45,6 +46,39 @@ Textile cloth(int ends, int picks)
     const Design design = drop_design();
     return build_textile(design, design.fabrics[0], {0, 0, ends, picks});
 }
+
+/// A strip of three yarns and 35 crossings, 35 per cm, that hangs in the liquid by 1 mm, and what is read of it when its yarns are filled
+/// so.
+struct HangingStrip {
+    RunRecord run;
+    bool along_weft;
+
+    explicit HangingStrip(bool weft) : along_weft(weft)
+    {
+        run.design = drop_design();
+        Experiment& strip = run.design.experiments[0];
+        strip.type = ExperimentType::vertical_wicking;
+        strip.along_weft = weft;
+        strip.immersion_mm = 1;
+        run.experiment = strip.name;
+        run.textile = weft ? cloth(35, 3) : cloth(3, 35);
+    }
+    /// In crossings above the liquid.
+    double height(const std::function<double(int yarn, int crossing)>& saturation) const
+    {
+        const Textile& t = run.textile;
+        Frame f = dry_frame(t);
+        for (int yarn = 0; yarn < 3; ++yarn)
+            for (int at = 0; at < 35; ++at)
+                f.saturation[static_cast<std::size_t>(along_weft ? t.segment(YarnKind::weft, at, yarn)
+                                                                 : t.segment(YarnKind::warp, yarn, at))] =
+                    static_cast<float>(saturation(yarn, at));
+        MetricsCollector collector;
+        collector.start(run);
+        collector.add(f);
+        return collector.metrics().series.wick_height.back() / t.weft.pitch;
+    }
+};
 
 } // namespace
 
@@ -116,6 +150,52 @@ private Q_SLOTS:
         QCOMPARE(int(m.series.time.size()), 11);
         QVERIFY(std::abs(m.wetted_area_ellipse_warp - radius) < 2e-4); // a filled disc's semi-axis is its radius
         QVERIFY(m.series.radius_top[10] > m.series.radius_top[5]);
+    }
+    void aStripsHeightIsReadBetweenCrossings_data()
+    {
+        QTest::addColumn<bool>("weft");
+        QTest::newRow("along the warp") << false;
+        QTest::newRow("along the weft") << true;
+    }
+    void aStripsHeightIsReadBetweenCrossings()
+    {
+        QFETCH(bool, weft);
+        const HangingStrip strip(weft);
+        constexpr double in_liquid = 3.5; // crossings
+        // From the middle of crossing 19, at 0.8, to that of crossing 20: 0.05 is met after 0.75 of 0.8 of the way.
+        const auto filled = [](int, int at) { return at < 20 ? 0.8 : 0.0; };
+        QVERIFY(std::abs(strip.height(filled) - (19.5 + 0.75 / 0.8 - in_liquid)) < 1e-5);
+        const auto at_threshold = [](int, int at) { return at < 20 ? 0.8 : at == 20 ? 0.0500001 : 0.0; }; // a float may lie below 0.05
+        QVERIFY(std::abs(strip.height(at_threshold) - (20.5 - in_liquid)) < 1e-5);
+        const auto one_further = [](int yarn, int at) { return at < 20 || (yarn == 1 && at < 26) ? 0.8 : 0.0; };
+        QVERIFY(std::abs(strip.height(one_further) - (19.5 + 0.75 / 0.8 + 2 - in_liquid)) < 1e-5); // the mean of three yarns
+        QVERIFY(std::abs(strip.height([](int, int) { return 0.8; }) - (35 - in_liquid)) < 1e-5);
+        QCOMPARE(strip.height([](int, int) { return 0.04; }), 0.0);
+        QCOMPARE(strip.height([](int, int at) { return at < 3 ? 0.8 : 0.0; }), 0.0); // 2.5 + 0.9: below the surface
+    }
+    void aStripInBundlesIsReadBetweenTheirMiddles()
+    {
+        HangingStrip strip(false);
+        strip.run.plan.crossings_per_cell = 5; // seven cells
+        // From the middle of cell 3, at 17.5, to that of cell 4: 0.05 is met after 0.55 of 0.6 - 0.01 of five crossings.
+        const double height = strip.height([](int, int at) { return at < 20 ? 0.6 : at < 25 ? 0.01 : 0.0; });
+        QVERIFY(std::abs(height - (17.5 + 5 * 0.55 / 0.59 - 3.5)) < 1e-5);
+    }
+    void aStripsHeightNeitherJumpsNorFallsAsWaterRises()
+    {
+        const HangingStrip strip(false);
+        const auto wet_to = [&](double front) {
+            return strip.height([front](int, int at) { return std::clamp(0.8 * (front - at), 0.0, 0.8); });
+        };
+        // The line's steepest is where a segment has just got wet: 0.05 / 0.05^2 = 20 crossings per unit of saturation.
+        constexpr double step = 0.002, steepest = 20 * 0.8;
+        for (double front = 5; front < 36; front += step) {
+            const double further = wet_to(front + step) - wet_to(front);
+            QVERIFY2(further > -1e-9 && further < steepest * step, qPrintable(QString("%1 at %2").arg(further).arg(front)));
+            // Ahead of a front this sharp by 1.5 - 0.05 / s - s / 0.8 of its segment's saturation s, at most 1, at s = 0.2.
+            const double ahead = wet_to(front) - std::min(31.5, front - 3.5);
+            QVERIFY2(ahead > -1e-5 && ahead < 1 + 1e-5, qPrintable(QString("%1 at %2").arg(ahead).arg(front)));
+        }
     }
     void aStainRestsFromItsLastNewlyWetSegmentOn()
     {

@@ -84,7 +84,7 @@ void CompareView::markMissing(Grid& grid) const
                 return std::any_of(cell.missing.begin(), cell.missing.end(),
                                    [&](const StudyJob& job) { return runs_.stateOf(job) == state; });
             };
-            const QString failure = runs_.failureOf(cell.missing.front().fabric, cell.missing.front().experiment);
+            const QString failure = runs_.failureOf(cell.missing.front());
             if (cell.state != GridCell::State::missing) { continue; }
             cell.tip = tr("Enter or the button runs it.");
             if (any(StudyRuns::State::running)) {

@@ -55,7 +55,7 @@ void StudyRuns::start(const std::vector<Expected>& jobs)
     }
     for (const Expected& each : jobs) {
         if (stateOf(each.job) != State::none) { continue; }
-        failures_.erase({each.job.fabric, each.job.experiment});
+        failures_.erase(kindOf(each.job));
         queue_.push_back({each, each.design ? each.design : document_.design()});
         all_seconds_ += each.seconds;
         ++all_;
@@ -136,7 +136,7 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     } else if (result->finished) {
         keepNumbers(*own, *result);
     }
-    if (!result->failure.isEmpty() && job.mixture == 0) { failures_[{job.fabric, job.experiment}] = result->failure; }
+    if (!result->failure.isEmpty() && job.mixture == 0) { failures_[kindOf(job)] = result->failure; }
     startNext();
     Q_EMIT changed();
     if (!running()) { Q_EMIT ended(); }
@@ -219,9 +219,9 @@ std::optional<double> StudyRuns::timeLeft() const { return time_left(share(), 1e
 
 QString StudyRuns::progressText() const { return tr("%1 of %2 runs done").arg(done_).arg(all_); }
 
-QString StudyRuns::failureOf(const std::string& fabric, const std::string& experiment) const
+QString StudyRuns::failureOf(const StudyJob& job) const
 {
-    const auto found = failures_.find({fabric, experiment});
+    const auto found = failures_.find(kindOf(job));
     return found == failures_.end() ? QString() : found->second;
 }
 

@@ -10,6 +10,7 @@
 
 #include <deque>
 #include <thread>
+#include <tuple>
 
 namespace hygroloom {
 
@@ -44,7 +45,7 @@ public:
     /// "3 of 8 runs"
     QString progressText() const;
     /// Why the last run of this kind failed, in a sentence; empty: it did not.
-    QString failureOf(const std::string& fabric, const std::string& experiment) const;
+    QString failureOf(const StudyJob& job) const;
 
 Q_SIGNALS:
     /// A run began or ended, or numbers came.
@@ -87,7 +88,9 @@ private:
     RunControl control_;
     std::mutex one_on_cpu_;
     std::deque<Waiting> queue_;
-    std::map<std::pair<std::string, std::string>, QString> failures_; ///< by fabric and experiment
+    using Kind = std::tuple<std::string, std::string, Fidelity>; ///< fabric, experiment
+    static Kind kindOf(const StudyJob& job) { return {job.fabric, job.experiment, job.fidelity}; }
+    std::map<Kind, QString> failures_;
     QElapsedTimer clock_;
     double all_seconds_ = 0, done_seconds_ = 0; ///< expected
     int all_ = 0, done_ = 0;

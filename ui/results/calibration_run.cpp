@@ -58,11 +58,7 @@ std::shared_ptr<const Calibration> CalibrationRun::fitted(const Task& task)
         const double share = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
         post([this, done, share] { Q_EMIT progressed(done, share); });
     };
-    auto result = std::make_shared<Calibration>(calibrate(task.data, task.inputs, std::cref(runs)));
-    result->fabric = task.fabric;
-    result->experiment = task.experiment;
-    result->fidelity = task.how.fidelity;
-    return result;
+    return std::make_shared<Calibration>(calibrate(runs));
 }
 
 } // namespace hygroloom

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/analysis/calibration.h"
-
+// What a calibration's fit says of its inputs, and what it does not.
+#include "core/analysis/calibration_fit.h"
 #include "core/analysis/intervals.h"
-#include "core/base/units.h"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace hygroloom {
 namespace {
@@ -19,85 +15,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Difference step as a share of the range. Simulated numbers change in small steps: a front reaches one crossing more or not, a drop's
-/// particles settle another way. Differences over a step of the size of that noise would be noise; over 10 % either way it is small.
-constexpr double step_share = 0.1;
-constexpr double edge_share = 0.01; ///< of the range: that close to an end is at the end
 constexpr double told_apart = 0.99; ///< largest correlation of two inputs
 /// Of the scaled normal matrix; two inputs correlated by 0.99 have 199. Larger: three that only together cannot be told apart.
 constexpr double largest_condition = 1e4;
 
-/// Places in the ranges, 0 to 1; the fit's own variable u has place = (1 + sin u) / 2, which never leaves the range.
-class Fit {
-public:
-    using Scalar = double;
-    using InputType = VectorXd;
-    using ValueType = VectorXd;
-    using JacobianType = MatrixXd;
-    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-    Fit(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model) : data_(data), inputs_(inputs), model_(model) {}
-
-    int inputs() const { return static_cast<int>(inputs_.size()); }
-    int values() const { return static_cast<int>(data_.numbers.size()); }
-
-    static VectorXd places(const VectorXd& u) { return 0.5 * (1 + u.array().sin()); }
-
-    int operator()(const VectorXd& u, VectorXd& residuals) const
-    {
-        residuals = weighed(model_({point(places(u))}).front());
-        return 0;
+/// How many values a number takes as an input moves: as many as there are runs unless it stands still and jumps.
+int values_of(const std::vector<std::vector<double>>& simulated, std::size_t number)
+{
+    constexpr double same = 1e-9;
+    int values = 1;
+    for (std::size_t i = 1; i < simulated.size(); ++i) {
+        const double before = simulated[i - 1][number], now = simulated[i][number];
+        values += std::abs(now - before) > same * std::max(std::abs(now), std::abs(before)) ? 1 : 0;
     }
-    int df(const VectorXd& u, MatrixXd& jacobian) const
-    {
-        jacobian = by_place(places(u)) * (0.5 * u.array().cos()).matrix().asDiagonal();
-        return 0;
-    }
-
-    /// Measured less simulated, in spreads if given.
-    VectorXd weighed(const std::vector<double>& simulated) const
-    {
-        VectorXd residuals(values());
-        for (Index i = 0; i < residuals.size(); ++i) {
-            const MeasuredNumber& number = data_.numbers[static_cast<std::size_t>(i)];
-            residuals[i] = (number.value - simulated[static_cast<std::size_t>(i)]) / number.spread.value_or(1);
-        }
-        return residuals;
-    }
-    /// Derivatives of the residuals by the places, from central differences whose runs go side by side.
-    MatrixXd by_place(const VectorXd& places) const
-    {
-        std::vector<std::vector<double>> points;
-        VectorXd widths(places.size());
-        for (Index k = 0; k < places.size(); ++k) {
-            VectorXd low = places, high = places;
-            low[k] = std::max(0.0, places[k] - step_share);
-            high[k] = std::min(1.0, places[k] + step_share);
-            widths[k] = high[k] - low[k];
-            points.push_back(point(low));
-            points.push_back(point(high));
-        }
-        const std::vector<std::vector<double>> simulated = model_(points);
-        MatrixXd jacobian(values(), places.size());
-        for (Index k = 0; k < places.size(); ++k) {
-            const auto at = static_cast<std::size_t>(2 * k);
-            jacobian.col(k) = (weighed(simulated[at + 1]) - weighed(simulated[at])) / widths[k];
-        }
-        return jacobian;
-    }
-    std::vector<double> point(const VectorXd& places) const
-    {
-        std::vector<double> values;
-        for (std::size_t k = 0; k < inputs_.size(); ++k)
-            values.push_back(inputs_[k].low + places[static_cast<Index>(k)] * (inputs_[k].high - inputs_[k].low));
-        return values;
-    }
-
-private:
-    const MeasuredData& data_;
-    const std::vector<FreeInput>& inputs_;
-    const Model& model_;
-};
+    return values;
+}
 
 bool has_spreads(const MeasuredData& data) { return data.numbers.front().spread.has_value(); }
 
@@ -124,6 +56,112 @@ VectorXd half_widths(const MeasuredData& data, const MatrixXd& jacobian, const V
     VectorXd left = residuals.array() / (1 - leverage.array()).max(1e-3);
     const VectorXd uneven = (left.asDiagonal() * reach).colwise().norm();
     return student_factor(of_intervals, free) * alike * (std::sqrt(variance) * plain).cwiseMax(uneven);
+}
+
+/// Whether a number stands still and jumps as an input moves, or changes by less than one of its jumps: its slope says where a jump lies.
+bool jumps(const Surroundings::Line& line, std::size_t number, double step)
+{
+    constexpr int fewest_values = 4; // of five
+    return values_of(line.simulated, number) < fewest_values ||
+           std::abs(line.simulated.back()[number] - line.simulated.front()[number]) < step;
+}
+
+std::string jump_in_words(const Calibration& result, const Surroundings& about, std::size_t k, std::size_t number, double step)
+{
+    const MeasuredNumber& of = result.data.numbers[number];
+    const FittedInput& input = result.inputs[k];
+    const Surroundings::Line& line = about.lines[k];
+    double low = line.simulated.front()[number], high = low;
+    for (const std::vector<double>& each : line.simulated) {
+        low = std::min(low, each[number]);
+        high = std::max(high, each[number]);
+    }
+    const int values = values_of(line.simulated, number);
+    return fmt::format(
+        "{}{} jumps{}, so that it does not tell the {}: {} runs from {:.3g} to {:.3g}{} give {} of it, {:.4g}{} {}. Fit a curve "
+        "over time, or a number that changes smoothly.",
+        of.key, result.data.is_curve() ? fmt::format(" at {:g} s", of.time) : "",
+        step > 0 ? fmt::format(" by {:.2g} {} from crossing to crossing", step, of.unit) : "", input.title, line.simulated.size(), line.low,
+        line.high, input.unit, values == 1 ? "one value" : fmt::format("{} values", values), low,
+        values == 1 ? "" : fmt::format(" to {:.4g}", high), of.unit);
+}
+
+/// Where more than half of what tells an input comes from numbers that jump.
+std::string refused_jumps(const Calibration& result, const Surroundings& about, const std::vector<NumberError>& errors)
+{
+    for (std::size_t k = 0; k < result.inputs.size(); ++k) {
+        const VectorXd told = about.jacobian.col(static_cast<Index>(k)).cwiseAbs2();
+        double by_jumps = 0, most = 0;
+        std::size_t worst = 0;
+        for (std::size_t i = 0; i < result.data.numbers.size(); ++i) {
+            const double by_it = told[static_cast<Index>(i)];
+            if (!jumps(about.lines[k], i, errors.empty() ? 0 : errors[i].step)) continue;
+            by_jumps += by_it;
+            if (by_it > most) worst = i;
+            most = std::max(most, by_it);
+        }
+        if (by_jumps > 0.5 * told.sum()) return jump_in_words(result, about, k, worst, errors.empty() ? 0 : errors[worst].step);
+    }
+    return {};
+}
+
+/// Of an input that changed nothing about the fit: whether the numbers changed anywhere.
+std::string refused_silence(const Calibration& result, const Fit& fit, const Surroundings& about, std::size_t k,
+                            const std::vector<NumberError>& errors)
+{
+    for (const auto& [point, simulated] : fit.tried())
+        for (std::size_t i = 0; i < simulated.size(); ++i)
+            if (values_of({result.fitted, simulated}, i) > 1)
+                return jump_in_words(result, about, k, i, errors.empty() ? 0 : errors[i].step);
+    return fmt::format("The data do not depend on the {}; nothing can be told of it.", result.inputs[k].title);
+}
+
+/// How far from each fitted value a point was tried that the data allow as well as the ends of a linear interval: where the numbers do not
+/// follow an input evenly, other values may fit as well. In the inputs' units.
+std::vector<double> reaches(const Calibration& result, const Fit& fit, const VectorXd& residuals)
+{
+    const auto free = static_cast<int>(residuals.size()) - fit.inputs();
+    double least = residuals.squaredNorm();
+    for (const auto& [point, simulated] : fit.tried()) least = std::min(least, fit.weighed(simulated).squaredNorm());
+    const double variance = free > 0 ? least / free : 0;
+    const double own = has_spreads(result.data) ? std::max(1.0, variance) : variance;
+    const double factor = has_spreads(result.data) ? of_intervals.normal : student_factor(of_intervals, free);
+    const double allowed = least + own * std::pow(factor * alike_neighbours(result.data, residuals), 2);
+    std::vector<double> far(result.inputs.size(), 0.0);
+    for (const auto& [point, simulated] : fit.tried()) {
+        if (fit.weighed(simulated).squaredNorm() > allowed) continue;
+        for (std::size_t k = 0; k < far.size(); ++k) far[k] = std::max(far[k], std::abs(point[k] - result.inputs[k].value));
+    }
+    return far;
+}
+
+/// Half widths of the places' intervals by how unevenly the numbers follow the input: what five runs would be fitted as, by the same linear
+/// fit, scatters about where they were made. It contains what all numbers do alike, which no residual shows.
+VectorXd uneven_halves(const Surroundings& about, const MatrixXd& moved)
+{
+    constexpr int free = Surroundings::runs - 2; // a line's level and slope
+    VectorXd halves(moved.rows());
+    for (Index k = 0; k < moved.rows(); ++k) {
+        const Eigen::RowVectorXd fitted = moved.row(k) * about.lines[static_cast<std::size_t>(k)].residuals;
+        double squares = 0;
+        for (int i = 0; i < Surroundings::runs; ++i) squares += std::pow(fitted[i] - fitted.mean() - Surroundings::offset(i), 2);
+        halves[k] = student_factor(of_intervals, free) * std::sqrt(squares / free);
+    }
+    return halves;
+}
+
+/// Half widths of the places' intervals by the numerical errors of the numbers, carried through the fit. Those of a curve are one error.
+VectorXd numerical_halves(Calibration& result, const std::vector<NumberError>& errors, const MatrixXd& moved)
+{
+    VectorXd weighed = VectorXd::Zero(moved.cols());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const MeasuredNumber& number = result.data.numbers[i];
+        weighed[static_cast<Index>(i)] = errors[i].half.value_or(0) / number.spread.value_or(1);
+        if (!errors[i].half && (i == 0 || !result.data.is_curve()))
+            result.notes.push_back(fmt::format("The numerical error of {} is not known; the intervals lack it.", number.key));
+    }
+    const MatrixXd each = moved * weighed.asDiagonal(); // of each input by each number's error
+    return result.data.is_curve() ? VectorXd(each.rowwise().sum().cwiseAbs()) : VectorXd(each.rowwise().norm());
 }
 
 std::string refused_correlation(const Calibration& result)
@@ -156,14 +194,15 @@ std::string refused_values(const Calibration& result)
 }
 
 /// Intervals and correlations, and what they do not allow to say.
-void judge(Calibration& result, const MatrixXd& jacobian, const VectorXd& residuals)
+void judge(Calibration& result, const Fit& fit, const Surroundings& about, const VectorXd& residuals,
+           const std::vector<NumberError>& errors)
 {
+    const MatrixXd& jacobian = about.jacobian;
     const Index n = jacobian.cols();
     const VectorXd scale = jacobian.colwise().norm();
     for (Index k = 0; k < n; ++k)
         if (!(scale[k] > 1e-9 * std::max(1.0, scale.maxCoeff()))) {
-            result.refusal = fmt::format("The data do not depend on the {}; nothing can be told of it.",
-                                         result.inputs[static_cast<std::size_t>(k)].title);
+            result.refusal = refused_silence(result, fit, about, static_cast<std::size_t>(k), errors);
             return;
         }
     const MatrixXd scaled = jacobian * scale.cwiseInverse().asDiagonal();
@@ -176,36 +215,22 @@ void judge(Calibration& result, const MatrixXd& jacobian, const VectorXd& residu
         for (Index k = 0; k < n; ++k) result.correlation.back().push_back(scaled_inverse(i, k) / (deviation[i] * deviation[k]));
     }
     const MatrixXd inverse = scale.cwiseInverse().asDiagonal() * scaled_inverse * scale.cwiseInverse().asDiagonal();
-    const VectorXd halves = half_widths(result.data, jacobian, residuals, inverse);
+    const MatrixXd moved = inverse * jacobian.transpose(); // of each input by each number
+    const VectorXd by_residuals = half_widths(result.data, jacobian, residuals, inverse), by_unevenness = uneven_halves(about, moved),
+                   by_runs = numerical_halves(result, errors, moved);
+    const std::vector<double> as_good = reaches(result, fit, residuals);
     for (Index k = 0; k < n; ++k) {
         FittedInput& input = result.inputs[static_cast<std::size_t>(k)];
-        input.half = halves[k] * (input.high - input.low);
+        const double range = input.high - input.low;
+        input.uneven = by_unevenness[k] * range;
+        input.numerical = by_runs[k] * range;
+        input.half = std::hypot(std::max(by_residuals[k] * range, as_good[static_cast<std::size_t>(k)]), input.uneven, input.numerical);
     }
-    result.refusal = refused_correlation(result);
+    result.refusal = refused_jumps(result, about, errors);
+    if (result.refusal.empty()) result.refusal = refused_correlation(result);
     if (result.refusal.empty() && eigen[n - 1] / eigen[0] > largest_condition)
         result.refusal = "The data cannot tell the inputs apart: together they can change without changing what was measured. Fit fewer.";
     if (result.refusal.empty()) result.refusal = refused_values(result);
-}
-
-/// Goes on by plain Gauss-Newton steps from where the search stopped: it stops at the first dent that noise makes in the sum of squares,
-/// which the wide differences do not see. Gives the Jacobian at the place that it moves to.
-MatrixXd settle(const Fit& fit, const Model& model, VectorXd& places)
-{
-    constexpr int most = 3;
-    MatrixXd jacobian = fit.by_place(places);
-    for (int i = 0; i < most; ++i) {
-        const VectorXd residuals = fit.weighed(model({fit.point(places)}).front());
-        const VectorXd wanted = places - jacobian.colPivHouseholderQr().solve(residuals);
-        const VectorXd next = wanted.cwiseMax(places - VectorXd::Constant(places.size(), step_share))
-                                  .cwiseMin(places + VectorXd::Constant(places.size(), step_share))
-                                  .cwiseMax(0)
-                                  .cwiseMin(1);
-        const double moved = (next - places).cwiseAbs().maxCoeff();
-        places = next;
-        if (moved < edge_share) break;
-        jacobian = fit.by_place(places);
-    }
-    return jacobian;
 }
 
 double rms(const VectorXd& residuals) { return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())); }
@@ -252,7 +277,7 @@ std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& i
     return {};
 }
 
-Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model)
+Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& inputs, const Model& model, const NumberErrors& errors)
 {
     Calibration result;
     result.data = data;
@@ -261,58 +286,19 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
     if (!result.refusal.empty()) return result;
 
     Fit fit(data, inputs, model);
-    VectorXd u(static_cast<Index>(inputs.size()));
-    for (Index k = 0; k < u.size(); ++k) {
-        const FreeInput& input = inputs[static_cast<std::size_t>(k)];
-        // At the very end of a range sin is flat: the fit would not leave it.
-        const double place = std::clamp((input.given - input.low) / (input.high - input.low), 0.02, 0.98);
-        u[k] = std::asin(2 * place - 1) + 2 * pi; // a turn on, as the search takes its first step as a share of the distance from 0
-    }
     std::vector<double> given;
     for (const FreeInput& input : inputs) given.push_back(input.given);
-    result.before = model({given}).front();
+    result.before = fit.simulated({given}).front();
     result.residual_rms_before = residual_rms(data, result.before, fit.weighed(result.before));
-
-    Eigen::LevenbergMarquardt<Fit> search(fit);
-    search.parameters.factor = 0.1;
-    search.parameters.ftol = 1e-4;
-    search.parameters.xtol = 1e-4;
-    search.parameters.maxfev = 20;
-    search.minimize(u);
-
-    VectorXd places = Fit::places(u);
-    const VectorXd found = places;
-    MatrixXd jacobian = settle(fit, model, places);
-    const auto squares = [&](const VectorXd& at) { return fit.weighed(model({fit.point(at)}).front()).squaredNorm(); };
-    if (squares(places) > 2 * squares(found)) { // noise makes dents, not such a difference: the steps went astray
-        places = found;
-        jacobian = fit.by_place(places);
-    }
+    const VectorXd places = search(fit, inputs);
     const std::vector<double> values = fit.point(places);
     for (std::size_t k = 0; k < values.size(); ++k) result.inputs[k].value = values[k];
-    result.fitted = model({values}).front();
+    result.fitted = fit.simulated({values}).front();
     const VectorXd residuals = fit.weighed(result.fitted);
     result.residual_rms = residual_rms(data, result.fitted, residuals);
-    judge(result, jacobian, residuals);
+    judge(result, fit, look_about(fit, places), residuals, errors ? errors(result.fitted) : std::vector<NumberError>());
     add_notes(result, residuals);
     return result;
-}
-
-Design calibrated_design(const Design& design, const Calibration& calibration)
-{
-    std::vector<FreeInput> inputs(calibration.inputs.begin(), calibration.inputs.end());
-    std::vector<double> values;
-    for (const FittedInput& input : calibration.inputs) values.push_back(input.value);
-    Design other = with_inputs(design, calibration.fabric, inputs, values);
-    Fabric& fabric = other.fabrics[static_cast<std::size_t>(find_fabric(other, calibration.fabric) - other.fabrics.data())];
-    const std::string file = std::filesystem::path(calibration.data.file).filename().string(); // folders are this machine's
-    Calibrated from{file, calibration.experiment, name_of(calibration.fidelity), calibration.data.quantity, calibration.residual_rms, {}};
-    for (const FittedInput& input : calibration.inputs) {
-        if (input.half > 0) uncertainty_of(fabric, input.key) = input.half; // else nothing is known of it
-        before_of(from, input.key) = input.given;
-    }
-    fabric.calibrated = from;
-    return other;
 }
 
 } // namespace hygroloom
