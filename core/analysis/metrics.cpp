@@ -47,8 +47,8 @@ std::array<double, 2> wetted_ellipse(const Textile& textile, const Frame& frame)
 /// How far a yarn along a strip is wet from the strip's lower end on, in crossings. The front lies where the saturation falls to
 /// wet_saturation on a line from the middle of the last wet cell to the middle of the next, which is dry beyond the strip's end. So it
 /// goes on between crossings, never jumps as a cell gets wet, and never falls where a saturation rises. cells: along the yarn; of
-/// several crossings where yarns go in bundles.
-double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft, int yarn, const Bundles& cells)
+/// several crossings where yarns go in bundles. 0 where none is wet beyond so many crossings.
+double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft, int yarn, const Bundles& cells, double beyond_crossing)
 {
     const auto saturation = [&](int cell) {
         const int at = cells.middle_of(cell);
@@ -57,7 +57,7 @@ double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft
     };
     int last = cells.count - 1;
     while (last >= 0 && saturation(last) < wet_saturation) --last;
-    if (last < 0) return 0;
+    if (last < 0 || (last + 1) * cells.size() <= beyond_crossing + 1e-9) return 0;
     const double wet = saturation(last), beyond = last + 1 < cells.count ? saturation(last + 1) : 0.0;
     return std::min(last + 0.5 + (wet - wet_saturation) / (wet - beyond), static_cast<double>(cells.count)) * cells.size();
 }
@@ -72,7 +72,8 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
     const double surface = metre_from_mm(experiment.immersion_mm);
     double sum = 0;
     for (int yarn = 0; yarn < yarns; ++yarn)
-        sum += std::max(0.0, wet_crossings(textile, frame, experiment.along_weft, yarn, cells) * across.pitch - surface);
+        sum += std::max(0.0,
+                        wet_crossings(textile, frame, experiment.along_weft, yarn, cells, surface / across.pitch) * across.pitch - surface);
     return sum / yarns;
 }
 
