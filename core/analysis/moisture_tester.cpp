@@ -90,16 +90,20 @@ std::vector<double> times_of_wet_rings(const Samples& face)
     return times;
 }
 
-/// Mean over the wet rings of the speed from ring to ring, mm/s. Rings that one drop reached have the way that it gained over its interval.
+/// Mean over the wet rings of the speed from ring to ring, mm/s. Rings that one drop reached have the way that it gained over the time
+/// since an earlier drop reached a ring, or an interval before the first wetted the cloth.
 double spreading_speed(const std::vector<double>& rings, double wetting_time, double drop_interval)
 {
     const double least = std::max(tester_interval, drop_interval);
+    const auto by_same_drop = [&](std::size_t i, std::size_t k) {
+        const auto number = [&](double time) { return std::floor((time - 0.5 * tester_interval) / drop_interval); };
+        return drop_interval > 0 && number(rings[i]) == number(rings[k]);
+    };
     double speeds = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        std::size_t gained = 1;
-        while (drop_interval > 0 && gained <= i && rings[i - gained] > rings[i] - drop_interval + 0.5 * tester_interval) ++gained;
-        const double since = gained <= i ? rings[i - gained] : wetting_time;
-        speeds += mm_from_metre(ring_step) * static_cast<double>(gained) / std::max(rings[i] - since, least);
+    for (std::size_t i = 0, end = 0; i < rings.size(); i = end) {
+        for (end = i + 1; end < rings.size() && by_same_drop(i, end);) ++end;
+        const double since = i > 0 ? rings[i - 1] : wetting_time - drop_interval, gained = static_cast<double>(end - i);
+        speeds += gained * mm_from_metre(ring_step) * gained / std::max(rings[end - 1] - since, least);
     }
     return rings.empty() ? 0 : speeds / static_cast<double>(rings.size());
 }
@@ -112,7 +116,8 @@ FaceIndices face_indices(const Samples& face, const TesterFeed& feed)
         ++wetting;
     if (wetting + 1 >= face.time.size()) return indices;
     indices.wetting_time = face.time[wetting];
-    indices.absorption_rate = initial_slope(face.time, averaged(face.content, feed.drop_interval), wetting, feed.end);
+    // The last drop comes when the pump stops.
+    indices.absorption_rate = initial_slope(face.time, averaged(face.content, feed.drop_interval), wetting, feed.end + feed.drop_interval);
     const std::vector<double> rings = times_of_wet_rings(face);
     indices.maximum_wetted_radius = mm_from_metre(ring_step) * static_cast<double>(rings.size());
     indices.spreading_speed = spreading_speed(rings, *indices.wetting_time, feed.drop_interval);

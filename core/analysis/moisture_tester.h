@@ -58,7 +58,7 @@ struct TesterFeed {
 
 /// The test's indices. time in s, rising, one reading for each; between them readings change linearly. With fewer than two times all
 /// indices are 0. A feed in drops says nothing of what happens between two of them: absorption rates are taken from contents that are
-/// averaged over the last interval, and rings that one drop reaches count with the way gained in an interval.
+/// averaged over the last interval, to an interval after the pump stops, and rings that one drop reaches count with the way that it gained.
 ManagementIndices tester_indices(const std::vector<double>& time, const std::vector<TesterReading>& readings, const TesterFeed& feed);
 
 /// What the indices rest on that no public text of the method says, in sentences. drop: ul, 0 of a pool; frame_interval: s.

@@ -184,11 +184,38 @@ private Q_SLOTS:
         const ManagementIndices m = fed(80).indices(20, 2), twice = fed(160).indices(20, 2);
         QVERIFY(near(*m.top.wetting_time, 2, 1e-9));
         QCOMPARE(m.top.maximum_wetted_radius, 20.0);
-        // 10 mm in the first interval, of which the inner ring is half way; then 5 mm in each.
-        QVERIFY(near(m.top.spreading_speed, (5 / 2.0 + 10 / 2.0 + 5 / 2.0 + 5 / 2.0) / 4, 1e-6));
+        // The first drop gains 10 mm in its interval and a sample, two rings; then 5 mm in each interval.
+        QVERIFY(near(m.top.spreading_speed, (2 * 10 / 2.1 + 5 / 2.0 + 5 / 2.0) / 4, 1e-6));
         QVERIFY(near(m.top.absorption_rate, 80 / 2.0, 1e-6)); // a step becomes a rise of one interval
         QVERIFY(near(twice.top.absorption_rate, 160 / 2.0, 1e-6));
         QVERIFY(fed(80).indices(20, 0).top.absorption_rate > 700); // as an even feed: the sampler's
+    }
+    void aRingThatWetsALittleLaterHardlyChangesTheSpeed()
+    {
+        // Drops every 2.5 s, each of which reaches a ring, the first after a delay of its own.
+        const auto speed = [](double delay) {
+            return run_of(0.1, 60,
+                          [delay](double t) {
+                              TesterReading reading;
+                              for (int ring = 0; ring < 5; ++ring) {
+                                  const double from = ring == 0 ? 2.5 : 2.5 * ring + (ring == 1 ? delay : 0);
+                                  reading.top[static_cast<std::size_t>(ring)] = ramp(t, from, from + 0.1, 800);
+                              }
+                              return reading;
+                          })
+                .indices(20, 2.5)
+                .top.spreading_speed;
+        };
+        QVERIFY(near(speed(0), (5 / 2.6 + 3 * 5 / 2.5) / 4, 1e-6));
+        QVERIFY(near(speed(0.1), (5 / 2.7 + 3 * 5 / 2.5) / 4, 1e-6));
+        QVERIFY(near(speed(2.0), (5 / 4.6 + 3 * 5 / 2.5) / 4, 1e-6));
+    }
+    void aFeedOfOneDropHasARate()
+    {
+        const Run run = run_of(0.1, 60, [](double t) { return TesterReading{all(ramp(t, 20, 20.1, 600)), {}}; });
+        QVERIFY(near(run.indices(20, 20).top.absorption_rate, 60 / 20.0, 1e-6));
+        const Run two = run_of(0.1, 60, [](double t) { return TesterReading{all(ramp(t, 10, 10.1, 300) + ramp(t, 20, 20.1, 300)), {}}; });
+        QVERIFY(near(two.indices(20, 10).top.absorption_rate, 3, 1e-6));
     }
     void ringsThatWetOneAfterAnotherGiveTheSpeed()
     {
