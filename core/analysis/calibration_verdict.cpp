@@ -105,12 +105,23 @@ std::string refused_jumps(const Calibration& result, const Surroundings& about, 
     return {};
 }
 
-/// Of an input that changed nothing about the fit: whether the numbers changed anywhere.
+/// Whether a tried point differs from the fit in no input but one.
+bool moves_only(const Calibration& result, const std::vector<double>& point, std::size_t k)
+{
+    constexpr double rounding = 1e-9; // of the range
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        const FittedInput& input = result.inputs[i];
+        if (i != k && std::abs(point[i] - input.value) > rounding * (input.high - input.low)) return false;
+    }
+    return true;
+}
+
+/// Of an input that changed nothing about the fit: whether the numbers changed anywhere as it alone moved.
 std::string refused_silence(const Calibration& result, const Fit& fit, const Surroundings& about, std::size_t k,
                             const std::vector<NumberError>& errors)
 {
     for (const auto& [point, simulated] : fit.tried())
-        for (std::size_t i = 0; i < simulated.size(); ++i)
+        for (std::size_t i = 0; moves_only(result, point, k) && i < simulated.size(); ++i)
             if (values_of({result.fitted, simulated}, i) > 1)
                 return jump_in_words(result, about, k, i, errors.empty() ? 0 : errors[i].step);
     return fmt::format("The data do not depend on the {}; nothing can be told of it.", result.inputs[k].title);

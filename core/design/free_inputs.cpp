@@ -66,7 +66,7 @@ std::string free_name(const Design& design, const std::string& wanted)
     return name;
 }
 
-/// Whether the project's fibre of that name is one that an earlier calibration made for the fabric, and nothing else is made of it.
+/// Whether the project's fibre of that name is one that an earlier calibration made for the fabric: it is made of it, and nothing else is.
 bool is_own(const Design& design, std::size_t at, const std::string& name)
 {
     const std::string ending = " of " + design.fabrics[at].name;
@@ -77,8 +77,8 @@ bool is_own(const Design& design, std::size_t at, const std::string& name)
         return in(fabric.warp) || in(fabric.weft) || std::any_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), in);
     };
     for (std::size_t i = 0; i < design.fabrics.size(); ++i)
-        if (i != at && made_of_it(design.fabrics[i])) return false;
-    return named_so && std::any_of(design.materials.begin(), design.materials.end(), named);
+        if (made_of_it(design.fabrics[i]) != (i == at)) return false;
+    return named_so && design.fabrics[at].calibrated && std::any_of(design.materials.begin(), design.materials.end(), named);
 }
 
 void set_receding_angle(Design& design, std::size_t at, double angle)

@@ -210,6 +210,19 @@ private Q_SLOTS:
         QCOMPARE(part_differences(design, one, other, false).empty(), own->acts == PartActs::in_replicates);
     }
 
+    void theColourAloneOfAFurtherYarnIsNoDifference()
+    {
+        const Design design = design_from_json(ProjectJson::parse(cloth), "parts");
+        Fabric one = design.fabrics.front(), other = one;
+        one.extra_yarns = other.extra_yarns = {one.warp};
+        other.extra_yarns[0].color = Color{16, 32, 48};
+        QVERIFY(one != other);
+        QVERIFY(part_differences(design, one, other, true).empty());
+        other.extra_yarns[0].twist_per_m += 100;
+        const auto found = part_differences(design, one, other, true);
+        QVERIFY(found.size() == 1 && found[0].title == "stripes" && found[0].first != found[0].second);
+    }
+
     void fibresOfOtherAnglesAloneCountToTheContactAngle()
     {
         const std::map<std::string, const char*> values{{"density_kg_m3", "1500"},
