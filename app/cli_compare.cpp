@@ -191,7 +191,7 @@ int compare(CompareOptions options)
     announce_scenes(options.at_once, scenes);
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
     std::vector<Textile> all_textiles = textiles;
-    if (why && !options.time.empty())
+    if (why)
         for (Textile& textile : textiles_of_mixtures(design, *why)) all_textiles.push_back(std::move(textile));
     const FidelityChoice choice = chosen_fidelity(options, design, all_textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
@@ -199,7 +199,7 @@ int compare(CompareOptions options)
     Comparison comparison = comparison_of(options, experiment, fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
-    const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, textiles, how));
+    const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, all_textiles, how));
 
     RunControl control;
     const InterruptCancels cancels(control.cancel);

@@ -61,13 +61,21 @@ void join(WhyPlan& plan, std::size_t one, std::size_t other)
 void heal(const Design& design, WhyPlan& plan, Mixture mixture, const std::string& fault)
 {
     std::optional<std::size_t> in, out; // the first without, or with which it is sound; else the first
-    for (const bool must_heal : {true, false})
+    bool heals = false;
+    for (const bool must_heal : {true, false}) {
         for (std::size_t i = 0; i < plan.parts.size(); ++i) {
             auto& place = mixture & bit(i) ? in : out;
             if (!place && (!must_heal || fault_of(design, plan, mixture ^ bit(i)).empty())) place = i;
         }
-    plan.notes.push_back(fmt::format("{} and {} are exchanged together: {} with {} of {} alone is refused ({})", plan.parts[*in].title,
-                                     plan.parts[*out].title, plan.fabric, titles_of(plan, mixture), plan.against, fault));
+        if (must_heal) heals = in && out;
+    }
+    if (heals)
+        plan.notes.push_back(fmt::format("{} and {} are exchanged together: {} with {} of {} alone is refused ({})", plan.parts[*in].title,
+                                         plan.parts[*out].title, plan.fabric, titles_of(plan, mixture), plan.against, fault));
+    else
+        plan.notes.push_back(fmt::format("{} with {} of {} alone is refused ({}), and no other single part makes it sound: more parts are "
+                                         "exchanged together than may be needed",
+                                         plan.fabric, titles_of(plan, mixture), plan.against, fault));
     join(plan, *in, *out);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace hygroloom {
@@ -38,7 +39,18 @@ std::string words(const Weave& weave, const char*)
 
 std::string words(const std::vector<Yarn>& yarns, const char*)
 {
-    return yarns.empty() ? "none" : fmt::format("{} further yarn{}", yarns.size(), yarns.size() == 1 ? "" : "s");
+    std::string text;
+    for (const Yarn& yarn : yarns) {
+        text += (text.empty() ? "" : "; ") + words(yarn.material, "");
+        if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm");
+        if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex");
+        if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "");
+        if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments");
+        text += fmt::format(", {:.4g} turns/m", yarn.twist_per_m);
+        if (yarn.plies > 1) text += fmt::format(", {} plies of {:.4g} turns/m", yarn.plies, yarn.ply_twist_per_m);
+        if (yarn.irregularity_cv > 0) text += ", unevenness " + words(yarn.irregularity_cv, "");
+    }
+    return text.empty() ? "none" : text;
 }
 
 std::string words(const std::vector<YarnRun>& order, const char*)
@@ -53,6 +65,18 @@ std::string words(const std::optional<Calibrated>& calibrated, const char*) { re
 
 template <typename Value> bool alike(const Value& a, const Value& b) { return a == b; }
 bool alike(const Weave& a, const Weave& b) { return a.same_matrix(b); }
+
+/// But for how they look.
+bool alike(const std::vector<Yarn>& a, const std::vector<Yarn>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Yarn& one, Yarn other) {
+        other.fibres_per_yarn = one.fibres_per_yarn;
+        other.twist_direction = one.twist_direction;
+        other.ply_twist_direction = one.ply_twist_direction;
+        other.color = one.color;
+        return one == other;
+    });
+}
 
 /// get(fabric): the value of the key.
 template <typename Get> PartField field(std::string key, const char* name, const char* unit, Get get)
@@ -69,6 +93,11 @@ template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const s
         return field(
             which + "." + key, name, unit, [ yarn, member ](auto& fabric) -> auto& { return yarn(fabric).*member; });
     };
+    PartField plies = of("plies", "plies", "", &Yarn::plies);
+    plies.copy = [yarn](Fabric& to, const Fabric& from) {
+        yarn(to).plies = yarn(from).plies;
+        yarn(to).fibres_per_yarn = yarn(from).fibres_per_yarn; // no fewer drawn fibres than plies are allowed
+    };
     parts.push_back({which + " fibre", PartActs::always, {of("material", "", "", &Yarn::material)}});
     parts.push_back({which + " count",
                      PartActs::always,
@@ -78,7 +107,7 @@ template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const s
         {which + " construction",
          PartActs::always,
          {of("packing_factor", "packing", "", &Yarn::packing_factor), of("filament_count", "filaments", "", &Yarn::filament_count),
-          of("twist_per_m", "twist", " turns/m", &Yarn::twist_per_m), of("plies", "plies", "", &Yarn::plies),
+          of("twist_per_m", "twist", " turns/m", &Yarn::twist_per_m), std::move(plies),
           of("ply_twist_per_m", "ply twist", " turns/m", &Yarn::ply_twist_per_m),
           of("irregularity_cv", "unevenness", "", &Yarn::irregularity_cv)}});
     parts.push_back(

@@ -44,9 +44,9 @@ StudyRuns::~StudyRuns()
 
 void StudyRuns::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
 
-void StudyRuns::start(const std::vector<Expected>& jobs)
+bool StudyRuns::start(const std::vector<Expected>& jobs)
 {
-    if (running() && control_.cancel) { return; } // they are just ending
+    if (running() && control_.cancel) { return false; } // they are just ending
     if (!running()) {
         control_.cancel = false;
         all_seconds_ = done_seconds_ = 0;
@@ -62,6 +62,7 @@ void StudyRuns::start(const std::vector<Expected>& jobs)
     }
     startNext();
     Q_EMIT changed();
+    return true;
 }
 
 void StudyRuns::startNext()

@@ -33,7 +33,8 @@ public:
 
     const ReplicateStore& store() const { return store_; }
     /// Adds those that are neither waiting nor running. Precondition: validate() finds no error in the design.
-    void start(const std::vector<Expected>& jobs);
+    /// false: it takes none, because a cancel is just ending.
+    bool start(const std::vector<Expected>& jobs);
     bool running() const { return !slots_.empty(); }
     /// What is done is kept.
     void cancel();

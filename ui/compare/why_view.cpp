@@ -250,10 +250,14 @@ void WhyView::findOut()
     }
     if (expected.empty()) { return; }
     asked_ = keys();
-    if (!known(asked_)) { known_.push_back({asked_, {}, {}}); }
-    asking_ = true;
-    runs_.start(expected);
-    asking_ = runs_.running(); // it does not take new ones while others are being cancelled
+    if (!known(asked_)) { known_.push_back({asked_, {}, {}, {}}); }
+    asking_ = runs_.start(expected) && runs_.running();
+    if (asking_) {
+        for (Known& each : known_) {
+            if (each.keys == asked_) { each.failed.clear(); }
+        }
+        refresh();
+    }
     showState();
 }
 
@@ -261,6 +265,10 @@ void WhyView::take(const StudyJob& job, const Candidate& candidate)
 {
     const auto found = std::find_if(known_.begin(), known_.end(), [this](const Known& each) { return each.keys == asked_; });
     if (found == known_.end()) { return; }
+    if (!candidate.failure.empty()) {
+        found->failed[{job.mixture, job.number}] = candidate.failure;
+        return;
+    }
     add_replicate(found->mixtures[job.mixture], candidate, job.number);
     found->ended.insert({job.mixture, job.number});
 }

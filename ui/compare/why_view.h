@@ -47,7 +47,8 @@ private:
     struct Known {
         std::pair<ReplicateKey, ReplicateKey> keys; ///< of the fabric and of the other
         std::map<Mixture, Candidate> mixtures;
-        std::set<std::pair<Mixture, int>> ended; ///< with their replicates, well or not
+        std::set<std::pair<Mixture, int>> ended;               ///< with their replicates
+        std::map<std::pair<Mixture, int>, std::string> failed; ///< why; Find Out runs them again
     };
     /// What a plan is of.
     struct Planned {

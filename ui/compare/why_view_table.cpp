@@ -39,11 +39,14 @@ void WhyView::refresh()
         const int replicates = study_.choice.replicates;
         Why first = why_of(*plan_, info, fabric, against, replicates);
         const Known* own = known(keys());
-        const std::map<Mixture, Candidate> none;
+        std::map<Mixture, Candidate> tried = own ? own->mixtures : std::map<Mixture, Candidate>();
+        if (own) {
+            for (const auto& [which, failure] : own->failed) { tried[which.first].failure = failure; }
+        }
         if (!first.nothing.empty()) {
             why_ = std::make_shared<const Why>(std::move(first));
-        } else if (missing().empty()) {
-            why_ = std::make_shared<const Why>(explain(*plan_, info, fabric, against, own ? own->mixtures : none, replicates));
+        } else if (missing().size() == (own ? own->failed.size() : 0)) { // all have been tried
+            why_ = std::make_shared<const Why>(explain(*plan_, info, fabric, against, tried, replicates));
         }
         table_->setHorizontalHeaderLabels(
             {tr("Part"), fabric_->currentText(), against_->currentText(), tr("Contribution to the difference"), tr("In words")});
@@ -148,12 +151,15 @@ void WhyView::showState()
     const QString why_not = whyNot();
     QString text = why_not;
     int count = 0;
+    const Known* own = plan_ && why_not.isEmpty() ? known(keys()) : nullptr;
+    const bool failed = own && !own->failed.empty();
     if (why_not.isEmpty() && !plan_) { text = tr("Looking for what differs…"); }
-    if (why_not.isEmpty() && plan_ && !why_) {
+    if (why_not.isEmpty() && plan_ && (!why_ || failed)) {
         count = static_cast<int>(missing().size());
         const QString runs = count == 1 ? tr("1 run") : tr("%1 runs").arg(count);
         const double seconds = count * secondsOfRun();
         text = seconds > 0 ? tr("%1, %2").arg(runs, roughDuration(seconds)) : runs;
+        if (failed) { text += tr(". Failed: %1").arg(QString::fromStdString(own->failed.begin()->second)); }
     }
     if (asking_) {
         text = runs_.progressText();
