@@ -198,7 +198,7 @@ private Q_SLOTS:
                 RecordingWriter writer(path, run_);
                 for (int k = 0;; ++k) writer.append(small_frame(run_, k % 5 + 5 * k));
             });
-            std::this_thread::sleep_for(std::chrono::microseconds(random() % 60'000));
+            std::this_thread::sleep_for(std::chrono::microseconds(random() % (trial < 40 ? 60'000 : 400'000)));
             kill(child, SIGKILL);
             waitpid(child, nullptr, 0);
             const int whole = whole_frames(path);
