@@ -138,6 +138,7 @@ struct SceneDroplet {
     double volume = 0; ///< m3
     Vec3d centre;      ///< m, from the cloth's middle
     double speed = 0;  ///< m/s, downwards
+    double turn = 0;   ///< of the lattice that its particles begin on, about the vertical, 0 .. pi / 2
 };
 
 /// Liquid fed onto a face as one standing pool, which the yarns under it absorb.

@@ -232,7 +232,9 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi));
     drop.centre.z = height_clear_of(living(), drop.centre, radius, spacing);
     std::vector<Vec3d> places = droplet_lattice(static_cast<int>(start_.particles_of(drop.volume)), spacing);
-    for (Vec3d& place : places) place = drop.centre + place;
+    const double along = std::cos(drop.turn), across = std::sin(drop.turn);
+    for (Vec3d& place : places)
+        place = drop.centre + Vec3d{along * place.x - across * place.y, across * place.x + along * place.y, place.z};
     const bool alone = flow_.count == 0;
     // The drop's own water, shared out to the last quantum.
     const std::size_t n = places.size();
