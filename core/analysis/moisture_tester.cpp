@@ -212,8 +212,8 @@ std::vector<std::string> tester_assumptions(double drop_ul, const TesterFeed& fe
         drop_ul > 0
             ? fmt::format("The solution comes in drops of at most {:g} ul, each when the pump has delivered it, one every {:.3g} s. They "
                           "join a pool that the cloth absorbs; how they fall and strike is left out. Absorption rates are taken from "
-                          "contents averaged over the last {:.3g} s, and rings that one drop reaches count with the way it gained in that "
-                          "time.",
+                          "contents averaged over the last {:.3g} s, until so long after the pump stops, and rings that one drop reaches "
+                          "count with the way it gained since an earlier drop reached a ring.",
                           drop_ul, feed.drop_interval, feed.drop_interval)
             : fmt::format("The solution flows evenly into a pool that the cloth absorbs; it covers at least the base of a half ball of "
                           "{:g} ul, a hanging drop.",
