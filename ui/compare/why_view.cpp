@@ -66,6 +66,7 @@ WhyView::WhyView(StudyRuns& runs, QWidget* parent)
     layout->addWidget(heading_);
     layout->addWidget(table_, 1);
     layout->addWidget(note_);
+    layout->addStretch(); // without a table, the choices stay at the top
     connectParts();
 }
 
