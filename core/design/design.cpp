@@ -54,6 +54,8 @@ double receding_angle_of(const Design& design, const std::vector<MaterialShare>&
 
 const Fabric* find_fabric(const Design& design, const std::string& name) { return find_by_name(design.fabrics, name); }
 const Experiment* find_experiment(const Design& design, const std::string& name) { return find_by_name(design.experiments, name); }
+const Garment* find_garment(const Design& design, const std::string& name) { return find_by_name(design.garments, name); }
+const WearExperiment* find_wear(const Design& design, const std::string& name) { return find_by_name(design.wears, name); }
 
 Material blended_material(const Design& design, const std::vector<MaterialShare>& shares)
 {

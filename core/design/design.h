@@ -4,7 +4,9 @@
 
 #include "core/design/experiment.h"
 #include "core/design/fabric.h"
+#include "core/design/garment.h"
 #include "core/design/liquid.h"
+#include "core/design/wear.h"
 
 namespace hygroloom {
 
@@ -13,6 +15,8 @@ struct Design {
     std::vector<Liquid> liquids;     ///< the same
     std::vector<Fabric> fabrics;
     std::vector<Experiment> experiments;
+    std::vector<Garment> garments;
+    std::vector<WearExperiment> wears; ///< experiments on garments; all experiments' names differ
     bool operator==(const Design&) const = default;
 };
 
@@ -33,5 +37,7 @@ double receding_angle_of(const Design& design, const std::vector<MaterialShare>&
 
 const Fabric* find_fabric(const Design& design, const std::string& name);
 const Experiment* find_experiment(const Design& design, const std::string& name);
+const Garment* find_garment(const Design& design, const std::string& name);
+const WearExperiment* find_wear(const Design& design, const std::string& name);
 
 } // namespace hygroloom

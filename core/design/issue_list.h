@@ -63,5 +63,7 @@ void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::st
 std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& list);
 void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list);
+void validate_wear(const Design& design, const WearExperiment& wear, const std::string& where, IssueList& list);
+void validate_garment(const Design& design, const Garment& garment, const std::string& where, IssueList& list);
 
 } // namespace hygroloom

@@ -12,6 +12,7 @@ target_sources(hygroloom_core PRIVATE
   design/fitted_fabric.cpp
   design/free_inputs.cpp
   design/flyaway.cpp
+  design/garment.cpp
   design/interlacing.cpp
   design/jam.cpp
   design/liquid.cpp
@@ -20,6 +21,8 @@ target_sources(hygroloom_core PRIVATE
   design/validate.cpp
   design/validate_experiment.cpp
   design/validate_fabric.cpp
+  design/validate_garment.cpp
+  design/validate_wear.cpp
   design/validate_weave.cpp
   design/weave.cpp
   design/weave_analysis.cpp

@@ -83,7 +83,7 @@ Validation validate_and_fit(const Design& design)
 {
     IssueList list;
     std::vector<std::shared_ptr<const FittedFabric>> fitted(design.fabrics.size());
-    std::set<std::string> materials, liquids, fabrics, experiments;
+    std::set<std::string> materials, liquids, fabrics, experiments, garments;
     for (std::size_t i = 0; i < design.materials.size(); ++i) {
         const std::string where = fmt::format("materials[{}]", i);
         list.name(where + ".name", design.materials[i].name, materials);
@@ -112,6 +112,16 @@ Validation validate_and_fit(const Design& design)
         if (list.errors() != before) continue;
         for (std::size_t f = 0; f < design.fabrics.size(); ++f)
             if (sound[f]) validate_size(design.fabrics[f], design.experiments[i], where, list);
+    }
+    for (std::size_t i = 0; i < design.wears.size(); ++i) { // they stand behind the others
+        const std::string where = fmt::format("experiments[{}]", design.experiments.size() + i);
+        list.name(where + ".name", design.wears[i].name, experiments);
+        validate_wear(design, design.wears[i], where, list);
+    }
+    for (std::size_t i = 0; i < design.garments.size(); ++i) {
+        const std::string where = fmt::format("garments[{}]", i);
+        list.name(where + ".name", design.garments[i].name, garments);
+        validate_garment(design, design.garments[i], where, list);
     }
     return {std::move(list.issues), std::move(fitted)};
 }

@@ -21,6 +21,15 @@ Weave weave_from_json(const ProjectJson& value, const std::string& file, const s
 Draft draft_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
 ProjectJson json_from_draft(const Draft& draft);
 
+/// An experiment on a garment, which stands among the others. Throws FileError.
+bool is_wear(const ProjectJson& experiment);
+WearExperiment wear_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
+ProjectJson json_from_wear(const WearExperiment& wear);
+
+/// A garment. Throws FileError.
+Garment garment_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
+ProjectJson json_from_garment(const Garment& garment);
+
 /// Two-space indent, lists of plain values on one line. Throws Error when a number is not finite or a text is not UTF-8.
 std::string text_from_json(const ProjectJson& project);
 

@@ -425,8 +425,13 @@ Design design_from_json(ProjectJson project, const std::string& file, const std:
     each("materials", [&](const auto&... from) { design.materials.push_back(read_material(from...)); });
     each("liquids", [&](const auto&... from) { design.liquids.push_back(read_liquid(from...)); });
     each("fabrics", [&](const auto&... from) { design.fabrics.push_back(read_fabric(from...)); });
-    each("experiments", [&](const auto&... from) { design.experiments.push_back(read_experiment(from...)); });
-    each("garments", [&](const auto&...) { object.refuse("garments", "This version does not read garments; leave the list empty."); });
+    each("experiments", [&](const auto& value, const auto&... from) {
+        if (is_wear(value))
+            design.wears.push_back(wear_from_json(value, from...));
+        else
+            design.experiments.push_back(read_experiment(value, from...));
+    });
+    each("garments", [&](const auto&... from) { design.garments.push_back(garment_from_json(from...)); });
     object.finish();
     return design;
 }

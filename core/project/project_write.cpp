@@ -252,6 +252,9 @@ ProjectJson json_from_design(const Design& design)
     for (const Fabric& fabric : design.fabrics) json["fabrics"].push_back(write_fabric(fabric));
     json["experiments"] = ProjectJson::array();
     for (const Experiment& experiment : design.experiments) json["experiments"].push_back(write_experiment(experiment));
+    for (const WearExperiment& wear : design.wears) json["experiments"].push_back(json_from_wear(wear));
+    if (!design.garments.empty()) json["garments"] = ProjectJson::array();
+    for (const Garment& garment : design.garments) json["garments"].push_back(json_from_garment(garment));
     return json;
 }
 

@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   project/csv_table.cpp
   project/curve_file.cpp
   project/draft_json.cpp
+  project/garment_json.cpp
   project/gltf_file.cpp
   project/json_reader.cpp
   project/leftovers.cpp
@@ -23,6 +24,7 @@ target_sources(hygroloom_core PRIVATE
   project/scene_file.cpp
   project/weave_json.cpp
   project/weave_picture.cpp
+  project/wear_json.cpp
   project/wif_draft.cpp
   project/wif_file.cpp
   project/wif_import.cpp

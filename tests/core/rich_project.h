@@ -32,6 +32,23 @@ template <typename Act> std::string message_of(Act act)
 
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// A drawn one and one from a file, cut from two fabrics.
+inline std::vector<Garment> rich_garments(const std::string& one, const std::string& other)
+{
+    Garment tee;
+    tee.name = "tee \"β\"";
+    tee.built_in = {"tee", 1010.5, 690, 1.0 / 3.0, 210};
+    tee.panels = {{"front", {one, 12.5, true}}, {"*", {other, 0, false}}};
+    tee.seams = {{"default", 0.5}, {"front|back", 0}};
+    tee.wearer = {33.5, {{"default", 2.5}, {"upper arm", 0.1 + 0.2}}, "taylor-2013 rest"};
+    Garment leggings = tee;
+    leggings.name = "leggings";
+    leggings.source = "worn/leggings.glb";
+    leggings.built_in = {};
+    leggings.uv_unit = UvUnit::millimetre;
+    return {tee, leggings};
+}
+
 /// Every optional thing in use.
 inline Design rich()
 {
@@ -76,6 +93,7 @@ inline Design rich()
         if (type % 2) experiment.climates = {{60, {30, 0.8, 0.5}}, {90.5, {30, 0.4, 0.5}}};
         design.experiments.push_back(experiment);
     }
+    design.garments = rich_garments("satin", design.fabrics[0].name);
     design.experiments[1].volume_ul = 150.5;
     design.experiments[1].feed_s = 10;
     design.experiments[1].drop_ul = 7.5;

@@ -98,6 +98,7 @@ private Q_SLOTS:
             std::string key = path;
             while (std::isdigit(static_cast<unsigned char>(key.back()))) key.resize(key.rfind('/'));
             key = key.substr(key.rfind('/') + 1);
+            if (has(path, "/seams/") || has(path, "/gap_mm/")) continue; // names that are free
             QVERIFY2(has(schema, "\"" + key + "\": {"), key.c_str());
         }
     }
@@ -296,7 +297,7 @@ private Q_SLOTS:
             "has no material \"coton\"");
         row("material of nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\"}]"),
             "\"density_kg_m3\" is missing");
-        row("garments", replaced(good, "\"materials\": []", "\"garments\": [{}]"), "does not read garments");
+        row("garments", replaced(good, "\"materials\": []", "\"garments\": [{}]"), "garments[0]: The key \"name\" is missing");
         row("deep", std::string(100000, '['), "deeper than 32");
         row("deep objects", "{\"materials\": " + std::string(5000, '['), "deeper than 32");
         row("binary", std::string("\x89HDF\r\n\x1a\n\0\0\0", 11), "line 1, column 1");

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What is wrong with a garment as the project names it. Its pattern's file is read elsewhere.
+#include "core/base/words.h"
+#include "core/design/issue_list.h"
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& words)
+{
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "\"" : ", \"") + word + "\"";
+    return all;
+}
+
+bool is_in(const std::string& word, const std::vector<std::string>& words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Sizes beyond which nobody is dressed; assumptions. The longest leggings reach from the waist of the built-in body to its ankle.
+void validate_built_in(const BuiltInGarment& garment, const std::string& where, IssueList& list)
+{
+    if (!is_in(garment.kind, built_in_garments())) {
+        list.error("unknown_garment", where + ".built_in",
+                   fmt::format("There is no built-in garment \"{}\"; there are {}.", garment.kind, listed(built_in_garments())));
+        return;
+    }
+    const bool leggings = garment.kind == "leggings";
+    list.range(where + ".chest_mm", leggings ? "hip's girth" : "chest's girth", garment.chest_mm, 500, 2000, "mm");
+    if (leggings)
+        list.range(where + ".length_mm", "length from the waist to the ankle", garment.length_mm, 500, 1100, "mm");
+    else
+        list.range(where + ".length_mm", "length from the shoulder to the hem", garment.length_mm, 300, 1200, "mm");
+    list.range(where + ".ease_mm", "ease of the girth", garment.ease_mm, 0, 800, "mm");
+    if (garment.kind == "tee")
+        list.range(where + ".sleeve_mm", "length of a sleeve", garment.sleeve_mm, 50, 700, "mm");
+    else if (garment.sleeve_mm != standard_garment(garment.kind).sleeve_mm)
+        list.error("no_sleeves", where + ".sleeve_mm", fmt::format("Only a tee has sleeves; leave it out of a {}.", garment.kind));
+}
+
+void validate_source(const Garment& garment, const std::string& where, IssueList& list)
+{
+    if (garment.is_built_in()) validate_built_in(garment.built_in, where + ".source", list);
+    if (garment.uv_unit != UvUnit::from_lengths && (garment.is_built_in() || garment.is_pattern()))
+        list.error("idle_uv_unit", where + ".uv_unit",
+                   fmt::format("Only a mesh has flat coordinates without a unit; leave uv_unit out of {}; given is \"{}\".",
+                               garment.is_built_in() ? "a built-in garment" : "a pattern", name_of(garment.uv_unit)));
+}
+
+void validate_cuts(const Design& design, const Garment& garment, const std::string& where, IssueList& list)
+{
+    if (garment.panels.empty())
+        list.error("no_panels", where + ".panels",
+                   "A garment needs a fabric for its panels; name panels, or \"*\" for all that are not named.");
+    std::vector<std::string> fabrics;
+    for (const Fabric& fabric : design.fabrics) fabrics.push_back(fabric.name);
+    for (const auto& [panel, cut] : garment.panels) {
+        const std::string at = where + ".panels." + panel;
+        if (panel.empty()) list.error("empty_name", where + ".panels", "The name of a panel is empty; give one.");
+        if (!find_fabric(design, cut.fabric))
+            list.error("unknown_fabric", at + ".fabric",
+                       fmt::format("The project has no fabric \"{}\"{}", cut.fabric, did_you_mean(cut.fabric, fabrics)));
+        list.range(at + ".grain_deg", "angle of the grain", cut.grain_deg, -360, 360, "degrees");
+    }
+}
+
+void validate_wearer(const Wearer& wearer, const std::string& where, IssueList& list)
+{
+    list.range(where + ".skin_temperature_c", "temperature of the skin", wearer.skin_temperature_c, 10, 45, "C");
+    for (const auto& [zone, gap] : wearer.gap_mm) {
+        const std::string at = where + ".gap_mm." + zone;
+        if (zone != "default" && !is_in(zone, gap_zones()))
+            list.error("unknown_zone", at,
+                       fmt::format("There is no zone \"{}\" of the body{} There are \"default\", {}.", zone,
+                                   did_you_mean(zone, gap_zones()), listed(gap_zones())));
+        list.range(at, "gap between skin and cloth", gap, 0, 100, "mm");
+    }
+    if (!is_in(wearer.zones, sweat_tables()) && !wearer.zones.ends_with(".csv"))
+        list.error("unknown_sweat_table", where + ".zones",
+                   fmt::format("There is no table of sweat rates \"{}\"; there are {}, or name a file that ends in .csv.", wearer.zones,
+                               listed(sweat_tables())));
+}
+
+} // namespace
+
+void validate_garment(const Design& design, const Garment& garment, const std::string& where, IssueList& list)
+{
+    validate_source(garment, where, list);
+    validate_cuts(design, garment, where, list);
+    for (const auto& [seam, share] : garment.seams) {
+        const std::string at = where + ".seams." + seam;
+        const std::size_t bar = seam.find('|');
+        const bool pair = bar != std::string::npos && bar > 0 && bar + 1 < seam.size();
+        if (seam != "default" && !pair)
+            list.error("unknown_seam", at,
+                       fmt::format("A seam is named \"panel|panel\", or \"default\" for all others; given is \"{}\".", seam));
+        list.range(at, "share of the water that a seam lets through", share, 0, 1);
+        if (pair && garment.seams.contains(seam.substr(bar + 1) + "|" + seam.substr(0, bar)) && seam.substr(0, bar) < seam.substr(bar + 1))
+            list.error("duplicate_name", at, fmt::format("The seam \"{}\" is named twice, once in each order; leave one.", seam));
+    }
+    validate_wearer(garment.wearer, where + ".wearer", list);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Meshes in space that have flat coordinates, and the islands that those make.
+#pragma once
+
+#include "core/garment/pattern.h"
+
+#include <string_view>
+
+namespace hygroloom {
+
+constexpr std::size_t most_mesh_places = 3'000'000, most_mesh_triangles = 4'000'000;
+
+/// A mesh as a file has it. Of each triangle the places and the flat coordinates are counted apart.
+struct FlatMesh {
+    std::vector<Vec3d> places;
+    std::vector<FlatPlace> uv;
+    std::vector<std::array<int, 3>> triangles, uv_triangles;
+    std::vector<int> label;          ///< of each triangle among labels, -1: none
+    std::vector<std::string> labels; ///< of groups, objects or materials
+    double metre = 0;                ///< of the unit of places; 0: the format does not say
+    std::vector<std::string> issues;
+};
+
+/// The text of an OBJ file. Throws FileError.
+FlatMesh mesh_from_obj(std::string_view text, const std::string& name);
+/// A file that Assimp reads: GLB, glTF, FBX, PLY, Collada. Throws FileError.
+FlatMesh mesh_from_file(const std::filesystem::path& path);
+
+/// A place of an island's flat coordinates.
+struct FlatCorner {
+    int place = 0; ///< of the welded mesh
+    FlatPlace uv{};
+};
+
+/// Triangles that hang together in flat coordinates, turned so that they are seen from outside.
+struct Island {
+    std::vector<int> triangles; ///< of the mesh
+    std::vector<int> loop;      ///< corners round it, counter-clockwise
+    bool mirrored = false;      ///< its flat coordinates had to be mirrored
+    int folded = 0, holes = 0;  ///< triangles that lie the other way round; loops inside
+};
+
+struct FlatIslands {
+    std::vector<Vec3d> places; ///< welded, m
+    std::vector<FlatCorner> corners;
+    std::vector<std::array<int, 3>> triangles; ///< by corner; counter-clockwise as seen from outside
+    std::vector<Island> islands;
+    std::vector<int> first_place; ///< of the file, of each welded place
+    int shared_sides = 0;         ///< sides of more than two triangles
+};
+
+/// Welds places that lie within a hundred-thousandth of the mesh's size and finds the islands. Islands below least triangles are kept too.
+FlatIslands islands_of(const FlatMesh& mesh, const std::string& name);
+
+/// The middle of some numbers; 0 of none.
+double median_of(std::vector<double> numbers);
+/// The median distance from the median, relative to it.
+double spread_of(const std::vector<double>& numbers);
+
+} // namespace hygroloom

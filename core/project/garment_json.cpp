@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Garments in the project's JSON.
+#include "core/base/words.h"
+#include "core/project/json_reader.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr const char* faces[] = {"top_outside", "top_inside"};
+
+/// The place of a word among some.
+int choice_in(ObjectReader& object, const std::string& key, const std::vector<std::string>& words, int standard)
+{
+    std::string given = words[static_cast<std::size_t>(standard)];
+    object.read(key, given);
+    std::string all;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == given) return static_cast<int>(i);
+        all += (all.empty() ? "\"" : ", \"") + words[i] + "\"";
+    }
+    object.refuse(key, fmt::format("This must be one of {}; given is {}.", all, in_words(given)));
+}
+
+BuiltInGarment read_built_in(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    object.require("built_in");
+    const std::vector<std::string>& kinds = built_in_garments();
+    BuiltInGarment garment = standard_garment(kinds[static_cast<std::size_t>(choice_in(object, "built_in", kinds, 0))]);
+    object.read("chest_mm", garment.chest_mm);
+    object.read("length_mm", garment.length_mm);
+    object.read("ease_mm", garment.ease_mm);
+    if (object.find("sleeve_mm") && garment.kind != "tee")
+        object.refuse("sleeve_mm", fmt::format("Only a tee has sleeves; leave it out of a {}.", garment.kind));
+    object.read("sleeve_mm", garment.sleeve_mm);
+    object.finish({"built_in"});
+    return garment;
+}
+
+void read_source(ObjectReader& object, Garment& garment)
+{
+    const ProjectJson& source = object.require("source");
+    const std::string path = object.path_of("source");
+    if (source.is_object()) {
+        garment.built_in = read_built_in(source, object.file(), path);
+        return;
+    }
+    if (!source.is_string())
+        object.refuse("source",
+                      fmt::format("This must be the path of a file in quotes, or {{ \"built_in\": … }}; given is {}.", in_words(source)));
+    garment.source = source.get<std::string>();
+    if (garment.source.empty()) object.refuse("source", "The path of the garment's file is empty; give one.");
+}
+
+PanelCut read_cut(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    PanelCut cut;
+    object.read("fabric", cut.fabric);
+    object.read("grain_deg", cut.grain_deg);
+    cut.top_inside = choice_in(object, "face", {faces[0], faces[1]}, 0) == 1;
+    int layers = 1;
+    object.read("layers", layers);
+    if (layers != 1)
+        object.refuse("layers", fmt::format("A panel is computed as 1 layer; more cannot be computed yet; given is {}.", layers));
+    object.finish({"fabric"});
+    return cut;
+}
+
+/// Numbers by names that are free.
+std::map<std::string, double> read_numbers(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    std::map<std::string, double> numbers;
+    for (const auto& [name, number] : value.items()) object.read(name, numbers[name]);
+    return numbers;
+}
+
+void read_wearer(const ProjectJson& value, const std::string& file, const std::string& path, Wearer& wearer)
+{
+    ObjectReader object(value, file, path);
+    object.read("skin_temperature_c", wearer.skin_temperature_c);
+    if (const ProjectJson* gap = object.find("gap_mm")) wearer.gap_mm = read_numbers(*gap, file, object.path_of("gap_mm"));
+    object.read("zones", wearer.zones);
+    object.finish();
+}
+
+} // namespace
+
+Garment garment_from_json(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader object(value, file, path);
+    Garment garment;
+    object.require("name");
+    object.read("name", garment.name);
+    read_source(object, garment);
+    std::vector<std::string> units;
+    for (int unit = 0; unit < uv_units; ++unit) units.emplace_back(name_of(static_cast<UvUnit>(unit)));
+    garment.uv_unit = static_cast<UvUnit>(choice_in(object, "uv_unit", units, 0));
+    const ProjectJson& panels = object.require("panels");
+    ObjectReader cuts(panels, file, object.path_of("panels")); // refuses what is no object
+    for (const auto& [panel, cut] : panels.items()) garment.panels[panel] = read_cut(cut, file, cuts.path_of(panel));
+    if (const ProjectJson* seams = object.find("seams")) garment.seams = read_numbers(*seams, file, object.path_of("seams"));
+    if (const ProjectJson* wearer = object.find("wearer")) read_wearer(*wearer, file, object.path_of("wearer"), garment.wearer);
+    object.finish();
+    return garment;
+}
+
+ProjectJson json_from_garment(const Garment& garment)
+{
+    ProjectJson json{{"name", garment.name}};
+    if (garment.is_built_in()) {
+        const BuiltInGarment& built = garment.built_in;
+        json["source"] = {
+            {"built_in", built.kind}, {"chest_mm", built.chest_mm}, {"length_mm", built.length_mm}, {"ease_mm", built.ease_mm}};
+        if (built.kind == "tee") json["source"]["sleeve_mm"] = built.sleeve_mm;
+    } else {
+        json["source"] = garment.source;
+    }
+    if (garment.uv_unit != UvUnit::from_lengths) json["uv_unit"] = name_of(garment.uv_unit);
+    json["panels"] = ProjectJson::object();
+    for (const auto& [panel, cut] : garment.panels)
+        json["panels"][panel] = {{"fabric", cut.fabric}, {"grain_deg", cut.grain_deg}, {"face", faces[cut.top_inside ? 1 : 0]}};
+    if (!garment.seams.empty()) json["seams"] = ProjectJson::object();
+    for (const auto& [seam, share] : garment.seams) json["seams"][seam] = share;
+    const Wearer& wearer = garment.wearer;
+    json["wearer"] = {{"skin_temperature_c", wearer.skin_temperature_c}, {"gap_mm", ProjectJson::object()}, {"zones", wearer.zones}};
+    for (const auto& [zone, gap] : wearer.gap_mm) json["wearer"]["gap_mm"][zone] = gap;
+    return json;
+}
+
+} // namespace hygroloom
