@@ -15,6 +15,51 @@ void demand(bool fulfilled, const char* fault)
 
 bool empty_or(std::size_t size, int count) { return size == 0 || size == static_cast<std::size_t>(count); }
 
+/// Every place that panels name must be there: stages do not ask.
+void check_panels(const Cloth& cloth)
+{
+    const ClothPanels& p = cloth.panels;
+    const int segments = cloth.segments(), crossings = cloth.crossings();
+    const auto of_all = [&](std::size_t size, int count) { return size == static_cast<std::size_t>(count); };
+    demand(cloth.by_suction, "a garment's liquid must flow by suction");
+    demand(p.first.size() == p.last.size() && p.warp_pieces >= 0 && p.warp_pieces <= static_cast<int>(p.first.size()),
+           "a piece of a panel's yarn has no end");
+    int before = 0;
+    for (std::size_t k = 0; k < p.first.size(); ++k) {
+        const int from = static_cast<int>(k) < p.warp_pieces ? 0 : crossings, to = from == 0 ? crossings : segments;
+        const int along = from == 0 ? cloth.picks : cloth.ends;
+        demand(p.first[k] >= std::max(from, before) && p.first[k] < p.last[k] && p.last[k] <= to &&
+                   (p.first[k] - from) / along == (p.last[k] - 1 - from) / along,
+               "a piece of a panel's yarn lies outside its yarn");
+        before = p.last[k];
+    }
+    const auto is_crossing = [&](int crossing) { return crossing >= 0 && crossing < crossings; };
+    demand(std::all_of(p.crossings.begin(), p.crossings.end(), is_crossing) && std::is_sorted(p.crossings.begin(), p.crossings.end()),
+           "a panel's crossing does not exist");
+    demand(of_all(p.panel.size(), cloth.picks) && of_all(p.cell_area.size(), p.count) && of_all(p.skin_on_top.size(), p.count) &&
+               of_all(p.air.size(), crossings) && of_all(p.rise.size(), segments),
+           "its panels are not described in full");
+    demand(std::all_of(p.panel.begin(), p.panel.end(), [&](std::uint8_t panel) { return panel < p.count; }), "a pick is of no panel");
+    demand(std::all_of(p.air.begin(), p.air.end(), [&](std::uint8_t air) { return air < p.airs.size(); }), "a place has no air");
+    demand(of_all(p.joint_yarns.size(), static_cast<int>(p.order.size())) &&
+               of_all(p.joint_rooms.size(), static_cast<int>(p.order.size())) && p.warp_chains >= 0 &&
+               p.warp_chains <= static_cast<int>(p.chain_ends.size()) && of_all(p.order.size(), 2 * static_cast<int>(p.crossings.size())),
+           "its pieces of yarn are in no chain");
+    demand(std::is_sorted(p.chain_ends.begin(), p.chain_ends.end()) &&
+               (p.chain_ends.empty() || of_all(p.order.size(), p.chain_ends.back())) &&
+               std::all_of(p.order.begin(), p.order.end(), [&](int segment) { return segment >= 0 && segment < segments; }),
+           "its chains of yarns are not in order");
+    int group = 0;
+    for (int end : cloth.seams.group_ends) {
+        demand(end >= group, "its seams are not in order");
+        group = end;
+    }
+    demand(of_all(cloth.seams.joints.size(), group), "a seam is in no group");
+    for (const SeamJoint& joint : cloth.seams.joints)
+        demand(joint.a >= 0 && joint.b >= 0 && joint.a < segments && joint.b < segments && joint.yarns >= 0 && joint.rooms >= 0,
+               "a seam joins what does not exist");
+}
+
 } // namespace
 
 void check(const Cloth& cloth)
@@ -31,9 +76,11 @@ void check(const Cloth& cloth)
     demand(cloth.warp_types > 0 && cloth.weft_types() > 0, "its cloth has no type of warp or of weft");
     demand(cloth.crossing.size() == static_cast<std::size_t>(cloth.warp_types * cloth.weft_types()),
            "its cloth does not say how each type of warp crosses each type of weft");
-    demand(cloth.type.size() == static_cast<std::size_t>(cloth.ends + cloth.picks), "its cloth does not have a type for each end and pick");
+    demand(cloth.type.size() == static_cast<std::size_t>(std::max(1, cloth.panels.count) * cloth.ends + cloth.picks),
+           "its cloth does not have a type for each end and pick");
     demand(std::all_of(cloth.type.begin(), cloth.type.end(), [&](std::uint8_t type) { return type < cloth.yarns.size(); }),
            "an end or a pick is of a type that does not exist");
+    if (cloth.panels.count > 0) check_panels(cloth);
     demand(cloth.cell_area >= 0 && cloth.warp_pitch > 0 && cloth.weft_pitch > 0, "its cloth has no area");
 }
 
@@ -55,6 +102,10 @@ void check(const Supply& supply)
     for (const ScenePool& pool : supply.pools)
         demand(pool.drop >= 0 && (pool.drop == 0 || pool.rate > 0), "drops join a pool that nothing feeds");
     demand(supply.sweat >= 0, "it takes sweat away");
+    demand(supply.skin.holds >= 0 && std::all_of(supply.skin.rate.begin(), supply.skin.rate.end(), [](double rate) { return rate >= 0; }),
+           "its skin takes sweat away");
+    demand(std::all_of(supply.skin.course.begin(), supply.skin.course.end(), [](const SweatMoment& moment) { return moment.factor >= 0; }),
+           "its skin takes sweat away");
 }
 
 void check(const FreeLiquidStart& liquid)
@@ -81,6 +132,11 @@ void check(const Scene& scene)
     demand(!scene.cloth.by_suction || scene.supply.pools.size() <= 1, "several pools stand on cloth in which liquid flows by suction");
     demand(scene.rules.suction_rounds >= 1, "suctions are found in no rounds");
     demand(!drops || !scene.liquid.places.empty() || scene.rules.particles_per_droplet > 0, "its drops have no particles");
+    demand(scene.supply.skin.rate.empty() ||
+               (scene.cloth.panels.count > 0 && empty_or(scene.supply.skin.rate.size(), scene.cloth.crossings())),
+           "its skin is not that of a garment");
+    demand(scene.cloth.panels.count == 0 || (!has_free_liquid && scene.supply.pools.empty() && scene.supply.fed.empty()),
+           "liquid comes to a garment otherwise than from the skin");
     demand(empty_or(scene.supply.fed.size(), scene.cloth.segments()), "it does not say of each segment whether it hangs in liquid");
     demand(scene.cloth.shapes.size() == scene.cloth.yarns.size() || !has_free_liquid, "its yarns have no shape that liquid could meet");
 }

@@ -70,6 +70,10 @@ struct Frame {
     std::vector<float> between;                       ///< kg of it between the yarns
     std::map<std::string, std::vector<float>> others; ///< of frame fields without a member here, by their name
     std::vector<float> shells; ///< regain of every shell of every segment, from the inside; empty unless the scene asks
+    // Of garments alone.
+    std::vector<double> gained;     ///< kg of liquid and bound water that each segment has more than at the start
+    std::vector<double> evaporated; ///< kg from each segment since the start
+    std::vector<float> on_skin;     ///< kg on the skin under each crossing
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

@@ -66,6 +66,14 @@ struct ClimateParameters {
     double density = 0;         ///< kg/m3
 };
 
+/// Air over a face, or over both as one, at a place of a garment.
+struct FaceAir {
+    double air_warmth = 0; ///< K, over the climate's temperature
+    double vapour = 0;     ///< kg/m3
+    double heat_transfer = 0;
+    double mass_transfer = 0; ///< as ClimateParameters
+};
+
 /// The cloth's water and warmth at the start.
 struct ClothStart {
     std::vector<double> liquid;  ///< kg per segment; empty: dry
@@ -82,6 +90,39 @@ struct ContactShape {
     /// Per type it crosses before, type it crosses after and whether it changes sides between them (the order of YarnSystem::paths):
     /// height, slope, half height, half width of every sample from crossing to crossing.
     std::vector<float> profiles;
+};
+
+/// Panels of a garment in one cloth, each clipped to its outline. They lie one behind the other along the picks, so that a pick is of one
+/// panel and an end goes through all of them in pieces. Segments outside all panels are not there: nothing visits them.
+struct ClothPanels {
+    int count = 0;                   ///< 0: the cloth is one whole rectangle, and all else here is empty
+    std::vector<int> first, last;    ///< segments of each piece of a yarn, first to last - 1: all pieces of the warp, then all of the weft
+    int warp_pieces = 0;             ///< how many of them
+    std::vector<int> crossings;      ///< those that are there, in order
+    std::vector<std::uint8_t> panel; ///< of each pick
+    std::vector<double> cell_area;   ///< m2 of fabric per crossing of each panel
+    std::vector<std::uint8_t> skin_on_top; ///< of each panel, whether its top face lies on the skin
+    std::vector<std::uint8_t> air;         ///< of each crossing, its place in airs
+    std::vector<FaceAir> airs;             ///< each at most once for every panel and zone
+    // Pieces of one system that seams join are solved together, as chains of places.
+    std::vector<int> order;                       ///< segment of each place, chain after chain: all of the warp's, then all of the weft's
+    std::vector<int> chain_ends;                  ///< past the last place of each chain
+    int warp_chains = 0;                          ///< how many are of the warp
+    std::vector<double> joint_yarns, joint_rooms; ///< as SeamJoint, from each place to the next across a seam; less than 0: along the yarn
+    std::vector<float> rise;                      ///< m, of each segment, by which the next one along its yarn lies higher
+};
+
+/// Two places at the borders of panels that are sewn together.
+struct SeamJoint {
+    int a = 0, b = 0; ///< segments
+    double yarns = 0; ///< m3/(Pa s), between their pores
+    double rooms = 0; ///< m3/(Pa s), between the rooms of their crossings
+};
+
+/// Seams in groups in which no crossing comes twice: those of a group act at once.
+struct ClothSeams {
+    std::vector<SeamJoint> joints;
+    std::vector<int> group_ends; ///< past the last joint of each group
 };
 
 /// One patch of ends x picks: its yarns in segments, one from crossing to crossing, all of the warp's before all of the weft's.
@@ -103,13 +144,15 @@ struct Cloth {
     std::vector<ContactShape> shapes;         ///< of the same types
     int profile_samples = 0;                  ///< of each of their profiles
     std::vector<CrossingParameters> crossing; ///< warp type x weft_types() + weft type
-    std::vector<std::uint8_t> type;           ///< place in yarns of each end, then of each pick
+    std::vector<std::uint8_t> type;           ///< place in yarns of each end (in each panel in turn), then of each pick
     bool by_suction = false;                  ///< liquid flows by suctions, in yarns and between them, instead of by saturation in yarns
     bool face_only = false;                   ///< the sample's edge is closed to vapour and heat
     double swelling = 0;                      ///< m3 by which fibres grow per kg of water that they bind
     double gravity_along_warp = 0;            ///< m/s2 towards pick 0
     double gravity_along_weft = 0;            ///< m/s2 towards end 0
     ClothStart start;
+    ClothPanels panels;
+    ClothSeams seams;
 
     int crossings() const { return ends * picks; }
     int segments() const { return 2 * crossings(); }
@@ -155,6 +198,23 @@ struct ScenePool {
     double next_change(double time) const;
 };
 
+/// How much a skin under the cloth sweats from a time on.
+struct SweatMoment {
+    double time = 0;   ///< s
+    double factor = 1; ///< of SkinSupply::rate
+};
+
+/// A skin that sweats onto the face that lies on it. What the cloth does not take stays on the skin, and what the skin does not hold drips.
+struct SkinSupply {
+    std::vector<double> rate;        ///< m/s (m3 of liquid per m2 and s) at each crossing; empty: there is no skin
+    std::vector<SweatMoment> course; ///< the first at 0 s
+    double holds = 0;                ///< m of liquid
+
+    double factor_at(double time) const;
+    /// s: the next time after this at which the factor changes; infinite where there is none.
+    double next_change(double time) const;
+};
+
 /// Liquid that comes to the cloth while the scene runs.
 struct Supply {
     std::vector<SceneDroplet> droplets; ///< in order of time
@@ -162,6 +222,7 @@ struct Supply {
     std::vector<std::uint8_t> fed;      ///< per segment, whether it hangs in liquid and stays full; empty: none does
     double sweat = 0;                   ///< m/s (m3 of liquid per m2 and s) fed to one face
     bool sweat_on_top = false;
+    SkinSupply skin;
 };
 
 /// A smooth box, open at its top, with liquid inside; a plate if its sides are far away. It stands over the cloth.

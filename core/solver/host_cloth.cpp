@@ -51,7 +51,7 @@ TextileShape numbers_of(const Scene& scene)
 {
     TextileShape t;
     static_cast<Yarns&>(t) = {
-        scene.cloth.ends, scene.cloth.picks, scene.cloth.warp_types, scene.cloth.weft_types(), nullptr, nullptr, nullptr, {}};
+        scene.cloth.ends, scene.cloth.picks, scene.cloth.warp_types, scene.cloth.weft_types(), nullptr, nullptr, nullptr, {}, {}};
     t.half_thickness = static_cast<Real>(scene.cloth.half_thickness);
     t.warp_pitch = static_cast<Real>(scene.cloth.warp_pitch);
     t.weft_pitch = static_cast<Real>(scene.cloth.weft_pitch);

@@ -15,10 +15,17 @@ constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudd
 constexpr double under_drops = 0.25;   ///< of the longest step, where a drop's liquid flows by suction: rooms under it fill within less
 constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are counted; see ManyQuanta
 
-/// kg/s on all of the sample's face.
+/// kg/s on all of the sample's face, at most.
 inline double sweat_rate(const Scene& scene)
 {
-    return scene.supply.sweat * scene.cloth.cell_area * scene.cloth.crossings() * scene.climate.density;
+    const SkinSupply& skin = scene.supply.skin;
+    double rate = scene.supply.sweat * scene.cloth.cell_area * scene.cloth.crossings(), most = 0; // m3/s
+    for (const SweatMoment& moment : skin.course) most = std::max(most, moment.factor);
+    for (int crossing : scene.cloth.panels.crossings)
+        if (!skin.rate.empty())
+            rate += most * skin.rate[static_cast<std::size_t>(crossing)] *
+                    scene.cloth.panels.cell_area[scene.cloth.panels.panel[static_cast<std::size_t>(crossing % scene.cloth.picks)]];
+    return rate * scene.climate.density;
 }
 /// Whether fibres or air exchange anything with the pores.
 inline bool exchanges(const Scene& scene) { return scene.rules.sorption || scene.rules.vapour; }
@@ -58,6 +65,7 @@ public:
     void load(const Scene& scene, const AtStake& at_stake)
     {
         scene_ = &scene;
+        sweat_rate_ = sweat_rate(scene);
         at_stake_ = at_stake;
         forget_rates();
     }
@@ -120,7 +128,7 @@ private:
     {
         const double shortened = drops_about && flows && scene_->cloth.by_suction ? under_drops : 1.0;
         const double longest = takes_short_steps(drops_about) ? shortened * scene_->rules.network_step : scene_->rules.calm_network_step;
-        return scene_->supply.sweat > 0 ? std::min(longest, most_sweat / sweat_rate(*scene_)) : longest;
+        return sweat_rate_ > 0 ? std::min(longest, most_sweat / sweat_rate_) : longest;
     }
     double exchange_limit(bool drops_about) const
     {
@@ -130,6 +138,7 @@ private:
     double water_at_stake(double delivered) const { return std::max(1e-30, at_stake_.water + delivered); }
 
     const Scene* scene_ = nullptr;
+    double sweat_rate_ = 0; ///< kg/s
     AtStake at_stake_;
     double network_dt_ = 0, exchange_dt_ = 0; ///< s
     RateWatch wicking_, exchange_;

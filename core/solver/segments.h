@@ -5,6 +5,8 @@
 #include "core/scene/scene.h"
 #include "core/solver/fields.h"
 
+#include <algorithm>
+
 namespace hygroloom::inline HL_PRECISION {
 
 /// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
@@ -28,6 +30,27 @@ struct Crossing {
     int end, pick;
 };
 
+/// The panels of a garment as stages see them: see ClothPanels.
+struct Panels {
+    int warp_pieces = 0, weft_pieces = 0; ///< of yarns
+    int present = 0;                      ///< crossings
+    int warp_chains = 0, weft_chains = 0, longest_chain = 0;
+    int count = 0; ///< 0: one whole rectangle
+    const int* first = nullptr;
+    const int* last = nullptr;
+    const int* crossings = nullptr;
+    const std::uint8_t* of_pick = nullptr;
+    const double* cell_area = nullptr;
+    const std::uint8_t* skin_on_top = nullptr;
+    const std::uint8_t* air = nullptr;
+    const FaceAir* airs = nullptr;
+    const float* rise = nullptr;
+    const int* order = nullptr;
+    const int* chain_ends = nullptr;
+    const double* joint_yarns = nullptr;
+    const double* joint_rooms = nullptr;
+};
+
 /// The cloth's yarns: lines of segments, all ends, then all picks. A yarn is of one type along its whole length.
 /// Stages go through the visited lines, crossings and segments by an index of their own.
 struct Yarns {
@@ -39,24 +62,37 @@ struct Yarns {
     const YarnParameters* parameters = nullptr;   ///< per type: the warp's, then the weft's
     const CrossingParameters* crossing = nullptr; ///< warp type x weft_types + weft type
     Unvisited unvisited;
+    Panels panels;
 
+    HL_FN bool whole() const { return panels.count == 0; }
     HL_FN int crossings() const { return ends * picks; }
     HL_FN int visited_ends() const { return ends - unvisited.ends_before - unvisited.ends_after; }
     HL_FN int visited_picks() const { return picks - unvisited.picks_before - unvisited.picks_after; }
-    HL_FN int visited_lines() const { return visited_ends() + visited_picks(); }
-    HL_FN int visited_crossings() const { return visited_ends() * visited_picks(); }
+    HL_FN int visited_warps() const { return whole() ? visited_ends() : panels.warp_pieces; } ///< lines of the warp
+    HL_FN int visited_wefts() const { return whole() ? visited_picks() : panels.weft_pieces; }
+    HL_FN int visited_lines() const { return visited_warps() + visited_wefts(); }
+    HL_FN int visited_crossings() const { return whole() ? visited_ends() * visited_picks() : panels.present; }
     HL_FN int visited_segments() const { return 2 * visited_crossings(); }
     HL_FN bool is_warp(int segment) const { return segment < crossings(); }
     HL_FN int line_of(int segment) const { return is_warp(segment) ? segment / picks : ends + (segment - crossings()) / ends; }
-    HL_FN int type_of_end(int end) const { return type[end]; }
-    HL_FN int type_of_pick(int pick) const { return type[ends + pick]; }
-    HL_FN const YarnParameters& yarn_of(int segment) const { return parameters[type[line_of(segment)]]; }
+    HL_FN int type_of_end(int end, int pick) const { return type[whole() ? end : panels.of_pick[pick] * ends + end]; }
+    HL_FN int type_of_pick(int pick) const { return type[(whole() ? 1 : panels.count) * ends + pick]; }
+    HL_FN int type_of(int segment) const
+    {
+        if (whole()) return type[line_of(segment)];
+        return is_warp(segment) ? type_of_end(segment / picks, segment % picks) : type_of_pick((segment - crossings()) / ends);
+    }
+    HL_FN const YarnParameters& yarn_of(int segment) const { return parameters[type_of(segment)]; }
     HL_FN const CrossingParameters& crossing_at(int end, int pick) const
     {
-        return crossing[type_of_end(end) * weft_types + type_of_pick(pick) - warp_types];
+        return crossing[type_of_end(end, pick) * weft_types + type_of_pick(pick) - warp_types];
     }
     HL_FN YarnLine visited_line(int index) const
     {
+        if (!whole()) {
+            const int first = panels.first[index];
+            return {yarn_of(first), first, panels.last[index], index < panels.warp_pieces, true, true};
+        }
         const Unvisited& out = unvisited;
         if (index < visited_ends()) {
             const int end = out.ends_before + index, first = end * picks;
@@ -70,6 +106,7 @@ struct Yarns {
     /// Crossings are visited in strips of some ends, so that those side by side in the order lie side by side along picks, too.
     HL_FN Crossing visited_place(int index) const
     {
+        if (!whole()) return {panels.crossings[index] / picks, panels.crossings[index] % picks};
         constexpr int strip = 8;
         const int height = visited_picks(), first = index / (strip * height) * strip;
         const int width = visited_ends() - first < strip ? visited_ends() - first : strip, place = index - first * height;
@@ -77,11 +114,17 @@ struct Yarns {
     }
     HL_FN int visited_crossing(int index) const
     {
+        if (!whole()) return panels.crossings[index];
         if (!unvisited.any()) return index;
         return (unvisited.ends_before + index / visited_picks()) * picks + unvisited.picks_before + index % visited_picks();
     }
     HL_FN int visited_segment(int index) const
     {
+        if (!whole()) {
+            if (index < panels.present) return panels.crossings[index];
+            const int at = panels.crossings[index - panels.present];
+            return crossings() + at % picks * ends + at / picks;
+        }
         if (!unvisited.any()) return index;
         if (index < visited_crossings()) return visited_crossing(index);
         const int weft = index - visited_crossings();
@@ -90,11 +133,88 @@ struct Yarns {
 };
 
 /// Those of a scene, on the host.
+inline Panels panels_of(const ClothPanels& p)
+{
+    Panels there;
+    there.warp_pieces = p.warp_pieces;
+    there.weft_pieces = static_cast<int>(p.first.size()) - p.warp_pieces;
+    there.present = static_cast<int>(p.crossings.size());
+    there.warp_chains = p.warp_chains;
+    there.weft_chains = static_cast<int>(p.chain_ends.size()) - p.warp_chains;
+    for (std::size_t k = 0; k < p.chain_ends.size(); ++k)
+        there.longest_chain = std::max(there.longest_chain, p.chain_ends[k] - (k > 0 ? p.chain_ends[k - 1] : 0));
+    there.count = p.count;
+    there.first = p.first.data();
+    there.last = p.last.data();
+    there.crossings = p.crossings.data();
+    there.of_pick = p.panel.data();
+    there.cell_area = p.cell_area.data();
+    there.skin_on_top = p.skin_on_top.data();
+    there.air = p.air.data();
+    there.airs = p.airs.data();
+    there.rise = p.rise.data();
+    there.order = p.order.data();
+    there.chain_ends = p.chain_ends.data();
+    there.joint_yarns = p.joint_yarns.data();
+    there.joint_rooms = p.joint_rooms.data();
+    return there;
+}
 inline Yarns yarns_of(const Scene& scene)
 {
-    return {scene.cloth.ends,        scene.cloth.picks,        scene.cloth.warp_types,      scene.cloth.weft_types(),
-            scene.cloth.type.data(), scene.cloth.yarns.data(), scene.cloth.crossing.data(), {}};
+    return {scene.cloth.ends,
+            scene.cloth.picks,
+            scene.cloth.warp_types,
+            scene.cloth.weft_types(),
+            scene.cloth.type.data(),
+            scene.cloth.yarns.data(),
+            scene.cloth.crossing.data(),
+            {},
+            panels_of(scene.cloth.panels)};
 }
+
+/// The arrays of panels on a machine.
+template <template <typename> typename Buffer> struct PanelArrays {
+    Buffer<int> first, last, crossings, order, chain_ends;
+    Buffer<std::uint8_t> of_pick, skin_on_top, air;
+    Buffer<double> cell_area, joint_yarns, joint_rooms;
+    Buffer<FaceAir> airs;
+    Buffer<float> rise;
+
+    void upload(const ClothPanels& panels)
+    {
+        first.upload(panels.first);
+        last.upload(panels.last);
+        crossings.upload(panels.crossings);
+        of_pick.upload(panels.panel);
+        skin_on_top.upload(panels.skin_on_top);
+        air.upload(panels.air);
+        cell_area.upload(panels.cell_area);
+        airs.upload(panels.airs);
+        rise.upload(panels.rise);
+        order.upload(panels.order);
+        chain_ends.upload(panels.chain_ends);
+        joint_yarns.upload(panels.joint_yarns);
+        joint_rooms.upload(panels.joint_rooms);
+    }
+    Panels view(Panels there) const
+    {
+        if (there.count == 0) return {};
+        there.first = first.data();
+        there.last = last.data();
+        there.crossings = crossings.data();
+        there.of_pick = of_pick.data();
+        there.cell_area = cell_area.data();
+        there.skin_on_top = skin_on_top.data();
+        there.air = air.data();
+        there.airs = airs.data();
+        there.rise = rise.data();
+        there.order = order.data();
+        there.chain_ends = chain_ends.data();
+        there.joint_yarns = joint_yarns.data();
+        there.joint_rooms = joint_rooms.data();
+        return there;
+    }
+};
 
 /// How many elements an array of the segments has.
 enum class SegmentCount {
@@ -109,7 +229,8 @@ enum class SegmentCount {
     uneven_segments,   ///< all, where yarns are uneven along their length, else none
     touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
     sucking_segments,  ///< all, where liquid flows by suction, else none
-    sucking_crossings  ///< the same of the crossings
+    sucking_crossings, ///< the same of the crossings
+    skin_crossings     ///< all crossings, where skin sweats under them, else none
 };
 
 /// The segments' arrays. Liquid and vapour are masses, so that what leaves one segment enters another exactly.
@@ -132,6 +253,8 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<double> room{};    ///< m3, between the yarns at each crossing
     Array<double> between{}; ///< liquid there; it is as warm as the warp's segment
     Array<double> between_suction{}, between_settled{};
+    Array<const double> sweat{};                ///< m/s, see SkinSupply
+    Array<std::int64_t> on_skin{};              ///< quanta that the skin under a crossing holds
     Array<std::int64_t> offered{};              ///< quanta of a pool that each taker may draw in this step
     Array<std::int64_t> absorbed{};             ///< quanta taken from particles and pools since the last network step
     Array<int> contact{};                       ///< note of the particle that touches, or none: see note_of()
@@ -172,6 +295,8 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"between", "kg", Count::sucking_crossings, saved, shown}, of.between...);
         visit(Row{"between_suction", "Pa", Count::sucking_crossings, saved}, of.between_suction...);
         visit(Row{"between_settled", "1", Count::sucking_crossings, saved}, of.between_settled...);
+        visit(Row{"sweat", "m/s", Count::skin_crossings}, of.sweat...);
+        visit(Row{"on_skin", "2^-64 kg", Count::skin_crossings, saved, shown}, of.on_skin...);
         visit(Row{"offered", "2^-64 kg", Count::offered_takers}, of.offered...);
         visit(Row{"absorbed", "2^-64 kg", Count::takers, saved}, of.absorbed...);
         visit(Row{"contact", "1", Count::takers}, of.contact...);
@@ -208,6 +333,10 @@ struct Segments : Yarns, SegmentFields<Pointer> {
         const int weft = segment - crossings();
         return (weft % ends) * picks + weft / ends;
     }
+    /// Of a place in a cloth of panels.
+    HL_FN int panel_at(int place) const { return panels.of_pick[place % picks]; }
+    HL_FN const FaceAir& air_over(int segment) const { return panels.airs[panels.air[crossing_of(segment)]]; }
+    HL_FN double cell_area(int segment) const { return panels.cell_area[panel_at(crossing_of(segment))]; }
     /// The face that a yarn lies on at a crossing: 1 on top, 0 at the bottom.
     HL_FN int face_of(int crossing, bool is_warp) const { return (warp_up[crossing] != 0) == is_warp ? 1 : 0; }
     /// kg that has a segment's temperature: its liquid and bound water, and of the warp's the liquid beside it, or of the weft's.

@@ -125,7 +125,19 @@ void show_segment(const Stock& stock, const Scene& scene, const Yarns& yarns, co
                          scene.climate.temperature + s.warmth[i],
                          s.between.empty() ? 0.0 : clings(yarns, line.is_warp, crossing, warp_up) * s.between[crossing]};
     for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
-    (on_top ? f.water_top : f.water_bottom) += now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
+    const double gained = now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
+    (on_top ? f.water_top : f.water_bottom) += gained;
+    if (!f.gained.empty()) f.gained[i] = gained;
+}
+
+/// What garments show more of than samples.
+void show_garment(const Stock& stock, Frame& f)
+{
+    const SegmentFields<Shown>& s = stock.segments;
+    if (s.on_skin.empty()) return;
+    f.gained.assign(s.liquid.size(), 0);
+    f.evaporated.assign(s.evaporated.begin(), s.evaporated.end());
+    for (std::int64_t quanta : s.on_skin) f.on_skin.push_back(static_cast<float>(static_cast<double>(quanta) * water_quantum));
 }
 
 } // namespace
@@ -143,6 +155,7 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     std::int64_t free = stock.standing;
     const ParticleFields<Shown>& p = stock.particles;
     for (std::size_t i = 0; i < p.alive.size(); ++i) free += p.alive[i] ? p.content[i] : 0;
+    for (std::int64_t quanta : s.on_skin) free += quanta;
     l.water_free = static_cast<double>(free) * water_quantum;
     l.water_liquid = sum_visited(s.liquid);
     if (!s.between.empty()) l.water_liquid += sum_of_all(s.between);
@@ -167,6 +180,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
     f.shells.assign(stock.segments.regain.begin(), stock.segments.regain.end());
     f.resize_fields(stock.segments.liquid.size());
     copy_shown_fields(stock.segments, f);
+    show_garment(stock, f);
     Segments s;
     static_cast<Yarns&>(s) = yarns_of(scene);
     for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited

@@ -17,7 +17,8 @@ public:
         scene_ = &scene;
         out_ = {};
         const bool stirred = !scene.cloth.start.liquid.empty() || scene.cloth.start.warmth != 0 || scene.cloth.start.humidity >= 0 ||
-                             scene.climate.humidity > 1 || !scene.climate.course.empty() || scene.supply.sweat > 0;
+                             scene.climate.humidity > 1 || !scene.climate.course.empty() || scene.supply.sweat > 0 ||
+                             scene.cloth.panels.count > 0;
         if (scene.rules.rest_tolerance <= 0 || stirred) return;
         out_ = {scene.cloth.ends / 2, (scene.cloth.ends - 1) / 2, scene.cloth.picks / 2, (scene.cloth.picks - 1) / 2};
         int fed_reach[4] = {-1, -1, -1, -1};

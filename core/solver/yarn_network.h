@@ -75,12 +75,13 @@ private:
     }
     template <typename Stage> void each_line(const char* name, const Stage& stage)
     {
-        exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()), stage);
+        exec_.for_each_line(name, yarns().visited_lines(), std::max(yarns().visited_ends(), yarns().visited_picks()),
+                            stage); // of which no line is longer
     }
     Yarns yarns()
     {
-        return {scene_->cloth.ends, scene_->cloth.picks, scene_->cloth.warp_types, scene_->cloth.weft_types(),
-                type_.data(),       yarns_.data(),       crossing_.data(),         region_.unvisited()};
+        return {scene_->cloth.ends, scene_->cloth.picks, scene_->cloth.warp_types, scene_->cloth.weft_types(), type_.data(),
+                yarns_.data(),      crossing_.data(),    region_.unvisited(),      panels_.view(panels_now_)};
     }
     bool by_suction() const { return scene_->cloth.by_suction; }
     void load_start();
@@ -97,8 +98,10 @@ private:
     double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
     void flow_between_touching(double dt, bool odd_first);
+    void flow_through_seams(double dt);
     void move_by_suction(double dt);
     void sweat(double dt);
+    void sweat_from_skin(double time, double dt);
     void move_liquid_and_heat(double dt, const StepSigns& signs);
     bool exchanges_in(const NetworkStep& step) const { return step.exchange_dt > 0 && exchanges(*scene_); }
     template <typename Archive> void pass_regain(Archive& archive);
@@ -118,6 +121,9 @@ private:
     Buffer<std::uint8_t> type_;
     Buffer<YarnParameters> yarns_;
     Buffer<CrossingParameters> crossing_;
+    PanelArrays<Buffer> panels_;
+    Panels panels_now_; ///< of the scene, on the host
+    Buffer<SeamJoint> seams_;
     Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
     Buffer<YarnTotals> totals_; ///< one, of this step
 };
@@ -156,6 +162,10 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     fields_.dry_pores.upload(scene.cloth.pores);
     fields_.touching.upload(scene.cloth.touching);
     fields_.contact.fill(no_particle);
+    fields_.sweat.upload(scene.supply.skin.rate);
+    panels_.upload(scene.cloth.panels);
+    panels_now_ = panels_of(scene.cloth.panels);
+    seams_.upload(scene.cloth.seams.joints);
     type_.upload(scene.cloth.type);
     yarns_.upload(scene.cloth.yarns);
     crossing_.upload(scene.cloth.crossing);
@@ -192,6 +202,7 @@ template <typename Executor> double YarnNetwork<Executor>::next_event(double tim
     };
     for (const ScenePool& pool : scene_->supply.pools) consider(pool.next_change(time));
     for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
+    consider(scene_->supply.skin.next_change(time));
     return next;
 }
 
@@ -222,7 +233,8 @@ template <typename Executor> void YarnNetwork<Executor>::supply(double time, dou
     if (!scene_->supply.fed.empty()) each_segment("keep fed", KeepFed{segments(), climate_.density});
     feed_from_pools(time, dt);
     if (scene_->supply.sweat > 0) sweat(dt);
-    may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0;
+    if (!scene_->supply.skin.rate.empty()) sweat_from_skin(time, dt);
+    may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0 || !scene_->supply.skin.rate.empty();
 }
 
 /// Pools fill, and the yarns under them absorb.
@@ -254,6 +266,19 @@ template <typename Executor> void YarnNetwork<Executor>::sweat(double dt)
     each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
     pools_.pumped.add(offered);
     pools_.ran_off.add(offered - totals_.read(0).given);
+}
+
+/// Each crossing's skin gives what the cloth over it takes.
+template <typename Executor> void YarnNetwork<Executor>::sweat_from_skin(double time, double dt)
+{
+    const SkinSupply& skin = scene_->supply.skin;
+    totals_.write(0, {});
+    const double begins = 0.5 * (time + time - dt); // the factor changes at steps' ends only
+    each_crossing("sweat", SweatFromSkin{segments(), climate_.density, skin.factor_at(begins) * dt, dt, skin.holds, &totals_.data()->asked,
+                                         &totals_.data()->shed});
+    const YarnTotals found = totals_.read(0);
+    pools_.pumped.add(found.asked);
+    pools_.ran_off.add(found.shed);
 }
 
 template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(double time, double dt, bool frame_due, bool drops_about)
@@ -360,8 +385,8 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
     region_.include_reached(found.reach);
     const auto changes_now = [&](const ScenePool& pool) { return pool.next_change(step.time - step.dt) == step.time; };
-    const bool changes =
-        std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now); // courses of climate have no jumps
+    const bool changes = std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
+                         scene_->supply.skin.next_change(step.time - step.dt) == step.time; // courses of climate have no jumps
     if (changes) steps_.begin_anew(drops_about);
 }
 

@@ -14,9 +14,10 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     const Cloth& cloth = scene_->cloth;
     const StandingPool pool = pools_.standing_pool(*scene_, climate_);
     const Yarns all = yarns();
-    const int first = of_warp ? 0 : all.visited_ends(), lines = of_warp ? all.visited_ends() : all.visited_picks();
+    const int first = of_warp ? 0 : all.visited_warps(), lines = of_warp ? all.visited_warps() : all.visited_wefts();
+    const int chains = of_warp ? all.panels.warp_chains : all.panels.weft_chains;
     const int longest = of_warp ? all.visited_picks() : all.visited_ends();
-    exec_.for_each_line("flow", lines, longest,
+    exec_.for_each_line("flow", all.whole() ? lines : chains, all.whole() ? longest : all.panels.longest_chain,
                         FlowAlongLines{s, climate_, dt, of_warp, lift(of_warp), pool, &totals_.data()->given, scene_->rules.suction_rounds,
                                        &totals_.data()->shed, &totals_.data()->unsolved, of_warp != warp_first_});
     if (scene_->rules.heat)
@@ -27,13 +28,24 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
 template <typename Executor> double YarnNetwork<Executor>::lift(bool along_warp) const
 {
     const Cloth& cloth = scene_->cloth;
+    if (cloth.panels.count > 0) return climate_.density * gravity_acceleration; // for each m of rise
     return climate_.density * (along_warp ? cloth.gravity_along_warp * cloth.weft_pitch : cloth.gravity_along_weft * cloth.warp_pitch);
 }
 
 template <typename Executor> void YarnNetwork<Executor>::flow_between_touching(double dt, bool odd_first)
 {
     for (bool of_odd : {odd_first, !odd_first}) // in turn, or water would run farther to one side
-        each_segment("touching", FlowBetweenTouching{segments(), climate_, dt, of_odd, lift(false), lift(true)});
+        each_segment("touching", FlowBetweenTouching{{segments(), climate_, dt}, of_odd, lift(false), lift(true)});
+}
+
+/// Joints of a group act at once, groups one after the other.
+template <typename Executor> void YarnNetwork<Executor>::flow_through_seams(double dt)
+{
+    int first = 0;
+    for (int end : scene_->cloth.seams.group_ends) {
+        exec_.for_each("seams", end - first, FlowThroughSeam{{segments(), climate_, dt}, seams_.data() + first});
+        first = end;
+    }
 }
 
 /// Along warp and weft, one after the other; the other way round in the next step. Touching yarns pass half before each, which fills up
@@ -51,6 +63,7 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
     for (bool of_warp : {warp_first_, !warp_first_}) {
         if (fields_.touching.size() > 0) flow_between_touching(0.5 * dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
+        flow_through_seams(0.5 * dt);
         flow_by_suction(dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
     }

@@ -35,6 +35,16 @@ double pore_vapour(const Scene& scene)
     return begins * saturation_concentration(climate.temperature + scene.cloth.start.warmth);
 }
 
+/// All but those that lie outside the panels of a garment.
+std::vector<bool> segments_there(const Scene& scene)
+{
+    const ClothPanels& panels = scene.cloth.panels;
+    std::vector<bool> there(static_cast<std::size_t>(scene.cloth.segments()), panels.count == 0);
+    for (std::size_t piece = 0; piece < panels.first.size(); ++piece)
+        std::fill(there.begin() + panels.first[piece], there.begin() + panels.last[piece], true);
+    return there;
+}
+
 /// The segments with what their swelling depends on.
 Segments swelling_segments(const Scene& scene, YarnStart& start, std::vector<double>& bound)
 {
@@ -71,7 +81,7 @@ void add_suctions(YarnStart& start, const Scene& scene, const Segments& s)
     const ClothStart& at = scene.cloth.start;
     for (std::size_t i = 0; i < start.pores.size(); ++i)
         settle(start.suction, start.settled, pores_at_start(s, static_cast<int>(i)),
-               at.liquid.empty() ? 0.0 : at.liquid[i] / (density * start.pores[i]));
+               at.liquid.empty() || start.pores[i] <= 0 ? 0.0 : at.liquid[i] / (density * start.pores[i]));
     const FindPores find{s, density};
     for (int crossing = 0; crossing < scene.cloth.crossings(); ++crossing) {
         const int end = crossing / scene.cloth.picks, pick = crossing % scene.cloth.picks;
@@ -101,6 +111,7 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;
     case SegmentCount::sucking_crossings: return sucks ? segments / 2 : 0;
+    case SegmentCount::skin_crossings: return scene.supply.skin.rate.size();
     case SegmentCount::segments: break;
     }
     return segments;
@@ -114,9 +125,11 @@ YarnStart yarn_start(const Scene& scene)
     if (scene.cloth.by_suction) start.room.resize(n / 2);
     std::vector<double> bound(n);
     const Segments s = swelling_segments(scene, start, bound);
+    const std::vector<bool> there = segments_there(scene);
     constexpr double least_change = 1e-3;       // of regain: where nothing is to change, nothing is to be followed more closely
     constexpr double temperature_change = 50.0; // K: temperatures settle at once, so errors of steps do not add up
     for (std::size_t i = 0; i < n; ++i) {
+        if (!there[i]) continue;
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double liquid = scene.cloth.start.liquid.empty() ? 0.0 : scene.cloth.start.liquid[i];
         const double fibres = scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;

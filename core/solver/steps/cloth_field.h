@@ -60,7 +60,7 @@ struct FeelCloth {
         const int end0 = first(u - wide_u - Real(0.5), textile.ends), end1 = first(u + wide_u + Real(1.5), textile.ends);
         const int pick0 = first(v - wide_v - Real(0.5), textile.picks), pick1 = first(v + wide_v + Real(1.5), textile.picks);
         for (int end = end0 + own_element(); end < end1; end += elements_beside)
-            add(sums, x, textile.segment(true, end, pick0), pick1 - pick0, beads.types[textile.type_of_end(end)]);
+            add(sums, x, textile.segment(true, end, pick0), pick1 - pick0, beads.types[textile.type[end]]);
         for (int pick = pick0 + own_element(); pick < pick1; pick += elements_beside)
             add(sums, x, textile.segment(false, end0, pick), end1 - end0, beads.types[textile.type_of_pick(pick)]);
         return sums.expansion(x);

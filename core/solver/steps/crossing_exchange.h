@@ -25,7 +25,7 @@ struct ExchangeAtCrossing {
     {
         const auto [end, pick] = s.visited_place(index);
         const int a = s.warp_of(end, pick), b = s.weft_of(end, pick);
-        const YarnParameters& warp = s.parameters[s.type_of_end(end)];
+        const YarnParameters& warp = s.parameters[s.type_of_end(end, pick)];
         const YarnParameters& weft = s.parameters[s.type_of_pick(pick)];
         const CrossingParameters& crossing = s.crossing_at(end, pick);
         Side at_a{s.liquid[a]}, at_b{s.liquid[b]};

@@ -11,35 +11,103 @@ namespace hygroloom::inline HL_PRECISION {
 struct FlowAlongLines : PoreRounds {
     template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
-        const YarnLine at = s.visited_line(of_warp ? index : s.visited_ends() + index);
+        if (!s.whole()) {
+            const int chain = of_warp ? index : s.panels.warp_chains + index;
+            flow(Line<Team>{team, chain > 0 ? s.panels.chain_ends[chain - 1] : 0, s.panels.chain_ends[chain], 0, 0});
+            return;
+        }
+        const YarnLine at = s.visited_line(of_warp ? index : s.visited_warps() + index);
         const int number = s.line_of(at.first);
-        const Line<Team> line{team, at.first, at.last, of_warp ? number : number - s.ends,
-                              of_warp ? number * s.picks : s.weft_of(0, number - s.ends)};
-        const int a = at.first, b = at.last;
-        const bool wet = team.any_of(a, b, [&](int i) { return is_wet(line, i); });
+        flow(Line<Team>{team, at.first, at.last, of_warp ? number : number - s.ends,
+                        of_warp ? number * s.picks : s.weft_of(0, number - s.ends)});
+    }
+    template <typename Team> HL_FN void flow(const Line<Team>& line) const
+    {
+        const int a = line.first, b = line.last;
+        const bool wet = line.team.any_of(a, b, [&](int i) { return is_wet(line, i); });
         if (wet) {
-            team.each(a, b, [&](int i) { look_at(line, i); });
-            if (team.each_saying(a, b, [&](int i) { return couple(line, i); }) && solve(line)) {
-                accept(line, at);
+            line.team.each(a, b, [&](int i) { look_at(line, i); });
+            if (line.team.each_saying(a, b, [&](int i) { return couple(line, i); }) && solve(line)) {
+                accept(line);
                 return;
             }
         }
-        team.each(a, b, [&](int i) {
-            s.flux[i] = 0;
+        line.team.each(a, b, [&](int i) {
+            s.flux[segment_at(i)] = 0;
             if (wet && settles) stay(line, i);
         });
     }
 
     /// Masses move by the solution's fluxes; at the end of a step each class notes the suction at which it settles.
-    template <typename Team> HL_FN void accept(const Line<Team>& line, const YarnLine& at) const
+    template <typename Team> HL_FN void accept(const Line<Team>& line) const
     {
-        const int a = at.first, b = at.last;
+        const int a = line.first, b = line.last;
+        if (!s.whole()) line.team.each(a, b, [&](int i) { s.flux[segment_at(i)] = 0; });
         const bool overflows = line.team.each_saying(a, b, [&](int i) {
-            s.flux[i] = i + 1 < b ? flux_along(line, 0, i) + flux_along(line, 1, i) : 0.0;
+            note_flux(line, i);
             return pass(line, i);
         });
-        if (overflows) WickAlongYarn{s, climate, dt, 0, 0}.carry_rounding(line.team, at);
+        if (!s.whole()) {
+            line.team.each(a, b, [&](int i) { line(left, i) = warmth_over_seams(line, i); });
+            line.team.each(a, b, [&](int i) { s.warmth[segment_at(i)] = line(left, i); });
+        }
+        if (overflows) carry_rounding(line);
         if (settles) line.team.each(a, b, [&](int i) { settle(line, i); });
+    }
+    template <typename Team> HL_FN double flux_after(const Line<Team>& line, int i) const // kg on to the next place
+    {
+        return i + 1 < line.last ? flux_along(line, 0, i) + flux_along(line, 1, i) : 0.0;
+    }
+    /// For what goes along the yarn with the liquid: of each segment, to the next one on its yarn.
+    template <typename Team> HL_FN void note_flux(const Line<Team>& line, int i) const
+    {
+        if (s.whole()) {
+            s.flux[i] = flux_after(line, i);
+            return;
+        }
+        if (i + 1 >= line.last || is_seam(i)) return;
+        const int here = s.panels.order[i], next = s.panels.order[i + 1];
+        if (next > here)
+            s.flux[here] = flux_after(line, i);
+        else
+            s.flux[next] = -flux_after(line, i);
+    }
+    /// K, of a segment with the warmth that came through seams. What the liquid carries along the yarn comes later.
+    template <typename Team> HL_FN double warmth_over_seams(const Line<Team>& line, int i) const
+    {
+        const int own = s.panels.order[i];
+        double in = 0, from_before = 0, from_next = 0; // kg
+        if (i > line.first) (is_seam(i - 1) ? from_before : in) += flux_after(line, i - 1);
+        if (i + 1 < line.last) (is_seam(i) ? from_next : in) -= flux_after(line, i);
+        const double now = heat_capacity(s.yarn_of(own), s.length[own], s.warm_water(own)) - water_specific_heat * in; // J/K
+        double heat = 0, came = 0;
+        const auto add = [&](double mass, int from) {
+            if (mass <= 0) return;
+            came += water_specific_heat * mass;
+            heat += water_specific_heat * mass * s.warmth[s.panels.order[from]];
+        };
+        add(from_before, i - 1);
+        add(from_next, i + 1);
+        return came > 0 && now > came ? ((now - came) * s.warmth[own] + heat) * plain_inverse(now) : s.warmth[own];
+    }
+    /// Along each piece of a yarn.
+    template <typename Team> HL_FN void carry_rounding(const Line<Team>& line) const
+    {
+        const WickAlongYarn wick{s, climate, dt, 0, 0};
+        const auto carry = [&](int first, int last) {
+            wick.carry_rounding(line.team, {s.yarn_of(first), first, last, of_warp, true, true});
+        };
+        if (s.whole()) {
+            carry(line.first, line.last);
+            return;
+        }
+        for (int first = line.first; first < line.last;) {
+            int last = first + 1;
+            while (last < line.last && !is_seam(last - 1)) ++last;
+            const int low = s.panels.order[first], high = s.panels.order[last - 1];
+            carry(low < high ? low : high, (low < high ? high : low) + 1);
+            first = last;
+        }
     }
     /// Returns whether the own pores are left with more than they hold, or less than nothing.
     template <typename Team> HL_FN bool pass(const Line<Team>& line, int i) const

@@ -43,7 +43,7 @@ struct PoreLines {
     ClimateParameters climate;
     double dt;    ///< s; half of it across the lines, for stages of both systems pass each crossing
     bool of_warp; ///< lines are all ends, or all picks
-    double lift;  ///< Pa, by which suction rises from a place to the next in liquid at rest
+    double lift;  ///< Pa, by which suction rises from a place to the next in liquid at rest; in panels Pa/m, for each m of rise
     StandingPool pool;
     std::int64_t* drawn;    ///< sums up quanta that came from the pool
     int most_rounds;        ///< for the suctions along a line
@@ -64,20 +64,30 @@ struct PoreLines {
     };
     template <typename Team> HL_FN Place place(const Line<Team>& line, int i) const
     {
+        if (!s.whole()) return place_in_chain(i);
         const int k = i - line.base;
         if (of_warp) return {i, i, s.weft_of(line.number, k), line.number, k};
         const int crossing = s.warp_of(k, line.number);
         return {i, crossing, crossing, k, line.number};
     }
+    /// In panels lines are chains of places.
+    HL_FN Place place_in_chain(int i) const
+    {
+        const int own = s.panels.order[i], crossing = s.crossing_of(own), end = crossing / s.picks, pick = crossing % s.picks;
+        return {own, crossing, of_warp ? s.weft_of(end, pick) : crossing, end, pick};
+    }
+    HL_FN int segment_at(int i) const { return s.whole() ? i : s.panels.order[i]; }
+    /// Whether a seam lies between a place and the next.
+    HL_FN bool is_seam(int i) const { return !s.whole() && s.panels.joint_yarns[i] >= 0; }
     HL_FN const YarnParameters& yarn(const Place& p, bool own) const
     {
-        return s.parameters[own == of_warp ? s.type_of_end(p.end) : s.type_of_pick(p.pick)];
+        return s.parameters[own == of_warp ? s.type_of_end(p.end, p.pick) : s.type_of_pick(p.pick)];
     }
     HL_FN const YarnParameters& yarn_of(const Place& p, int which) const { return yarn(p, which == own_pores); }
     HL_FN int face(const Place& p, int which) const { return s.face_of(p.crossing, (which == own_pores) == of_warp); }
     HL_FN const WettedPores& pores(const Place& p, int which) const { return yarn_of(p, which).on_face[face(p, which)]; }
     HL_FN const BetweenParameters& room(const Place& p) const { return s.crossing_at(p.end, p.pick).between; }
-    HL_FN bool is_fed(int i) const { return s.fed != nullptr && s.fed[i] != 0; }
+    HL_FN bool is_fed(int i) const { return s.fed != nullptr && s.fed[i] != 0; } // in no garment
     HL_FN FindPores find() const { return {s, climate.density}; }
     HL_FN int taker(const Place& p, int which) const
     {
@@ -185,9 +195,16 @@ struct PoreLines {
         moves = moves || passes;
         return passes || conductance * small_difference * from.entry > least_rate * smaller ? conductance * seconds : 0.0;
     }
-    HL_FN double coupling_along(const End& here, const End& next, double conductance, int twice_power, bool& moves) const
+    HL_FN double lift_after(int i) const // Pa
     {
-        const double difference = next.suction - here.suction - lift; // more than 0: on along the line
+        if (s.whole()) return lift;
+        if (is_seam(i)) return 0;
+        const int here = s.panels.order[i], next = s.panels.order[i + 1];
+        return lift * static_cast<double>(next > here ? s.panels.rise[here] : -s.panels.rise[next]);
+    }
+    HL_FN double coupling_along(const End& here, const End& next, double rises, double conductance, int twice_power, bool& moves) const
+    {
+        const double difference = next.suction - here.suction - rises; // more than 0: on along the line
         const End &from = difference > 0 ? here : next, &to = difference > 0 ? next : here;
         if (!to.is_connected() && to.gate <= 0) return 0;
         return coupling(conductance * share_of_permeability(from.saturation, from.threshold, twice_power), difference, from, to, dt, moves);
@@ -220,9 +237,11 @@ struct PoreLines {
             const Place q = place(line, i + 1);
             const double from = along_room(p), to = along_room(q);
             const double in_series = from > 0 && to > 0 ? 2.0 * from * to / (from + to) : 0.0;
-            line(along, i) =
-                coupling_along(own, end_of(line, q, own_pores, i + 1), density * along_yarn(yarn_of(p, own_pores), i), 7, moves);
-            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), density * in_series, 8, moves);
+            const bool seam = is_seam(i);
+            const double yarns = seam ? s.panels.joint_yarns[i] : along_yarn(yarn_of(p, own_pores), segment_at(i), segment_at(i + 1));
+            const double rooms = seam ? s.panels.joint_rooms[i] : in_series;
+            line(along, i) = coupling_along(own, end_of(line, q, own_pores, i + 1), lift_after(i), density * yarns, 7, moves);
+            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), lift_after(i), density * rooms, 8, moves);
         }
         const bool by_pool = pool.stands && couple_with_pool(line, p, i);
         return by_pool || moves;
@@ -231,12 +250,12 @@ struct PoreLines {
     {
         return find().permeability_of_room(p.crossing, room(p)) * (of_warp ? room(p).along_warp : room(p).along_weft);
     }
-    HL_FN double along_yarn(const YarnParameters& yarn, int i) const // m3/(s Pa), from i to i + 1
+    HL_FN double along_yarn(const YarnParameters& yarn, int i, int next) const // m3/(s Pa), between neighbours
     {
-        double flows = yarn.flow_along * 2.0 * plain_inverse(s.length[i] + s.length[i + 1]);
-        if (s.narrows) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(i + 1, yarn));
-        if (s.warmth[i] == 0 && s.warmth[i + 1] == 0) return flows;
-        return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[i + 1]));
+        double flows = yarn.flow_along * 2.0 * plain_inverse(s.length[i] + s.length[next]);
+        if (s.narrows) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(next, yarn));
+        if (s.warmth[i] == 0 && s.warmth[next] == 0) return flows;
+        return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[next]));
     }
     template <typename Team> HL_FN bool couple_with_pool(const Line<Team>& line, const Place& p, int i) const
     {

@@ -12,7 +12,7 @@ struct PoreRounds : PoreLines {
     template <typename Team> HL_FN double flux_along(const Line<Team>& line, int which, int i) const
     {
         const double joint = line(along + which, i);
-        return joint > 0 ? joint * (line(suction + which, i + 1) - line(suction + which, i) - lift) : 0.0;
+        return joint > 0 ? joint * (line(suction + which, i + 1) - line(suction + which, i) - lift_after(i)) : 0.0;
     }
     template <typename Team> HL_FN double inflow_along(const Line<Team>& line, int which, int i) const
     {

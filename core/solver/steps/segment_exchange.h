@@ -12,6 +12,21 @@ struct ExchangeInSegment : SegmentBalance {
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
+        if (s.whole()) {
+            exchange(i);
+            return;
+        }
+        ExchangeInSegment here = *this;
+        const FaceAir& over = s.air_over(i);
+        here.face_area = s.cell_area(i);
+        here.climate.air_warmth = over.air_warmth;
+        here.climate.vapour = over.vapour;
+        here.climate.heat_transfer = over.heat_transfer;
+        here.climate.mass_transfer = over.mass_transfer;
+        here.exchange(i);
+    }
+    HL_FN void exchange(int i) const
+    {
         const YarnParameters& yarn = s.yarn_of(i);
         const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;

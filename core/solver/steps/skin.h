@@ -44,7 +44,7 @@ struct TextileShape : Yarns {
         const Real rise = static_cast<Real>(is_warp ? here.warp_rise : here.weft_rise);
         return is_warp_up(end, pick) == is_warp ? rise : -rise;
     }
-    HL_FN const YarnShape& warp_shape(int end) const { return shapes[type_of_end(end)]; }
+    HL_FN const YarnShape& warp_shape(int end) const { return shapes[type[end]]; } // drops fall on whole rectangles only
     HL_FN const YarnShape& weft_shape(int pick) const { return shapes[type_of_pick(pick)]; }
 };
 

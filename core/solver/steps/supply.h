@@ -149,6 +149,51 @@ struct AskPool {
     HL_FN std::int64_t operator()(int index) const { return wanted(s.visited_segment(index)); }
 };
 
+/// A skin under the cloth sweats: each crossing's share goes to its yarns that lie on the skin, then to the room between them, as much as
+/// they draw and have room for; the rest stays on the skin, and what that does not hold drips.
+struct SweatFromSkin {
+    Segments s;
+    double density;
+    double seconds; ///< of sweating at the scene's rates
+    double dt;
+    double holds;        ///< m of liquid
+    std::int64_t* total; ///< quanta that came
+    std::int64_t* drips; ///< quanta
+
+    HL_FN void operator()(int index) const
+    {
+        const int crossing = s.visited_crossing(index), end = crossing / s.picks, pick = crossing % s.picks;
+        const double area = s.panels.cell_area[s.panels.of_pick[pick]];
+        const auto came = static_cast<std::int64_t>(s.sweat[crossing] * area * density * seconds / water_quantum);
+        std::int64_t& skin = s.on_skin[crossing];
+        skin += came;
+        if (came != 0) atomic_add(total, came);
+        if (skin <= 0) return;
+        const FedFace face{s.panels.skin_on_top[s.panels.of_pick[pick]] != 0, -1.0};
+        const std::int64_t offered = skin;
+        const int weft = s.weft_of(end, pick);
+        skin -= take(crossing, face.share(s, crossing), offered);
+        skin -= take(weft, face.share(s, weft), offered);
+        if (skin > 0) skin -= take(2 * s.crossings() + crossing, 1.0, skin); // the room between the yarns, once one of them is wet
+        const auto most = static_cast<std::int64_t>(holds * area * density / water_quantum);
+        if (skin <= most) return;
+        atomic_add(drips, skin - most);
+        skin = most;
+    }
+    /// Quanta that a taker takes of its share of what is offered.
+    HL_FN std::int64_t take(int number, double share, std::int64_t offered) const
+    {
+        const Taker taker{s, density, number};
+        const double room = taker.room();
+        if (share <= 0 || room <= 0) return 0;
+        const double draws = share * taker.draws(dt, room), wanted = (draws < room ? draws : room) / water_quantum;
+        const double there = share * static_cast<double>(offered);
+        const auto quanta = static_cast<std::int64_t>(wanted < there ? wanted : there);
+        s.absorbed[number] += quanta;
+        return quanta;
+    }
+};
+
 /// How readily each taker takes from a pool on a face, summed up.
 struct WeighPool {
     Segments s;

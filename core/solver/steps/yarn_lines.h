@@ -311,13 +311,14 @@ struct ForeseeVapour {
     double per_density; ///< m3/kg, of liquid
     double rate;        ///< at which wet pores come to saturation in the step, see phase_change_rate()
     double bearable;    ///< kg per m of yarn: more would cool it by more than a few kelvin
-    double to_air;      ///< m3, through the face
+    double dt;
+    double to_air; ///< m3, through the face, where the cloth is one rectangle
 
-    HL_FN ForeseeVapour(const Segments& segments, const ClimateParameters& air, const YarnParameters& yarn, double dt, double face_area,
-                        bool cools)
+    HL_FN ForeseeVapour(const Segments& segments, const ClimateParameters& air, const YarnParameters& yarn, double seconds,
+                        double face_area, bool cools)
         : s(segments), climate(air), per_density(plain_inverse(air.density)),
-          rate(dt * phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area)), bearable(1e300),
-          to_air(dt * air.mass_transfer * face_area)
+          rate(seconds * phase_change_rate(yarn.fibre_area, yarn.fibre_radius, yarn.pore_area)), bearable(1e300), dt(seconds),
+          to_air(seconds * air.mass_transfer * face_area)
     {
         constexpr double most_cooling = 3.0; // K
         if (cools) bearable = heat_capacity(yarn, 1.0, 0.0) * most_cooling / heat_of_evaporation(air.temperature);
@@ -330,8 +331,11 @@ struct ForeseeVapour {
         const double fed = supply(i, saturated);
         // Liquid that came since has squeezed the vapour; fibres are at peace with no more than saturation.
         const double squeezed = s.vapour[i] * plain_inverse(own_air), met = squeezed < saturated ? squeezed : saturated;
-        return {own_air + s.uptake[i] + to_air + fed, s.vapour[i] + s.uptake[i] * met + fed * saturated + to_air * climate.vapour};
+        const double out = to_air_at(i), there = vapour_over(i);
+        return {own_air + s.uptake[i] + out + fed, s.vapour[i] + s.uptake[i] * met + fed * saturated + out * there};
     }
+    HL_FN double to_air_at(int i) const { return s.whole() ? to_air : dt * s.air_over(i).mass_transfer * s.cell_area(i); } // m3
+    HL_FN double vapour_over(int i) const { return s.whole() ? climate.vapour : s.air_over(i).vapour; }                    // kg/m3
     /// m3 of air that its liquid can bring to saturation: never more than it lasts for, nor than cools it by a few kelvin.
     HL_FN double supply(int i, double saturated) const
     {
@@ -371,11 +375,12 @@ struct DiffuseVapourAlongYarn {
         return inside > 0 && outside > 0 ? ends * dt * inside * outside / (inside + outside) : 0.0;
     }
 
-    HL_FN bool is_disturbed(int i) const
+    HL_FN bool is_disturbed(const ForeseeVapour& foresee, int i) const
     {
         if (s.liquid[i] > 0) return true;
-        const double difference = s.vapour[i] * plain_inverse(pore_air(s.pores[i], s.liquid[i], climate.density)) - climate.vapour;
-        return difference > 1e-9 * climate.vapour || difference < -1e-9 * climate.vapour;
+        const double there = foresee.vapour_over(i);
+        const double difference = s.vapour[i] * plain_inverse(pore_air(s.pores[i], s.liquid[i], climate.density)) - there;
+        return difference > 1e-9 * there || difference < -1e-9 * there;
     }
 
     template <typename Team> HL_FN void operator()(const Team& team, int index) const
@@ -384,10 +389,10 @@ struct DiffuseVapourAlongYarn {
         const int a = line.first, b = line.last;
         double *joints = s.work0, *pivot = s.work1, *concentration = s.work2;
         const ForeseeVapour foresee(s, climate, line.yarn, dt, face_area, heat);
-        if (!team.any_of(a, b, [&](int i) { return is_disturbed(i); })) {
+        if (!team.any_of(a, b, [&](int i) { return is_disturbed(foresee, i); })) {
             team.each(a, b, [&](int i) {
                 pivot[i] = foresee(i).pivot;
-                concentration[i] = climate.vapour;
+                concentration[i] = foresee.vapour_over(i);
             });
             return;
         }
