@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/garment_scene.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/design/wear.h"
+#include "core/physics/air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace hygroloom {
+namespace {
+
+constexpr double skin_film = 35e-6;     ///< m: 35 g/m2 stay on skin, what comes then drips (Jones and Ogawa 1992)
+constexpr double contact_gap = 0.3e-3;  ///< m of still air that cloth on skin still has between, by hairs and waviness; an assumption
+constexpr std::size_t most_kinds = 255; ///< of yarns, airs and panels
+
+struct Builder {
+    const GarmentParts& parts;
+    const GarmentResolution& resolution;
+    GarmentScene made;
+    std::vector<std::size_t> first_warp, first_weft; ///< of each fabric's types in the cloth's
+    std::size_t weft_types = 0;
+    std::map<std::tuple<int, double>, std::uint8_t> air; ///< by fabric and gap
+
+    Cloth& cloth() { return made.scene.cloth; }
+    std::size_t warp(int end, int pick) const
+    {
+        return static_cast<std::size_t>(made.scene.cloth.picks) * static_cast<std::size_t>(end) + static_cast<std::size_t>(pick);
+    }
+    std::size_t weft(int end, int pick) const
+    {
+        const Cloth& c = made.scene.cloth;
+        return static_cast<std::size_t>(c.crossings()) + static_cast<std::size_t>(c.ends) * static_cast<std::size_t>(pick) +
+               static_cast<std::size_t>(end);
+    }
+    const FabricCells& fabric_of(std::size_t panel) const { return made.fabrics[static_cast<std::size_t>(made.fabric[panel])]; }
+};
+
+void cut_panels(Builder& b)
+{
+    std::map<std::string, int> known;
+    const std::vector<PatternPanel>& panels = b.parts.pattern.panels;
+    if (panels.size() > most_kinds) throw Error("A garment of more than 255 panels cannot be computed.");
+    for (const PatternPanel& panel : panels) {
+        const PanelCut* cut = b.parts.garment->cut_of(panel.name);
+        const Fabric* fabric = cut != nullptr ? find_fabric(*b.parts.design, cut->fabric) : nullptr;
+        if (fabric == nullptr)
+            throw Error("The panel \"" + panel.name + "\" of the garment \"" + b.parts.garment->name +
+                        "\" has no fabric; name it or \"*\" in its panels.");
+        const auto [at, is_new] = known.try_emplace(cut->fabric, static_cast<int>(b.made.fabrics.size()));
+        if (is_new) b.made.fabrics.push_back(fabric_cells(*b.parts.design, *fabric, *b.parts.wear, b.resolution.knobs, b.resolution.side));
+        b.made.fabric.push_back(at->second);
+        const FabricCells& cells = b.made.fabrics[static_cast<std::size_t>(at->second)];
+        PanelGrid grid = panel_grid(panel, radian_from_degree(cut->grain_deg), cells.end_pitch, cells.pick_pitch);
+        if (std::count(grid.there.begin(), grid.there.end(), 1) == 0)
+            throw Error("The panel \"" + panel.name + "\" is smaller than a cell; take smaller cells.");
+        grid.first_pick = b.cloth().picks;
+        b.cloth().picks += grid.picks;
+        b.cloth().ends = std::max(b.cloth().ends, grid.ends);
+        b.made.grids.push_back(std::move(grid));
+    }
+}
+
+/// All fabrics' types of yarn, and how they cross; those of two fabrics never do.
+void add_types(Builder& b)
+{
+    Cloth& cloth = b.cloth();
+    cloth.warp_types = 0;
+    for (bool is_warp : {true, false})
+        for (const FabricCells& fabric : b.made.fabrics) {
+            const Cloth& tile = fabric.tile.cloth;
+            const auto begin = tile.yarns.begin(), middle = begin + tile.warp_types;
+            (is_warp ? b.first_warp : b.first_weft).push_back(cloth.yarns.size());
+            cloth.yarns.insert(cloth.yarns.end(), is_warp ? begin : middle, is_warp ? middle : tile.yarns.end());
+            if (is_warp) cloth.warp_types += tile.warp_types;
+        }
+    if (cloth.yarns.size() > most_kinds) throw Error("A garment of more than 255 types of yarn cannot be computed.");
+    b.weft_types = cloth.yarns.size() - static_cast<std::size_t>(cloth.warp_types);
+    cloth.crossing.resize(static_cast<std::size_t>(cloth.warp_types) * b.weft_types);
+    for (std::size_t f = 0; f < b.made.fabrics.size(); ++f) {
+        const Cloth& tile = b.made.fabrics[f].tile.cloth;
+        const auto wefts = static_cast<std::size_t>(tile.weft_types());
+        for (std::size_t i = 0; i < tile.crossing.size(); ++i)
+            cloth.crossing[(b.first_warp[f] + i / wefts) * b.weft_types + b.first_weft[f] - static_cast<std::size_t>(cloth.warp_types) +
+                           i % wefts] = tile.crossing[i];
+    }
+}
+
+std::uint8_t type_in_cloth(const Builder& b, std::size_t fabric, bool is_warp, int line)
+{
+    const Cloth& tile = b.made.fabrics[fabric].tile.cloth;
+    const std::size_t own = tile.type[static_cast<std::size_t>(is_warp ? line : tile.ends + line)];
+    return static_cast<std::uint8_t>(is_warp ? b.first_warp[fabric] + own
+                                             : b.first_weft[fabric] + own - static_cast<std::size_t>(tile.warp_types));
+}
+
+/// What every crossing of a panel's rectangle is like, whether it is there or not.
+void fill_panel(Builder& b, std::size_t panel)
+{
+    const PanelGrid& grid = b.made.grids[panel];
+    const FabricCells& fabric = b.fabric_of(panel);
+    const auto number = static_cast<std::size_t>(b.made.fabric[panel]);
+    Cloth& cloth = b.cloth();
+    const Cloth& tile = fabric.tile.cloth;
+    for (int end = 0; end < cloth.ends; ++end) {
+        cloth.type[panel * static_cast<std::size_t>(cloth.ends) + static_cast<std::size_t>(end)] =
+            type_in_cloth(b, number, true, end % fabric.ends);
+        for (int pick = 0; pick < grid.picks; ++pick) {
+            const std::size_t warp = b.warp(end, grid.first_pick + pick), weft = b.weft(end, grid.first_pick + pick);
+            const std::size_t from = fabric.crossing(end, pick), from_weft = fabric.weft(end, pick);
+            cloth.length[warp] = tile.length[from];
+            cloth.length[weft] = tile.length[from_weft];
+            cloth.warp_up[warp] = tile.warp_up[from];
+            if (!cloth.warp_up_share.empty())
+                cloth.warp_up_share[warp] = tile.warp_up_share.empty() ? static_cast<float>(tile.warp_up[from]) : tile.warp_up_share[from];
+            if (tile.touching.empty()) continue;
+            if (grid.has(end, pick) && grid.has(end + 1, pick)) cloth.touching[warp] = tile.touching[from];
+            if (grid.has(end, pick) && grid.has(end, pick + 1)) cloth.touching[weft] = tile.touching[from_weft];
+        }
+    }
+    const std::size_t picks_from =
+        static_cast<std::size_t>(std::max<std::size_t>(1, b.made.grids.size())) * static_cast<std::size_t>(cloth.ends);
+    for (int pick = 0; pick < grid.picks; ++pick) {
+        cloth.type[picks_from + static_cast<std::size_t>(grid.first_pick + pick)] = type_in_cloth(b, number, false, pick % fabric.picks);
+        cloth.panels.panel[static_cast<std::size_t>(grid.first_pick + pick)] = static_cast<std::uint8_t>(panel);
+    }
+}
+
+/// Pieces of yarns: where the outline begins and ends along each.
+void add_pieces(Builder& b)
+{
+    ClothPanels& panels = b.cloth().panels;
+    const auto add = [&](std::size_t first, int count, const auto& there) {
+        for (int i = 0; i < count; ++i) {
+            if (!there(i)) continue;
+            panels.first.push_back(static_cast<int>(first) + i);
+            while (i < count && there(i)) ++i;
+            panels.last.push_back(static_cast<int>(first) + i);
+        }
+    };
+    for (int end = 0; end < b.cloth().ends; ++end)
+        for (const PanelGrid& grid : b.made.grids)
+            add(b.warp(end, grid.first_pick), grid.picks, [&](int pick) { return grid.has(end, pick); });
+    panels.warp_pieces = static_cast<int>(panels.first.size());
+    for (const PanelGrid& grid : b.made.grids)
+        for (int pick = 0; pick < grid.picks; ++pick)
+            add(b.weft(0, grid.first_pick + pick), grid.ends, [&](int end) { return grid.has(end, pick); });
+}
+
+/// W/(m2 K), through a gap of still air, mm.
+double skin_contact(double gap) { return air_conductivity / (metre_from_mm(gap) + contact_gap); }
+
+/// Air over the outer face, and the skin beyond the gap. The skin's face lets no vapour through: it sweats liquid, and what it holds lies
+/// wet under the cloth. Each of a crossing's two segments answers for half of both faces.
+std::uint8_t air_over(Builder& b, std::size_t panel, double gap)
+{
+    const int fabric = b.made.fabric[panel];
+    const auto [at, is_new] = b.air.try_emplace({fabric, gap}, static_cast<std::uint8_t>(b.cloth().panels.airs.size()));
+    if (!is_new) return at->second;
+    std::vector<FaceAir>& airs = b.cloth().panels.airs;
+    if (airs.size() >= most_kinds) throw Error("A garment with more than 255 kinds of air at its cloth cannot be computed.");
+    const SceneClimate& outside = b.fabric_of(panel).tile.climate;
+    if (!b.resolution.has_skin) {
+        airs.push_back({outside.air_warmth, outside.vapour, outside.heat_transfer, outside.mass_transfer});
+        return at->second;
+    }
+    const double to_skin = skin_contact(gap);
+    const double skin_warmth = kelvin_from_celsius(b.parts.garment->wearer.skin_temperature_c) - outside.temperature;
+    const double both = outside.heat_transfer + to_skin;
+    airs.push_back({(outside.heat_transfer * outside.air_warmth + to_skin * skin_warmth) / both, outside.vapour, 0.5 * both,
+                    0.5 * outside.mass_transfer});
+    return at->second;
+}
+
+double capacity_of(const Builder& b, std::size_t panel, int end, int pick)
+{
+    const FabricCells& fabric = b.fabric_of(panel);
+    const Cloth& tile = fabric.tile.cloth;
+    const SceneClimate& climate = fabric.tile.climate;
+    const auto type = [&](bool is_warp) {
+        return static_cast<std::size_t>(is_warp ? tile.type[static_cast<std::size_t>(end % fabric.ends)]
+                                                : tile.type[static_cast<std::size_t>(tile.ends + pick % fabric.picks)]);
+    };
+    const auto of_yarn = [&](const YarnParameters& yarn, double length) {
+        const double bound = std::max(0.0, yarn.isotherm.saturation_regain - yarn.initial_regain);
+        return length * (climate.density * yarn.pore_area + bound * yarn.fibre_area * yarn.fibre_density);
+    };
+    const std::size_t warp = type(true), weft = type(false);
+    const CrossingParameters& crossing =
+        tile.crossing[warp * static_cast<std::size_t>(tile.weft_types()) + weft - static_cast<std::size_t>(tile.warp_types)];
+    return of_yarn(tile.yarns[warp], tile.length[fabric.warp(end, pick)]) + of_yarn(tile.yarns[weft], tile.length[fabric.weft(end, pick)]) +
+           climate.density * crossing.between.volume;
+}
+
+/// The cells that are there, with what the body under each does.
+void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
+{
+    Scene& scene = b.made.scene;
+    for (std::size_t panel = 0; panel < b.made.grids.size(); ++panel) {
+        const PanelGrid& grid = b.made.grids[panel];
+        for (int end = 0; end < grid.ends; ++end)
+            for (int pick = 0; pick < grid.picks; ++pick) {
+                if (!grid.has(end, pick)) continue;
+                GarmentCell cell{static_cast<int>(panel), end, pick};
+                cell.place = places[panel][grid.cell(end, pick)];
+                cell.zone = zone_at(b.parts.pattern, cell.panel, cell.place);
+                cell.crossing = static_cast<int>(b.warp(end, grid.first_pick + pick));
+                cell.flat = grid.middle(end, pick);
+                cell.area = b.fabric_of(panel).cell_area();
+                cell.capacity = capacity_of(b, panel, end, pick);
+                b.made.cells.push_back(cell);
+            }
+    }
+    std::sort(b.made.cells.begin(), b.made.cells.end(), [](const GarmentCell& a, const GarmentCell& c) { return a.crossing < c.crossing; });
+    scene.cloth.panels.air.assign(static_cast<std::size_t>(scene.cloth.crossings()), 0);
+    scene.supply.skin.rate.assign(static_cast<std::size_t>(scene.cloth.crossings()), 0);
+    for (GarmentCell& cell : b.made.cells) {
+        const auto crossing = static_cast<std::size_t>(cell.crossing), zone = static_cast<std::size_t>(cell.zone);
+        scene.cloth.panels.crossings.push_back(cell.crossing);
+        const double gap = gap_at(*b.parts.garment, b.parts.pattern, cell.panel, cell.place);
+        if (b.resolution.has_skin) cell.skin_contact = skin_contact(gap);
+        scene.cloth.panels.air[crossing] = air_over(b, static_cast<std::size_t>(cell.panel), gap);
+        scene.supply.skin.rate[crossing] = 1e-3 * b.parts.sweat.g_m2_h[zone] / 3600.0 / scene.climate.density;
+    }
+    for (const Activity& activity : b.parts.wear->activity) scene.supply.skin.course.push_back({activity.time_s, activity.factor});
+    scene.supply.skin.holds = skin_film;
+}
+
+/// By how much the next cell along each yarn lies higher.
+void add_rises(Builder& b, const std::vector<std::vector<Vec3d>>& places)
+{
+    b.cloth().panels.rise.assign(static_cast<std::size_t>(b.cloth().segments()), 0);
+    if (!b.resolution.hangs) return;
+    for (std::size_t panel = 0; panel < b.made.grids.size(); ++panel) {
+        const PanelGrid& grid = b.made.grids[panel];
+        for (int end = 0; end < grid.ends; ++end)
+            for (int pick = 0; pick < grid.picks; ++pick) {
+                const auto height = [&](int e, int p) { return places[panel][grid.cell(e, p)].y; };
+                const auto rise = [&](int e, int p) {
+                    return grid.has(end, pick) && grid.has(e, p) ? static_cast<float>(height(e, p) - height(end, pick)) : 0.0F;
+                };
+                b.cloth().panels.rise[b.warp(end, grid.first_pick + pick)] = rise(end, pick + 1);
+                b.cloth().panels.rise[b.weft(end, grid.first_pick + pick)] = rise(end + 1, pick);
+            }
+    }
+}
+
+/// Water that pores hold at the start, all of a cell alike.
+void wet(Builder& b)
+{
+    const double per_area = 1e-3 * b.parts.wear->initial_water_g_m2;
+    if (per_area <= 0) return;
+    Cloth& cloth = b.cloth();
+    cloth.start.liquid.assign(static_cast<std::size_t>(cloth.segments()), 0);
+    for (const GarmentCell& cell : b.made.cells) {
+        const PanelGrid& grid = b.made.grids[static_cast<std::size_t>(cell.panel)];
+        const std::size_t warp = b.warp(cell.end, grid.first_pick + cell.pick), weft = b.weft(cell.end, grid.first_pick + cell.pick);
+        const std::size_t panel = static_cast<std::size_t>(cell.panel) * static_cast<std::size_t>(cloth.ends);
+        const auto pores = [&](std::size_t segment, std::size_t line) {
+            return cloth.yarns[cloth.type[line]].pore_area * cloth.length[segment];
+        };
+        const double own = pores(warp, panel + static_cast<std::size_t>(cell.end)),
+                     crossed = pores(weft, b.made.grids.size() * static_cast<std::size_t>(cloth.ends) +
+                                               static_cast<std::size_t>(grid.first_pick + cell.pick));
+        const double share = std::min(1.0, per_area * cell.area / (b.made.scene.climate.density * (own + crossed)));
+        cloth.start.liquid[warp] = share * own * b.made.scene.climate.density;
+        cloth.start.liquid[weft] = share * crossed * b.made.scene.climate.density;
+    }
+}
+
+/// Which seam passes how much.
+std::vector<double> passes(const GarmentParts& parts)
+{
+    std::vector<double> pass;
+    for (const PatternSeam& seam : parts.pattern.seams)
+        pass.push_back(parts.garment->seam_between(parts.pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
+                                                   parts.pattern.panels[static_cast<std::size_t>(seam.panel_b)].name));
+    return pass;
+}
+
+} // namespace
+
+GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution)
+{
+    Builder b{parts, resolution, {}, {}, {}, 0, {}};
+    cut_panels(b);
+    Cloth& cloth = b.cloth();
+    const Scene& first = b.made.fabrics.front().tile;
+    b.made.scene.climate = first.climate;
+    b.made.scene.rules = first.rules;
+    b.made.scene.rules.rest_tolerance = 0;
+    cloth.by_suction = true;
+    cloth.face_only = true;
+    cloth.warp_pitch = b.made.fabrics.front().end_pitch;
+    cloth.weft_pitch = b.made.fabrics.front().pick_pitch;
+    const auto segments = static_cast<std::size_t>(cloth.segments()), crossings = static_cast<std::size_t>(cloth.crossings());
+    cloth.length.resize(segments);
+    cloth.warp_up.resize(crossings);
+    const auto has = [&](auto&& what) { return std::any_of(b.made.fabrics.begin(), b.made.fabrics.end(), what); };
+    if (has([](const FabricCells& f) { return !f.tile.cloth.warp_up_share.empty(); })) cloth.warp_up_share.resize(crossings);
+    if (has([](const FabricCells& f) { return !f.tile.cloth.touching.empty(); })) cloth.touching.resize(segments);
+    cloth.panels.count = static_cast<int>(b.made.grids.size());
+    cloth.type.resize(b.made.grids.size() * static_cast<std::size_t>(cloth.ends) + static_cast<std::size_t>(cloth.picks));
+    cloth.panels.panel.resize(static_cast<std::size_t>(cloth.picks));
+    add_types(b);
+    std::vector<std::vector<Vec3d>> places;
+    for (std::size_t panel = 0; panel < b.made.grids.size(); ++panel) {
+        fill_panel(b, panel);
+        cloth.panels.cell_area.push_back(b.fabric_of(panel).cell_area());
+        cloth.panels.skin_on_top.push_back(parts.garment->cut_of(parts.pattern.panels[panel].name)->top_inside);
+        places.push_back(places_of(b.made.grids[panel], parts.pattern.shape, static_cast<int>(panel)));
+    }
+    for (double& length : cloth.length)
+        if (length == 0) length = cloth.warp_pitch; // outside all panels
+    add_pieces(b);
+    add_cells(b, places);
+    add_rises(b, places);
+    wet(b);
+    sew(cloth, seam_joints(parts.pattern, b.made, passes(parts)));
+    return std::move(b.made);
+}
+
+} // namespace hygroloom

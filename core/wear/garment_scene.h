@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A garment and its wearer as a backend sees them: one cloth of all panels, and the skin under it.
+#pragma once
+
+#include "core/design/design.h"
+#include "core/garment/sweat_table.h"
+#include "core/wear/fabric_cells.h"
+#include "core/wear/garment_grid.h"
+
+namespace hygroloom {
+
+/// What a garment's scene is made from.
+struct GarmentParts {
+    const Design* design = nullptr;
+    const Garment* garment = nullptr;
+    const WearExperiment* wear = nullptr;
+    GarmentPattern pattern;
+    SweatTable sweat;
+};
+
+/// A cell of the garment.
+struct GarmentCell {
+    int panel = 0;
+    int end = 0, pick = 0;   ///< in the panel's grid
+    int zone = 0;            ///< of body_zones()
+    int crossing = 0;        ///< in the scene's cloth
+    FlatPlace flat{};        ///< m
+    Vec3d place;             ///< m
+    double area = 0;         ///< m2
+    double skin_contact = 0; ///< W/(m2 K), from the skin to the cloth
+    double capacity = 0;     ///< kg of water that its fibres, pores and room can hold beyond what they hold at rest
+};
+
+struct GarmentScene {
+    Scene scene;
+    std::vector<FabricCells> fabrics; ///< that panels are cut from, each once
+    std::vector<int> fabric;          ///< of each panel, its place in fabrics
+    std::vector<PanelGrid> grids;     ///< of each panel
+    std::vector<GarmentCell> cells;   ///< in the order of the scene's panels.crossings
+};
+
+/// How finely, and what of the wearer acts.
+struct GarmentResolution {
+    Knobs knobs;
+    double side = 3e-3;   ///< m, of a cell, about
+    bool hangs = true;    ///< water runs down
+    bool has_skin = true; ///< the inner face lies over the skin; otherwise air passes along both
+};
+
+/// Precondition: validate() found no error. Throws Error with a sentence where a panel has no fabric or no cell.
+GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution);
+
+/// The joints of the pattern's seams between cells; pass: share of each seam.
+std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentScene& garment, const std::vector<double>& pass);
+
+/// Joins pieces of one system end to end where seams let them, each end to one other at most, and never to a ring. What joints are left act
+/// between the pieces as they are, in groups. Fills in the cloth's chains and its seams.
+void sew(Cloth& cloth, std::vector<SeamJoint> joints);
+
+} // namespace hygroloom

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/garment_scene.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hygroloom {
+namespace {
+
+/// Sorts joints into groups, each crossing at most once in any.
+ClothSeams grouped(const Cloth& cloth, std::vector<SeamJoint> joints)
+{
+    ClothSeams seams;
+    const auto crossing_of = [&](int segment) {
+        const int weft = segment - cloth.crossings();
+        return static_cast<std::size_t>(weft < 0 ? segment : weft % cloth.ends * cloth.picks + weft / cloth.ends);
+    };
+    while (!joints.empty()) {
+        std::vector<std::uint8_t> taken(static_cast<std::size_t>(cloth.crossings()), 0);
+        std::vector<SeamJoint> left;
+        for (const SeamJoint& joint : joints) {
+            std::uint8_t &a = taken[crossing_of(joint.a)], &b = taken[crossing_of(joint.b)];
+            if (a || b) {
+                left.push_back(joint);
+                continue;
+            }
+            a = b = 1;
+            seams.joints.push_back(joint);
+        }
+        seams.group_ends.push_back(static_cast<int>(seams.joints.size()));
+        joints = std::move(left);
+    }
+    return seams;
+}
+
+constexpr int nothing = -1;
+
+/// An end of a piece, and what it is sewn to.
+struct PieceEnd {
+    int other = nothing; ///< number of the end it is joined with; ends are 2 x piece for its first segment, and one more for its last
+    double yarns = 0, rooms = 0;
+};
+
+class Pieces {
+public:
+    explicit Pieces(const ClothPanels& panels) : panels_(panels), ends_(2 * panels.first.size()), chain_(panels.first.size())
+    {
+        std::iota(chain_.begin(), chain_.end(), 0);
+    }
+
+    /// Whether the joint became one of pieces end to end.
+    bool join(const SeamJoint& joint)
+    {
+        const int a = free_end(joint.a), b = free_end(joint.b);
+        if (a == nothing || b == nothing || is_warp(a / 2) != is_warp(b / 2)) return false;
+        const int chain_a = chain_of(a / 2), chain_b = chain_of(b / 2);
+        if (chain_a == chain_b) return false; // a ring
+        chain_[static_cast<std::size_t>(chain_a)] = chain_b;
+        end(a) = {b, joint.yarns, joint.rooms};
+        end(b) = {a, joint.yarns, joint.rooms};
+        return true;
+    }
+    /// Writes all chains, the warp's first.
+    void write(ClothPanels& panels)
+    {
+        std::vector<bool> done(chain_.size());
+        for (bool warp : {true, false}) {
+            for (int piece = 0; piece < count(); ++piece) {
+                if (is_warp(piece) != warp || done[static_cast<std::size_t>(piece)]) continue;
+                const int start = first_end(piece);
+                for (int at = start; at != nothing;) {
+                    done[static_cast<std::size_t>(at / 2)] = true;
+                    at = end(add(panels, at)).other;
+                }
+                panels.chain_ends.push_back(static_cast<int>(panels.order.size()));
+            }
+            if (warp) panels.warp_chains = static_cast<int>(panels.chain_ends.size());
+        }
+    }
+
+private:
+    int count() const { return static_cast<int>(chain_.size()); }
+    bool is_warp(int piece) const { return piece < panels_.warp_pieces; }
+    PieceEnd& end(int number) { return ends_[static_cast<std::size_t>(number)]; }
+    int chain_of(int piece)
+    {
+        while (chain_[static_cast<std::size_t>(piece)] != piece) piece = chain_[static_cast<std::size_t>(piece)];
+        return piece;
+    }
+    /// The piece that a segment is of, by bisection: pieces are in order.
+    int piece_of(int segment) const
+    {
+        const auto after = std::upper_bound(panels_.first.begin(), panels_.first.end(), segment);
+        return static_cast<int>(after - panels_.first.begin()) - 1;
+    }
+    /// The end of a piece at this segment, unless it is joined.
+    int free_end(int segment)
+    {
+        const int piece = piece_of(segment);
+        const auto at = static_cast<std::size_t>(piece);
+        if (panels_.first[at] == segment && end(2 * piece).other == nothing) return 2 * piece;
+        if (panels_.last[at] - 1 == segment && end(2 * piece + 1).other == nothing) return 2 * piece + 1;
+        return nothing;
+    }
+    /// An end of the piece's chain that is not joined.
+    int first_end(int piece)
+    {
+        int at = 2 * piece;
+        while (end(at).other != nothing) at = end(at).other ^ 1;
+        return at;
+    }
+    /// Adds a piece from one end on; returns its other end.
+    int add(ClothPanels& panels, int from)
+    {
+        const auto piece = static_cast<std::size_t>(from / 2);
+        const int first = panels_.first[piece], last = panels_.last[piece] - 1;
+        for (int k = 0; k <= last - first; ++k) {
+            panels.order.push_back(from % 2 == 0 ? first + k : last - k);
+            panels.joint_yarns.push_back(-1);
+            panels.joint_rooms.push_back(-1);
+        }
+        const int to = from ^ 1;
+        if (end(to).other != nothing) {
+            panels.joint_yarns.back() = end(to).yarns;
+            panels.joint_rooms.back() = end(to).rooms;
+        }
+        return to;
+    }
+
+    const ClothPanels& panels_;
+    std::vector<PieceEnd> ends_;
+    std::vector<int> chain_; ///< of each piece, another one of its chain, or itself
+};
+
+} // namespace
+
+void sew(Cloth& cloth, std::vector<SeamJoint> joints)
+{
+    std::stable_sort(joints.begin(), joints.end(), [](const SeamJoint& a, const SeamJoint& b) { return a.yarns > b.yarns; });
+    Pieces pieces(cloth.panels);
+    std::vector<SeamJoint> left;
+    for (const SeamJoint& joint : joints)
+        if (!pieces.join(joint)) left.push_back(joint);
+    pieces.write(cloth.panels);
+    cloth.seams = grouped(cloth, std::move(left));
+}
+
+} // namespace hygroloom

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  wear/fabric_cells.cpp
+  wear/garment_files.cpp
+  wear/garment_grid.cpp
+  wear/garment_scene.cpp
+  wear/seam_joints.cpp
+  wear/sewing.cpp
+  wear/wear_layout.cpp
+  wear/wear_map.cpp
+  wear/wear_metrics.cpp
+  wear/wear_recording.cpp
+  wear/wear_run.cpp
+)

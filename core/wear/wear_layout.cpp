@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/wear_layout.h"
+
+#include "core/base/units.h"
+#include "core/design/wear.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace hygroloom {
+namespace {
+
+std::string cells_in_words(const GarmentScene& garment)
+{
+    std::set<std::string> words;
+    for (int fabric : garment.fabric) {
+        const FabricCells& cells = garment.fabrics[static_cast<std::size_t>(fabric)];
+        words.insert(fmt::format("cells of {:.2g} x {:.2g} mm, {} x {} crossings", 1e3 * cells.end_pitch, 1e3 * cells.pick_pitch,
+                                 cells.crossings_per_cell, cells.crossings_per_cell));
+    }
+    std::string all;
+    for (const std::string& each : words) all += (all.empty() ? "" : "; ") + each;
+    return all;
+}
+
+} // namespace
+
+WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
+{
+    WearLayout layout;
+    layout.garment = parts.garment->name;
+    layout.experiment = parts.wear->name;
+    layout.cells_in_words = cells_in_words(garment);
+    layout.skin_temperature = kelvin_from_celsius(parts.garment->wearer.skin_temperature_c);
+    const std::vector<Activity>& activity = parts.wear->activity;
+    for (std::size_t k = 1; k < activity.size(); ++k)
+        if (activity[k].factor < activity[k - 1].factor) layout.stops = activity[k].time_s;
+    for (std::size_t k = 0; k < garment.grids.size(); ++k) {
+        const PatternPanel& panel = parts.pattern.panels[k];
+        const PanelCut* cut = parts.garment->cut_of(panel.name);
+        const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[k])];
+        WearPanel made{panel.name, cut->fabric, radian_from_degree(cut->grain_deg), fabric.crossings_per_cell, {}, garment.grids[k]};
+        for (const PanelEdge& edge : panel.edges) made.outline.insert(made.outline.end(), edge.places.begin(), edge.places.end() - 1);
+        layout.panels.push_back(std::move(made));
+    }
+    layout.cells = garment.cells;
+    layout.shape = parts.pattern.shape;
+    return layout;
+}
+
+} // namespace hygroloom

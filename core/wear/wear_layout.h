@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What of a garment stays the same through a run: its panels, cells and shape, for those who show what came of it.
+#pragma once
+
+#include "core/wear/garment_scene.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+struct WearPanel {
+    std::string name, fabric;
+    double grain = 0;               ///< radian
+    int crossings_per_cell = 1;     ///< ends, and picks
+    std::vector<FlatPlace> outline; ///< m, counter-clockwise
+    PanelGrid grid;
+};
+
+struct WearLayout {
+    std::string garment, experiment;
+    std::string cells_in_words;  ///< "cells of 2.3 x 2.3 mm, 8 x 8 crossings"
+    double skin_temperature = 0; ///< K
+    std::optional<double> stops; ///< s, when the wearer's activity last falls; none: never
+    std::vector<WearPanel> panels;
+    std::vector<GarmentCell> cells;
+    GarmentShape shape;
+};
+
+WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment);
+
+} // namespace hygroloom

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/wear_map.h"
+
+#include "core/base/error.h"
+#include "core/base/utf8.h"
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <unordered_map>
+
+namespace hygroloom {
+namespace {
+
+constexpr int steps = 8;
+constexpr double pixels_per_metre = 1000, most_pixels = 4096;
+constexpr double paper = 1.0, ink = 0.18;
+
+/// A panel's cells by their end and pick.
+class CellsOfPanel {
+public:
+    CellsOfPanel(const WearLayout& layout, std::size_t panel) : grid_(layout.panels[panel].grid)
+    {
+        for (std::size_t i = 0; i < layout.cells.size(); ++i)
+            if (static_cast<std::size_t>(layout.cells[i].panel) == panel) cells_[key(layout.cells[i].end, layout.cells[i].pick)] = i;
+    }
+    /// The cell there, or next to there; none: nothing is near.
+    std::optional<std::size_t> at(const FlatPlace& place) const
+    {
+        const std::array<int, 2> middle = grid_.cell_at(place);
+        for (int far = 0; far <= 1; ++far)
+            for (int end = -far; end <= far; ++end)
+                for (int pick = -far; pick <= far; ++pick)
+                    if (const auto found = cells_.find(key(middle[0] + end, middle[1] + pick)); found != cells_.end()) return found->second;
+        return std::nullopt;
+    }
+
+private:
+    static std::int64_t key(int end, int pick) { return (std::int64_t{end} << 32) + pick; }
+    const PanelGrid& grid_;
+    std::unordered_map<std::int64_t, std::size_t> cells_;
+};
+
+struct Box {
+    double left = 1e300, low = 1e300, right = -1e300, high = -1e300;
+    double width() const { return right - left; }
+    double height() const { return high - low; }
+};
+Box box_of(const WearPanel& panel)
+{
+    Box box;
+    for (const FlatPlace& place : panel.outline) {
+        box.left = std::min(box.left, place[0]);
+        box.right = std::max(box.right, place[0]);
+        box.low = std::min(box.low, place[1]);
+        box.high = std::max(box.high, place[1]);
+    }
+    return box;
+}
+
+double scale_of(const Box& box) { return std::min(pixels_per_metre, most_pixels / std::max({1e-6, box.width(), box.height()})); }
+
+/// Draws into a picture of the size; throws Error where that fails.
+template <typename Draw> Image drawn(int width, int height, const Draw& draw)
+{
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
+    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()), cairo_destroy);
+    cairo_select_font_face(cairo.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo.get(), 15);
+    cairo_set_source_rgb(cairo.get(), paper, paper, paper);
+    cairo_paint(cairo.get());
+    draw(cairo.get());
+    cairo_surface_flush(surface.get());
+    if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS)
+        throw Error(fmt::format("The picture was not drawn: {}.", cairo_status_to_string(status)));
+    Image image{width, height, {}};
+    image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const unsigned char* const bytes = cairo_image_surface_get_data(surface.get());
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, bytes + j * stride + 4 * i, sizeof pixel);
+            for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xffU));
+        }
+    return image;
+}
+
+void use_step(cairo_t* cairo, double share)
+{
+    const std::array<std::uint8_t, 3> colour = step_colour(share);
+    cairo_set_source_rgb(cairo, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
+}
+
+void write_text(cairo_t* cairo, double x, double y, const std::string& words)
+{
+    cairo_set_source_rgb(cairo, ink, ink, ink);
+    cairo_move_to(cairo, x, y);
+    cairo_show_text(cairo, printable(words).c_str());
+}
+
+/// 1, 2 or 5 times a power of ten, at most this.
+double round_length(double most)
+{
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+}
+
+/// An arrow along the warp, about a place; half its length in pixels, the grain in radian.
+void draw_grain(cairo_t* cairo, double x, double y, double half, double grain)
+{
+    const double tip_x = x - half * std::sin(grain), tip_y = y - half * std::cos(grain);
+    cairo_move_to(cairo, x + half * std::sin(grain), y + half * std::cos(grain));
+    cairo_line_to(cairo, tip_x, tip_y);
+    for (double side : {-0.5, 0.5}) {
+        cairo_move_to(cairo, tip_x, tip_y);
+        cairo_line_to(cairo, tip_x + 10 * std::sin(grain + side), tip_y + 10 * std::cos(grain + side));
+    }
+    cairo_set_source_rgb(cairo, 0.77, 0.12, 0.23);
+    cairo_stroke(cairo);
+}
+
+void draw_legend(cairo_t* cairo, const WearMap& map, double x, double y)
+{
+    write_text(cairo, x, y, map.scale == WearScale::same ? "water, g/m2" : "share of capacity");
+    for (int step = steps - 1; step >= 0; --step) {
+        const double top = y + 12 + 24 * (steps - 1 - step);
+        use_step(cairo, (step + 0.5) / steps);
+        cairo_rectangle(cairo, x, top, 22, 24);
+        cairo_fill_preserve(cairo);
+        cairo_set_source_rgb(cairo, ink, ink, ink);
+        cairo_set_line_width(cairo, 1);
+        cairo_stroke(cairo);
+        const double from = map.most * step / steps, to = map.most * (step + 1) / steps;
+        write_text(cairo, x + 30, top + 17,
+                   map.scale == WearScale::same ? fmt::format("{:.3g} to {:.3g}", from, to)
+                                                : fmt::format("{:.0f} to {:.0f} %", 100 * from, 100 * to));
+    }
+}
+
+} // namespace
+
+std::array<std::uint8_t, 3> step_colour(double share)
+{
+    constexpr std::array<std::array<std::uint8_t, 3>, steps> colours{{{255, 255, 255},
+                                                                      {222, 235, 247},
+                                                                      {198, 219, 239},
+                                                                      {158, 202, 225},
+                                                                      {107, 174, 214},
+                                                                      {66, 146, 198},
+                                                                      {33, 113, 181},
+                                                                      {8, 48, 107}}};
+    return colours[static_cast<std::size_t>(std::clamp(static_cast<int>(share * steps), 0, steps - 1))];
+}
+
+WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
+{
+    const auto group_of = [&](const WearPanel& panel) {
+        return std::max(1, static_cast<int>(std::lround(static_cast<double>(options.crossings) / panel.crossings_per_cell)));
+    };
+    struct Sum {
+        double water = 0, area = 0, capacity = 0;
+    };
+    std::map<std::array<int, 3>, Sum> sums;
+    const auto key = [&](const GarmentCell& cell) {
+        const int group = group_of(layout.panels[static_cast<std::size_t>(cell.panel)]);
+        return std::array{cell.panel, cell.end / group, cell.pick / group};
+    };
+    for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+        Sum& sum = sums[key(layout.cells[i])];
+        sum.water += frame.water(i);
+        sum.area += layout.cells[i].area;
+        sum.capacity += layout.cells[i].capacity;
+    }
+    WearMap map;
+    map.scale = options.scale;
+    double most = 0;
+    for (const GarmentCell& cell : layout.cells) {
+        const Sum& sum = sums.at(key(cell));
+        map.values.push_back(options.scale == WearScale::same ? 1e3 * sum.water / sum.area : sum.water / sum.capacity);
+        most = std::max(most, map.values.back());
+    }
+    const double usual = options.scale == WearScale::capacity ? 1.0 : most > 0 ? most : 1.0;
+    map.most = options.most > 0 ? options.most : usual;
+    const WearPanel& first = layout.panels.front();
+    map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);
+    return map;
+}
+
+Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t panel)
+{
+    const Box box = box_of(layout.panels[panel]);
+    const double scale = scale_of(box);
+    const CellsOfPanel cells(layout, panel);
+    Image image{std::max(1, static_cast<int>(std::lround(scale * box.width()))),
+                std::max(1, static_cast<int>(std::lround(scale * box.height()))),
+                {}};
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column) {
+            const FlatPlace at{box.left + (column + 0.5) / image.width * box.width(), box.high - (row + 0.5) / image.height * box.height()};
+            const std::optional<std::size_t> cell = cells.at(at);
+            const std::array<std::uint8_t, 3> colour = step_colour(cell ? map.values[*cell] / map.most : 0);
+            image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+        }
+    return image;
+}
+
+Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t panel, double time)
+{
+    const WearPanel& of = layout.panels[panel];
+    const Box box = box_of(of);
+    constexpr double margin = 24, head = 64, legend = 170, foot = 56, most_side = 1000, least_height = 260;
+    const double scale = most_side / std::max(box.width(), box.height());
+    const double map_height = std::max(least_height, scale * box.height());
+    const auto width = static_cast<int>(2 * margin + scale * box.width() + legend), height = static_cast<int>(head + map_height + foot);
+    const auto x_of = [&](double x) { return margin + scale * (x - box.left); };
+    const auto y_of = [&](double y) { return head + scale * (box.high - y); };
+    return drawn(width, height, [&](cairo_t* cairo) {
+        write_text(cairo, margin, 24, fmt::format("{}, {} of {}, at {:.4g} s", layout.garment, of.name, of.fabric, time));
+        write_text(cairo, margin, 46, map.cells);
+        const auto outline = [&] {
+            cairo_new_path(cairo);
+            for (const FlatPlace& place : of.outline) cairo_line_to(cairo, x_of(place[0]), y_of(place[1]));
+            cairo_close_path(cairo);
+        };
+        cairo_save(cairo);
+        outline();
+        cairo_clip(cairo);
+        cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+        const FlatPlace &across = of.grid.across, &along = of.grid.along;
+        for (double half : {1.0, 0.5}) // cells at the edge reach to the outline
+            for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+                const GarmentCell& cell = layout.cells[i];
+                if (static_cast<std::size_t>(cell.panel) != panel) continue;
+                cairo_new_path(cairo);
+                for (const auto& [a, b] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+                    cairo_line_to(cairo, x_of(cell.flat[0] + a * across[0] + b * along[0]),
+                                  y_of(cell.flat[1] + a * across[1] + b * along[1]));
+                cairo_close_path(cairo);
+                use_step(cairo, map.values[i] / map.most);
+                cairo_fill(cairo);
+            }
+        cairo_restore(cairo);
+        outline();
+        cairo_set_source_rgb(cairo, ink, ink, ink);
+        cairo_set_line_width(cairo, 1.5);
+        cairo_stroke(cairo);
+        draw_grain(cairo, x_of(0.5 * (box.left + box.right)), y_of(0.5 * (box.low + box.high)),
+                   0.2 * scale * std::min(box.width(), box.height()), of.grain);
+        const double bar = round_length(0.5 * box.width()), bar_y = head + map_height + 20;
+        cairo_set_source_rgb(cairo, ink, ink, ink);
+        cairo_set_line_width(cairo, 3);
+        cairo_move_to(cairo, margin, bar_y);
+        cairo_line_to(cairo, margin + scale * bar, bar_y);
+        cairo_stroke(cairo);
+        write_text(cairo, margin, bar_y + 22, fmt::format("{:.3g} mm", 1e3 * bar));
+        draw_legend(cairo, map, 2 * margin + scale * box.width(), head + 12);
+    });
+}
+
+std::string wear_csv(const WearLayout& layout, const WearFrame& frame)
+{
+    std::string text =
+        "panel,end,pick,flat_x_mm,flat_y_mm,x_mm,y_mm,z_mm,zone,area_mm2,water_g_m2,inside_g_m2,outside_g_m2,share_of_capacity,"
+        "temperature_c,evaporated_g_m2,on_skin_g_m2\n";
+    for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+        const GarmentCell& c = layout.cells[i];
+        const auto per_area = [&](double kg) { return 1e3 * kg / c.area; };
+        text += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.4f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n",
+                            layout.panels[static_cast<std::size_t>(c.panel)].name, c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1],
+                            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, body_zones()[static_cast<std::size_t>(c.zone)], 1e6 * c.area,
+                            per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
+                            static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]),
+                            per_area(static_cast<double>(frame.on_skin[i])));
+    }
+    return text;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The water map of a garment at one moment, and its files: pictures of flat panels, textures, tables, shapes with textures.
+#pragma once
+
+#include "core/analysis/map_image.h"
+#include "core/wear/wear_recording.h"
+
+#include <functional>
+
+namespace hygroloom {
+
+enum class WearScale {
+    same,    ///< g/m2, the same for all fabrics
+    capacity ///< share of what each fabric can hold
+};
+
+struct WearMapOptions {
+    int crossings = 2; ///< over which water is summed up each way; at least a cell
+    WearScale scale = WearScale::same;
+    double most = 0; ///< at the scale's end, g/m2 or a share; 0: the map's own maximum, a share's is 1
+};
+
+/// Value of every cell: the mean over its group of cells. g/m2, or a share.
+struct WearMap {
+    std::vector<double> values;
+    double most = 0; ///< at the scale's end
+    WearScale scale = WearScale::same;
+    std::string cells; ///< "by 8 x 8 crossings, 2.3 x 2.3 mm"
+};
+WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options);
+
+/// One of the eight colours, white to dark blue, of a share of the scale; red, green, blue.
+std::array<std::uint8_t, 3> step_colour(double share);
+
+/// A panel, flat, with its scale bar, grain line and legend.
+Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t panel, double time);
+/// A panel's colours alone, from the least to the largest flat x and y of its outline, at the pattern's scale.
+Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t panel);
+
+/// A row for each cell.
+std::string wear_csv(const WearLayout& layout, const WearFrame& frame);
+
+/// Writes NAME.png, NAME_texture.png of each panel, cells.csv, garment.obj with garment.mtl, and garment.glb to a folder that is there.
+/// Returns the files' names. Throws FileError.
+std::vector<std::string> write_wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap& map,
+                                        const std::filesystem::path& folder);
+
+} // namespace hygroloom

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a worn garment comes to: numbers of the whole, of each panel and of each zone of the body.
+#pragma once
+
+#include "core/wear/wear_layout.h"
+#include "core/wear/wear_run.h"
+
+#include <optional>
+
+namespace hygroloom {
+
+/// Of a cell with more of its capacity than this the cloth is wet; as much over a panel's mean and it is full; a garment with less than
+/// the last, of the most that it held, is dry again.
+constexpr double wet_share = 0.1, full_share = 0.9, dry_share = 0.05;
+
+/// Part of a garment at one moment.
+struct WearNow {
+    double time = 0;        ///< s
+    double water = 0;       ///< kg in the cloth over the start
+    double inside = 0;      ///< kg of that on the face towards the skin
+    double wet_area = 0;    ///< m2
+    double evaporated = 0;  ///< kg since the start
+    double on_skin = 0;     ///< kg under it
+    double temperature = 0; ///< K, mean over the area
+};
+
+/// A panel, a zone, or all.
+struct WearPart {
+    std::string name;
+    double area = 0;     ///< m2
+    double capacity = 0; ///< kg
+    std::vector<WearNow> course;
+
+    double largest_wet_area() const; ///< m2
+    double most_water() const;       ///< kg
+    /// s: when it first holds full_share of its capacity; none: never.
+    std::optional<double> time_to_full() const;
+    /// s from a time on: until it holds less than dry_share of the most that it held; none: not by the end.
+    std::optional<double> time_to_dry(double from) const;
+};
+
+/// Collects frames.
+class WearMetrics {
+public:
+    /// The layout must outlive it.
+    explicit WearMetrics(const WearLayout& layout);
+    void add(const WearFrame& frame);
+
+    const WearPart& all() const { return all_; }
+    const std::vector<WearPart>& panels() const { return panels_; }
+    const std::vector<WearPart>& zones() const { return zones_; } ///< those that the garment covers
+    const Ledger& ledger() const { return ledger_; }
+    /// J that the skin has given to the cloth, and J that evaporating took from cloth and skin together. By the trapezoidal rule over
+    /// frames.
+    double heat_from_skin() const { return from_skin_; }
+    double heat_of_evaporation() const;
+    /// s: the last time at which the wearer's activity falls; none: never.
+    std::optional<double> stops() const { return layout_.stops; }
+
+    /// As `simulate --json` prints it.
+    std::string json() const;
+    /// A table in words.
+    std::string text() const;
+
+private:
+    const WearLayout& layout_;
+    WearPart all_;
+    std::vector<WearPart> panels_, zones_;
+    std::vector<int> zone_of_; ///< of each cell, its place in zones_
+    Ledger ledger_;
+    double skin_temperature_ = 0;            ///< K
+    double from_skin_ = 0, flow_before_ = 0; ///< J, W
+};
+
+} // namespace hygroloom

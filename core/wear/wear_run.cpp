@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/wear_run.h"
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/design/wear.h"
+#include "core/solver/backend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <thread>
+
+namespace hygroloom {
+namespace {
+
+constexpr double side_of_cells[] = {6e-3, 3e-3, 1.5e-3}; // m: draft, standard, reference
+
+} // namespace
+
+double cell_side(const WearOptions& options)
+{
+    return options.cell_mm > 0 ? metre_from_mm(options.cell_mm) : side_of_cells[static_cast<std::size_t>(options.fidelity)];
+}
+
+GarmentResolution resolution_of(const WearOptions& options) { return {knobs_of(options.fidelity), cell_side(options)}; }
+
+WearFrame wear_frame(const GarmentScene& garment, const Frame& frame)
+{
+    WearFrame seen;
+    seen.time = frame.time;
+    seen.ledger = frame.ledger;
+    const Cloth& cloth = garment.scene.cloth;
+    for (const GarmentCell& cell : garment.cells) {
+        const auto warp = static_cast<std::size_t>(cell.crossing);
+        const int end = cell.crossing / cloth.picks, pick = cell.crossing % cloth.picks;
+        const auto weft = static_cast<std::size_t>(cloth.crossings() + pick * cloth.ends + end);
+        const double warp_on_top =
+            cloth.warp_up_share.empty() ? static_cast<double>(cloth.warp_up[warp]) : static_cast<double>(cloth.warp_up_share[warp]);
+        const double top = warp_on_top * frame.gained[warp] + (1 - warp_on_top) * frame.gained[weft],
+                     bottom = (1 - warp_on_top) * frame.gained[warp] + warp_on_top * frame.gained[weft];
+        const bool skin_on_top = cloth.panels.skin_on_top[static_cast<std::size_t>(cell.panel)] != 0;
+        seen.inside.push_back(skin_on_top ? top : bottom);
+        seen.outside.push_back(skin_on_top ? bottom : top);
+        seen.evaporated.push_back(frame.evaporated[warp] + frame.evaporated[weft]);
+        seen.temperature.push_back(0.5F * (frame.temperature[warp] + frame.temperature[weft]));
+        seen.on_skin.push_back(frame.on_skin[warp]);
+    }
+    return seen;
+}
+
+WearPlan plan_wear(const GarmentScene& garment, const GarmentParts& parts)
+{
+    constexpr double bytes_per_crossing = 1300; // of the rectangle that the panels lie in: arrays of the solver, of the scene, of a frame
+    constexpr double seconds_per_cell_and_step = 2e-6; // two cores
+    constexpr double steps_per_minute = 25;            // of wear; the first filling takes some 150
+    WearPlan plan;
+    plan.cells = static_cast<int>(garment.cells.size());
+    plan.panel_cells.assign(garment.grids.size(), 0);
+    for (const GarmentCell& cell : garment.cells) ++plan.panel_cells[static_cast<std::size_t>(cell.panel)];
+    for (int fabric : garment.fabric)
+        plan.crossings_per_cell.push_back(garment.fabrics[static_cast<std::size_t>(fabric)].crossings_per_cell);
+    plan.bytes = bytes_per_crossing * garment.scene.cloth.crossings();
+    plan.seconds = seconds_per_cell_and_step * plan.cells * (150 + steps_per_minute * parts.wear->duration_s / 60);
+    return plan;
+}
+
+std::vector<double> wear_times(const WearExperiment& wear, std::size_t cells)
+{
+    const int frames = cells > 2'000'000 ? 12 : 60; // each takes as long as it has cells
+    std::set<double> times{0, wear.duration_s};
+    for (int k = 1; k < frames; ++k) times.insert(wear.duration_s * k / frames);
+    for (const Activity& activity : wear.activity)
+        if (activity.time_s < wear.duration_s) times.insert(activity.time_s);
+    return {times.begin(), times.end()};
+}
+
+void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& backend, RunControl& control,
+              const WearCallbacks& callbacks)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const auto obey = [&] {
+        while (control.pause && !control.cancel) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        if (control.cancel) throw Cancelled();
+    };
+    backend.load(garment.scene);
+    for (double until : wear_times(wear, garment.cells.size())) {
+        for (double reached = 0; reached < until;) {
+            obey();
+            reached = backend.advance(until);
+            const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (callbacks.progress) callbacks.progress({reached, wear.duration_s, wall, 0, 0});
+        }
+        const auto frame = std::make_shared<const WearFrame>(wear_frame(garment, backend.frame()));
+        const double at_stake = frame->ledger.water_initial + frame->ledger.water_delivered;
+        if (!(std::abs(frame->ledger.water_imbalance()) <= 1e-9 * at_stake))
+            throw Error(fmt::format("At {:.4g} s {:.3g} kg of water are not accounted for.", until, frame->ledger.water_imbalance()));
+        if (callbacks.frame) callbacks.frame(frame);
+    }
+}
+
+} // namespace hygroloom

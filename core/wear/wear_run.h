@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A garment that is worn, from its project to frames of cells.
+#pragma once
+
+#include "core/run/run_options.h"
+#include "core/wear/garment_scene.h"
+
+#include <memory>
+
+namespace hygroloom {
+
+class Backend;
+
+/// One moment. Of each cell, in the order of GarmentScene::cells.
+struct WearFrame {
+    double time = 0; ///< s
+    Ledger ledger;
+    std::vector<double> inside, outside; ///< kg of liquid and bound water over the start, on the face towards the skin and on the other
+    std::vector<double> evaporated;      ///< kg since the start
+    std::vector<float> temperature;      ///< K, of its yarns
+    std::vector<float> on_skin;          ///< kg under it
+
+    double water(std::size_t cell) const { return inside[cell] + outside[cell]; }
+};
+
+WearFrame wear_frame(const GarmentScene& garment, const Frame& frame);
+
+struct WearOptions {
+    Fidelity fidelity = Fidelity::standard;
+    double cell_mm = 0; ///< sides of cells, about; 0: by fidelity
+    int threads = 0;    ///< 0: all the machine has
+};
+
+/// m, of a fidelity's cells.
+double cell_side(const WearOptions& options);
+GarmentResolution resolution_of(const WearOptions& options);
+
+/// What is expected before anything runs.
+struct WearPlan {
+    int cells = 0;
+    std::vector<int> panel_cells;
+    std::vector<int> crossings_per_cell; ///< of each panel
+    double bytes = 0;
+    double seconds = 0; ///< rough, on two cores
+};
+WearPlan plan_wear(const GarmentScene& garment, const GarmentParts& parts);
+
+/// s, of frames: 60 evenly, 12 of more than two million cells, and one at each change of activity.
+std::vector<double> wear_times(const WearExperiment& wear, std::size_t cells);
+
+struct WearCallbacks {
+    std::function<void(std::shared_ptr<const WearFrame>)> frame;
+    std::function<void(const RunProgress&)> progress;
+};
+
+/// To the end, in the calling thread. Throws Cancelled within 0.2 s when asked to stop, DeviceError, Error.
+void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& backend, RunControl& control,
+              const WearCallbacks& callbacks);
+
+} // namespace hygroloom
