@@ -173,7 +173,8 @@ FittedFabrics require_valid(const Design& design, const ProjectOptions& options)
 
 namespace {
 
-template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
+/// hint: what to do where there is none.
+template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what, const char* hint)
 {
     std::vector<std::string> known;
     std::string names;
@@ -182,7 +183,7 @@ template <typename Item> const Item& chosen(const std::vector<Item>& items, cons
         known.push_back(item.name);
         names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
     }
-    if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}.", what));
+    if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}. {}", what, hint));
     if (name.empty()) throw Stop(exit_usage, fmt::format("The project has several {}s; choose one with --{}: {}.", what, what, names));
     throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"{} It has {}.", what, name, did_you_mean(name, known), names));
 }
@@ -261,6 +262,7 @@ int run(int count, char** values)
     add_measure(app, verb);
     add_export(app, verb);
     add_import(app, verb);
+    add_garment(app, verb);
     add_presets(app, verb);
     add_devices(app, verb);
     add_compare(app, verb);
@@ -298,12 +300,15 @@ int run(int count, char** values)
 
 const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options)
 {
-    return chosen(design.fabrics, options.fabric, "fabric");
+    return chosen(design.fabrics, options.fabric, "fabric",
+                  "hygroloom-cli presets lists fabrics to begin with; in the window: Fabric, Add Fabric.");
 }
 
 const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options)
 {
-    return chosen(design.experiments, options.experiment, "experiment");
+    return chosen(design.experiments, options.experiment, "experiment",
+                  "Add one to its \"experiments\", such as {\"name\": \"one drop\", \"type\": \"droplet\", \"sample_mm\": [20, 20], "
+                  "\"duration_s\": 10, \"droplets\": [{\"volume_ul\": 5}]}; in the window: Experiment, Add Experiment.");
 }
 
 void add_devices(CLI::App& app, Verb& verb)

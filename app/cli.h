@@ -88,6 +88,7 @@ void add_simulate(CLI::App& app, Verb& chosen);
 void add_measure(CLI::App& app, Verb& chosen);
 void add_export(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
+void add_garment(CLI::App& app, Verb& chosen);
 void add_presets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_calibrate(CLI::App& app, Verb& chosen);

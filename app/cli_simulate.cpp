@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 #include "app/cli_replicates.h"
+#include "app/cli_wear.h"
 
 #include "core/analysis/metrics_json.h"
 #include "core/base/text.h"
@@ -32,6 +33,7 @@ struct SimulateOptions : FidelityOptions {
     int replicates = 1;
     std::string output;
     bool profile = false;
+    double cell_mm = 0;
 };
 
 std::string value_text(const KnobInfo& knob, double value) { return fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit); }
@@ -323,6 +325,19 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
     return failed > 0 ? exit_failed : exit_ok;
 }
 
+/// A garment's run has no fabrics to choose, and no replicates.
+int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOptions& options)
+{
+    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || options.profile || !options.physics.empty())
+        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --backend, --threads and -o; its panels name their fabrics.");
+    WearVerbOptions how;
+    static_cast<RunVerbOptions&>(how) = options;
+    how.fidelity = options.fidelity;
+    how.cell_mm = options.cell_mm;
+    how.output = options.output;
+    return simulate_wear(design, wear, how);
+}
+
 int simulate(const SimulateOptions& options)
 {
     check_fidelity(options);
@@ -337,6 +352,8 @@ int simulate(const SimulateOptions& options)
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
+    if (const WearExperiment* wear = chosen_wear(design, options)) return wear_verb(design, *wear, options);
+    if (options.cell_mm > 0) throw Stop(exit_usage, "--cell-mm works with experiments of the type wear.");
     if (replicates) return simulate_replicates(options, design, fitted, how);
     return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);
 }
@@ -373,6 +390,8 @@ void add_simulate(CLI::App& app, Verb& verb)
         knob_help());
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);
+    simulate_verb.add_option("--cell-mm", options->cell_mm, "Of a worn garment: sides of cells, mm; by fidelity when left out")
+        ->check(CLI::Range(0.05, 100.0));
     simulate_verb.add_flag("--profile", options->profile, "Also print the time of each stage");
     simulate_verb
         .add_option("--fabrics", options->fabrics, "Several fabrics, separated by commas, that run side by side; --json then prints a list")

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// garment: what a garment's file holds, and a project with it.
+#include "app/cli_wear.h"
+
+#include "core/base/words.h"
+#include "core/garment/pattern.h"
+#include "core/project/atomic_file.h"
+#include "core/project/library.h"
+#include "core/project/project_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+
+namespace hygroloom {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* built_in = "built-in:";
+
+struct GarmentOptions : CommonOptions {
+    std::string action;
+    std::string file;
+    std::string output;
+    std::string experiment;
+    std::string fidelity = name_of(Fidelity::standard);
+    double cell_mm = 0;
+    double time = -1;
+    std::string cells = "auto";
+    std::string scale = "same";
+    double most = 0;
+    std::string name;
+    std::string uv_unit = name_of(UvUnit::from_lengths);
+};
+
+Garment garment_of(const GarmentOptions& options)
+{
+    Garment garment;
+    if (options.file.starts_with(built_in)) {
+        const std::string kind = options.file.substr(std::string(built_in).size());
+        const std::vector<std::string>& kinds = built_in_garments();
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+            throw Stop(
+                exit_usage,
+                fmt::format("{}: There is no such built-in garment{} There are built-in:tee, built-in:singlet and built-in:leggings.",
+                            options.file, did_you_mean(kind, kinds)));
+        garment.built_in = standard_garment(kind);
+        garment.name = kind;
+    } else {
+        garment.source = options.file;
+        garment.name = fs::path(options.file).stem().string();
+    }
+    for (int unit = 0; unit < uv_units; ++unit)
+        if (options.uv_unit == name_of(static_cast<UvUnit>(unit))) garment.uv_unit = static_cast<UvUnit>(unit);
+    if (garment.uv_unit != UvUnit::from_lengths && (garment.is_built_in() || garment.is_pattern()))
+        throw Stop(exit_usage, "--uv-unit " + options.uv_unit + ": Only a mesh has flat coordinates without a unit; leave it out.");
+    if (!options.name.empty()) garment.name = options.name;
+    return garment;
+}
+
+/// Adds the garment to a design, with a fabric of the library where that has none.
+void add_to(Design& design, const GarmentOptions& options, Garment& garment)
+{
+    if (design.fabrics.empty()) add_preset(design, shipped_presets().front());
+    garment.panels["*"].fabric = design.fabrics.front().name;
+    if (!garment.is_built_in()) {
+        const fs::path folder = fs::absolute(options.output).parent_path();
+        garment.source = fs::absolute(garment.source).lexically_normal().lexically_relative(folder.lexically_normal()).generic_string();
+    }
+    garment.name = free_name(garment.name, [&design](const std::string& name) { return find_garment(design, name) != nullptr; });
+    design.garments.push_back(garment);
+}
+
+Json json_of(const GarmentPattern& pattern)
+{
+    Json json{{"format", "hygroloom-garment"}, {"version", 1}, {"panels", Json::array()}};
+    for (const PatternPanel& panel : pattern.panels)
+        json["panels"].push_back({{"name", panel.name},
+                                  {"area_m2", area_of(panel)},
+                                  {"edges", panel.edges.size()},
+                                  {"perimeter_mm", 1e3 * perimeter_of(panel)}});
+    json["seams"] = pattern.seams.size();
+    json["uv_scale"] = pattern.uv_scale;
+    json["uv_scale_spread"] = pattern.uv_scale_spread;
+    json["draped"] = pattern.is_draped;
+    json["issues"] = pattern.issues;
+    return json;
+}
+
+void print_pattern(const GarmentOptions& options, const Garment& garment, const GarmentPattern& pattern)
+{
+    print_result("{}: \"{}\"\n", options.file, garment.name);
+    print_result("  {:<24} {:>9} {:>6} {:>12}\n", "panel", "area m2", "edges", "perimeter mm");
+    double area = 0;
+    for (const PatternPanel& panel : pattern.panels) {
+        area += area_of(panel);
+        print_result("  {:<24} {:>9.5f} {:>6} {:>12.1f}\n", panel.name, area_of(panel), panel.edges.size(), 1e3 * perimeter_of(panel));
+    }
+    print_result("  {:<24} {:>9.5f}\n", "all", area);
+    print_result("  {} seams; {}.\n", pattern.seams.size(), pattern.is_draped ? "draped" : "flat, where its panels were placed");
+    if (pattern.uv_scale > 0 && !garment.is_built_in())
+        print_result("  A unit of the flat coordinates is {:.6g} mm{}.\n", 1e3 * pattern.uv_scale,
+                     pattern.uv_scale_spread > 0 ? fmt::format(", the middle edge differs by {:.2g} %", 100 * pattern.uv_scale_spread)
+                                                 : "");
+    if (!options.quiet)
+        for (const std::string& issue : pattern.issues) print_result("  {}\n", issue);
+}
+
+int import_garment(const GarmentOptions& options)
+{
+    if (!options.output.empty() && fs::path(options.output).extension() != ".hygro")
+        throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
+    Garment garment = garment_of(options);
+    GarmentPattern pattern;
+    Design design;
+    std::optional<ChangeLock> lock;
+    if (!options.output.empty()) lock.emplace(options.output);
+    const bool existing = !options.output.empty() && fs::exists(options.output);
+    try {
+        pattern = read_pattern(garment, {});
+        if (existing) design = read_project(options.output);
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+    std::vector<Issue> issues;
+    if (!options.output.empty()) {
+        add_to(design, options, garment);
+        const std::string where = fmt::format("garments[{}]", design.garments.size() - 1);
+        for (const Issue& issue : validate(design))
+            if (issue.where.starts_with(where)) issues.push_back(issue);
+        write_project(design, options.output);
+    }
+    if (options.json) {
+        Json json = json_of(pattern);
+        if (!options.output.empty()) json.update({{"project", options.output}, {"garment", garment.name}, {"added", existing}});
+        print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    } else {
+        print_pattern(options, garment, pattern);
+        if (!options.output.empty()) print_result("{} {}\n", existing ? "Added to" : "Written to", options.output);
+    }
+    if (!options.quiet) print_in_short(options.output, issues, false);
+    return exit_ok;
+}
+
+int plan_one(const GarmentOptions& options)
+{
+    WearVerbOptions plan;
+    plan.json = options.json;
+    plan.quiet = options.quiet;
+    plan.project = options.file;
+    plan.experiment = options.experiment;
+    plan.fidelity = options.fidelity;
+    plan.cell_mm = options.cell_mm;
+    return plan_garment(plan);
+}
+
+int map_one(const GarmentOptions& options)
+{
+    WearMapVerbOptions map;
+    map.json = options.json;
+    map.quiet = options.quiet;
+    map.recording = options.file;
+    map.output = options.output;
+    map.time = options.time;
+    map.cells = options.cells;
+    map.scale = options.scale;
+    map.most = options.most;
+    return map_garment(map);
+}
+
+int act(const GarmentOptions& options)
+{
+    if (options.action == "plan") return plan_one(options);
+    return options.action == "map" ? map_one(options) : import_garment(options);
+}
+
+} // namespace
+
+void add_garment(CLI::App& app, Verb& verb)
+{
+    auto options = std::make_shared<GarmentOptions>();
+    CLI::App& garment_verb =
+        *app.add_subcommand("garment", "Read a garment: a sewing pattern, a mesh with flat coordinates, or a built-in one");
+    garment_verb.footer(
+        "Example: hygroloom-cli garment import tee.json -o run.hygro\n"
+        "`garment import FILE` prints panels, seams, scale and what was repaired; with -o the garment is added to a project.\n"
+        "FILE is a pattern (.json), a mesh (.obj, .glb, .gltf, .fbx, .ply, .dae), or built-in:tee, built-in:singlet, "
+        "built-in:leggings.\n"
+        "`garment plan PROJECT --experiment E` says into how many cells a worn garment is cut, and what the run takes.\n"
+        "`garment map RECORDING --time T -o FOLDER` writes the water map of a worn garment: pictures and textures of its panels, a table "
+        "of "
+        "cells, OBJ and GLB.");
+    garment_verb.add_option("action", options->action, "What to do")->required()->check(CLI::IsMember({"import", "plan", "map"}));
+    garment_verb.add_option("file", options->file, "File to read, or built-in:tee")->required()->type_name("FILE");
+    garment_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");
+    garment_verb.add_option("--name", options->name, "Name of the garment; the file's when left out");
+    garment_verb.add_option("--uv-unit", options->uv_unit, "Unit of a mesh's flat coordinates")
+        ->check(CLI::IsMember({"from_lengths", "mm", "cm", "m"}));
+    garment_verb.add_option("--experiment", options->experiment, "With plan: experiment of the type wear; the only one when left out");
+    garment_verb.add_option("--fidelity", options->fidelity, "With plan: draft, standard or reference");
+    garment_verb.add_option("--cell-mm", options->cell_mm, "With plan: sides of cells, mm; by fidelity when left out")
+        ->check(CLI::Range(0.05, 100.0));
+    garment_verb.add_option("--time", options->time, "With map: time, s; the end when left out")
+        ->default_str("")
+        ->check(CLI::NonNegativeNumber);
+    garment_verb.add_option("--cells", options->cells, "With map: crossings over which water is summed up each way, or auto: as computed");
+    garment_verb.add_option("--scale", options->scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
+        ->check(CLI::IsMember({"same", "capacity"}));
+    garment_verb.add_option("--most", options->most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
+        ->check(CLI::PositiveNumber);
+    add_common_options(garment_verb, *options);
+    garment_verb.callback([&verb, options] { verb = [options] { return act(*options); }; });
+}
+
+} // namespace hygroloom

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Garments that are worn: what a run would take, the run, maps of its recording.
+#include "app/cli_wear.h"
+
+#include "app/cli_interrupt.h"
+
+#include "core/analysis/map_image.h"
+#include "core/wear/wear_map.h"
+#include "core/wear/wear_metrics.h"
+#include "gpu/backends.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <filesystem>
+#include <optional>
+
+namespace hygroloom {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A file that a garment names is the user's mistake.
+template <typename Act> auto as_invalid(Act act)
+{
+    try {
+        return act();
+    } catch (const FileError& error) {
+        throw Stop(exit_invalid, error.what());
+    }
+}
+
+GarmentParts parts_of(const Design& design, const WearExperiment& wear, const std::string& project)
+{
+    GarmentParts parts;
+    parts.design = &design;
+    parts.garment = find_garment(design, wear.garment);
+    parts.wear = &wear;
+    const fs::path base = fs::absolute(project).parent_path();
+    as_invalid([&] {
+        parts.pattern = read_pattern(*parts.garment, base);
+        parts.sweat = sweat_table(parts.garment->wearer.zones, base);
+        return 0;
+    });
+    return parts;
+}
+
+WearOptions how_of(const WearVerbOptions& options)
+{
+    WearOptions how;
+    how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
+    how.cell_mm = options.cell_mm;
+    how.threads = options.threads;
+    return how;
+}
+
+std::string text_of(const WearMetrics& metrics, const WearLayout& layout, bool json)
+{
+    return json ? metrics.json() + "\n"
+                : fmt::format("{} in \"{}\", {}\n{}", layout.garment, layout.experiment, layout.cells_in_words, metrics.text());
+}
+
+} // namespace
+
+const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options)
+{
+    if (!options.experiment.empty()) return find_wear(design, options.experiment);
+    return design.experiments.empty() && design.wears.size() == 1 ? &design.wears.front() : nullptr;
+}
+
+int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const GarmentParts parts = parts_of(design, wear, options.project);
+    if (!options.quiet)
+        for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
+    const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
+    const WearLayout layout = wear_layout(parts, garment);
+    const std::unique_ptr<Backend> backend = open_backend(options);
+    backend->set_threads(options.threads);
+    std::optional<WearWriter> recording;
+    if (!options.output.empty())
+        recording.emplace(options.output,
+                          WearRecord{design, layout, options.fidelity, backend->name(), backend->device(),
+                                     fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))});
+    WearMetrics metrics(layout);
+    RunControl control;
+    const LastWords words = failure_words(options.json, exit_cancelled,
+                                          options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
+    {
+        const InterruptCancels cancels(control.cancel, &words);
+        RunBar bar(options.quiet, 1);
+        WearCallbacks callbacks;
+        callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
+            metrics.add(*frame);
+            if (recording) recording->append(*frame);
+        };
+        callbacks.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
+        try {
+            run_wear(garment, wear, *backend, control, callbacks);
+        } catch (const Cancelled&) {
+            throw Stop(exit_cancelled, words.note);
+        }
+    }
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (recording) recording->finish(wall);
+    print_result("{}", text_of(metrics, layout, options.json));
+    if (!options.quiet) {
+        print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), wall);
+        if (recording) print_note("Recording: {}\n", options.output);
+    }
+    return exit_ok;
+}
+
+int plan_garment(const WearVerbOptions& options)
+{
+    const Design design = load_project(options);
+    require_valid(design, options);
+    const WearExperiment* wear = chosen_wear(design, options);
+    if (wear == nullptr) throw Stop(exit_usage, "Name an experiment of the type wear with --experiment.");
+    const GarmentParts parts = parts_of(design, *wear, options.project);
+    const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
+    const WearLayout layout = wear_layout(parts, garment);
+    const WearPlan plan = plan_wear(garment, parts);
+    if (options.json) {
+        Json json{{"garment", layout.garment},
+                  {"experiment", wear->name},
+                  {"cells", plan.cells},
+                  {"bytes", plan.bytes},
+                  {"seconds", plan.seconds}};
+        json["resolution"] = layout.cells_in_words;
+        for (std::size_t k = 0; k < layout.panels.size(); ++k)
+            json["panels"].push_back({{"name", layout.panels[k].name},
+                                      {"fabric", layout.panels[k].fabric},
+                                      {"area_m2", area_of(parts.pattern.panels[k])},
+                                      {"cells", plan.panel_cells[k]},
+                                      {"crossings_per_cell", plan.crossings_per_cell[k]}});
+        json["seam_joints"] = garment.scene.cloth.seams.joints.size();
+        print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+        return exit_ok;
+    }
+    print_result("{} in \"{}\": {} cells; {}\n", layout.garment, wear->name, plan.cells, layout.cells_in_words);
+    for (std::size_t k = 0; k < layout.panels.size(); ++k)
+        print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
+                     area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
+    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s, a guess from the counts.\n", 1e-6 * plan.bytes, plan.seconds);
+    return exit_ok;
+}
+
+int map_garment(const WearMapVerbOptions& options)
+{
+    if (options.output.empty()) throw Stop(exit_usage, "Name a folder for the map with -o.");
+    const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
+    const WearLayout& layout = recording.record().layout;
+    int nearest = recording.frames() - 1;
+    for (int k = 0; options.time >= 0 && k < recording.frames(); ++k)
+        if (std::abs(recording.time_of(k) - options.time) < std::abs(recording.time_of(nearest) - options.time)) nearest = k;
+    const WearFrame frame = as_invalid([&] { return recording.frame(nearest); });
+    WearMapOptions how;
+    how.scale = options.scale == "capacity" ? WearScale::capacity : WearScale::same;
+    how.most = options.most;
+    how.crossings = layout.panels.front().crossings_per_cell;
+    if (options.cells != "auto") {
+        const char* const end = options.cells.data() + options.cells.size();
+        const auto [last, failure] = std::from_chars(options.cells.data(), end, how.crossings);
+        if (failure != std::errc() || last != end || how.crossings < 1 || how.crossings > 10000)
+            throw Stop(exit_usage, "--cells " + options.cells + ": This must be auto or a whole number from 1 to 10000.");
+    }
+    const WearMap map = wear_map(layout, frame, how);
+    make_folder(options.output);
+    const std::vector<std::string> files = write_wear_map(layout, frame, map, options.output);
+    if (options.json)
+        print_result("{}\n", Json{{"time_s", frame.time}, {"most", map.most}, {"cells", map.cells}, {"files", files}}.dump(2));
+    else
+        print_result("{} at {:.4g} s, {}: {} files in {}\n", layout.garment, frame.time, map.cells, files.size(), options.output);
+    return exit_ok;
+}
+
+} // namespace hygroloom
