@@ -68,6 +68,14 @@ std::unique_ptr<Backend> make_backend(const std::string& name)
     return gpus.empty() ? make_cpu_backend() : make_cuda_backend(gpus.front());
 }
 
+double memory_for_scenes(const std::string& name)
+try {
+    const std::vector<int> gpus = chosen_gpus(name);
+    return gpus.empty() ? 0 : share_of_memory * static_cast<double>(prepare_cuda_device(gpus.front(), false));
+} catch (const DeviceError&) {
+    return 0;
+}
+
 void announce_scenes(int asked, int scenes)
 {
     constexpr int usual_queues = 8; // to make more takes a tenth of a second

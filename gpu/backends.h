@@ -20,6 +20,9 @@ std::string expected_backend(const std::string& name);
 /// "auto", "cpu" or "cuda". Throws DeviceError with the reason when it is not there.
 std::unique_ptr<Backend> make_backend(const std::string& name);
 
+/// Bytes that scenes may take together on the device that make_backend() gives; 0: a CPU, or it cannot be asked.
+double memory_for_scenes(const std::string& name);
+
 /// That as many scenes will run side by side as make_backends() is asked for: lets the streams of up to 16 come through queues of their
 /// own, without which they hold each other up. To be said before anything is asked of GPUs and before there are other threads, for it is
 /// said in the environment (CUDA_DEVICE_MAX_CONNECTIONS, which counts as it is where the user has set it).

@@ -44,6 +44,10 @@ void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& c
     } else if (candidate.fabric == comparison.baseline) {
         cell.verdict = comparison.candidates.size() > 1 ? words("baseline") : QString();
     }
+    if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, info.key)) {
+        cell.verdict = QString::fromStdString(lone->words);
+        cell.tip += "\n" + QString::fromStdString(lone->sentence);
+    }
     const Compared* found = verdict_of(comparison, candidate.fabric, info.key);
     if (!found) { return; }
     cell.verdict = verdictText(found->verdict);
@@ -83,6 +87,10 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
                      : none && !entry.missing.empty() ? GridCell::State::missing
                                                       : GridCell::State::no_number;
         cell.tip = words("This run does not give this number.");
+        if (const LoneNumber* lone = candidate ? lone_number_of(comparison, entry.name, info.key) : nullptr) {
+            cell.verdict = QString::fromStdString(lone->words);
+            cell.tip = QString::fromStdString(lone->sentence);
+        }
         return cell;
     }
     const Interval& interval = found->second;
@@ -95,7 +103,9 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
     const auto text = [&seen](double number) { // both with equal decimals; never "-0.00"
         return QLocale().toString(std::abs(number) < 0.5 * std::pow(10.0, -seen.decimals) ? 0.0 : number, 'f', seen.decimals);
     };
-    cell.number = seen.half > 0 ? text(seen.value) + QStringLiteral(" ± ") + text(seen.half) : shownNumber(seen.value, seen.decimals);
+    cell.number = seen.cut        ? words("%1 (%2 to %3)").arg(text(seen.value), text(seen.low), text(seen.high))
+                  : seen.half > 0 ? text(seen.value) + QStringLiteral(" ± ") + text(seen.half)
+                                  : shownNumber(seen.value, seen.decimals);
     if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
     const bool several = interval.runs > 1;
     cell.tip =

@@ -182,7 +182,7 @@ QTableWidgetItem* CandidateTable::itemOf(const GridCell& cell, int number) const
         break;
     }
     case GridCell::State::no_number:
-        item->setText(QStringLiteral("–"));
+        item->setText(cell.verdict.isEmpty() ? QStringLiteral("–") : QStringLiteral("–\n") + cell.verdict);
         item->setToolTip(paragraph(cell.tip));
         break;
     case GridCell::State::reading: item->setText(tr("reading…")); break;

@@ -102,7 +102,10 @@ void CompareView::connectParts()
     connect(&runs_, &StudyRuns::changed, this, [this] {
         if (!soon_.isActive()) { soon_.start(100); }
     });
-    connect(&runs_, &StudyRuns::ended, this, &CompareView::refresh);
+    connect(&runs_, &StudyRuns::ended, this, [this] {
+        expected_.clear(); // as they were estimated before these runs
+        refresh();
+    });
     connect(&runs_, &StudyRuns::failed, this, &CompareView::failed);
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
     connect(&document_, &Document::replaced, this, [this] {

@@ -122,6 +122,9 @@ void CompareView::refreshHint()
     if (entry() && choiceOf(*entry()).replicates > 1) {
         notes << tr("Maps and curves are of each cloth as given. In replicates yarns without an unevenness of their own are as uneven as "
                     "is typical.");
+        if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
+            notes.prepend(QString::fromStdString(few));
+        }
     }
     if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
     note_->setText(notes.join(' '));

@@ -9,45 +9,15 @@
 
 #include <QDir>
 
+#include <utility>
+
 namespace hygroloom {
 
-ReplicateStore::ReplicateStore(Document& document, ProjectRuns& runs, QObject* parent) : QObject(parent), runs_(runs)
-{
-    connect(&document, &Document::pathChanged, this, &ReplicateStore::read); // also after another project was opened
-    connect(&runs_, &ProjectRuns::following, this, &ReplicateStore::takeAlong);
-}
+namespace {
 
-void ReplicateStore::read()
-{
-    sets_.clear();
-    try {
-        sets_ = read_replicates(replicatesIn(runs_.folder()).toStdString());
-    } catch (const Error& error) {
-        Q_EMIT failed(tr("The numbers of earlier replicates cannot be read: %1").arg(QString::fromStdString(error.what())));
-    }
-    Q_EMIT changed();
-}
-
-void ReplicateStore::add(const ReplicateSet& run)
-{
-    merge(sets_, run);
-    save({run}, runs_.folder());
-    Q_EMIT changed();
-}
-
-void ReplicateStore::takeAlong(const QString& from)
-{
-    try {
-        const std::vector<ReplicateSet> sets = read_replicates(replicatesIn(from).toStdString());
-        for (const ReplicateSet& set : sets) { merge(sets_, set); }
-        if (!sets.empty()) { save(sets, runs_.folder()); }
-    } catch (const Error&) { // read() has said so
-    }
-    Q_EMIT changed();
-}
-
-/// Beside what another window wrote there meanwhile. A file that cannot be read stays as "replicates.json~".
-void ReplicateStore::save(const std::vector<ReplicateSet>& sets, const QString& folder)
+/// Beside what another window wrote there meanwhile; what belongs to nothing in the design goes. A file that cannot be read stays as
+/// "replicates.json~". Returns why it failed, in a sentence; empty: it did not.
+QString writeSets(const std::vector<ReplicateSet>& sets, const Design& design, const QString& folder)
 {
     const std::string path = replicatesIn(folder).toStdString();
     try {
@@ -61,10 +31,73 @@ void ReplicateStore::save(const std::vector<ReplicateSet>& sets, const QString& 
             previous = Previous::keep_as_backup;
         }
         for (const ReplicateSet& set : sets) { merge(all, set); }
-        write_file(path, format_replicates(all), previous);
+        write_file(path, format_replicates(without_leftovers(std::move(all), design)), previous);
     } catch (const Error& error) {
-        Q_EMIT failed(QString::fromStdString(error.what()));
+        return QString::fromStdString(error.what());
     }
+    return {};
+}
+
+} // namespace
+
+ReplicateStore::ReplicateStore(Document& document, ProjectRuns& runs, QObject* parent) : QObject(parent), document_(document), runs_(runs)
+{
+    connect(&document, &Document::pathChanged, this, &ReplicateStore::read); // also after another project was opened
+    connect(&runs_, &ProjectRuns::following, this, &ReplicateStore::takeAlong);
+}
+
+ReplicateStore::~ReplicateStore() { finishSaving(); }
+
+void ReplicateStore::read()
+{
+    if (const QString why = finishSaving(); !why.isEmpty()) { Q_EMIT failed(why); }
+    sets_.clear();
+    try {
+        sets_ = read_replicates(replicatesIn(runs_.folder()).toStdString());
+    } catch (const Error& error) {
+        Q_EMIT failed(tr("The numbers of earlier replicates cannot be read: %1").arg(QString::fromStdString(error.what())));
+    }
+    Q_EMIT changed();
+}
+
+void ReplicateStore::add(const ReplicateSet& run)
+{
+    merge(sets_, run);
+    save();
+    Q_EMIT changed();
+}
+
+void ReplicateStore::takeAlong(const QString& from)
+{
+    if (const QString why = finishSaving(); !why.isEmpty()) { Q_EMIT failed(why); }
+    try {
+        const std::vector<ReplicateSet> sets = read_replicates(replicatesIn(from).toStdString());
+        for (const ReplicateSet& set : sets) { merge(sets_, set); }
+        if (!sets.empty()) { save(); }
+    } catch (const Error&) { // read() has said so
+    }
+    Q_EMIT changed();
+}
+
+void ReplicateStore::save()
+{
+    unsaved_in_ = runs_.folder();
+    unsaved_for_ = document_.design();
+    writer_.run([this, sets = sets_, design = unsaved_for_, folder = unsaved_in_, own = ++saves_](const NewestJob::Turn& turn) {
+        const QString why = writeSets(sets, *design, folder);
+        turn.deliver([this, why, own] {
+            if (own == saves_) { unsaved_in_.clear(); }
+            if (!why.isEmpty()) { Q_EMIT failed(why); }
+        });
+    });
+}
+
+QString ReplicateStore::finishSaving()
+{
+    if (unsaved_in_.isEmpty()) { return {}; }
+    writer_.drop();
+    ++saves_;
+    return writeSets(sets_, *unsaved_for_, std::exchange(unsaved_in_, QString()));
 }
 
 } // namespace hygroloom

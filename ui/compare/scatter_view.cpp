@@ -109,6 +109,7 @@ ScatterView::ScatterView(QWidget* parent)
     layout->addLayout(head);
     layout->addWidget(view_, 1);
     layout->addWidget(note_);
+    connect(chart_, &QChart::plotAreaChanged, this, &ScatterView::placeLabels);
     connect(x_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
     connect(y_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
     for (QComboBox* box : {x_, y_}) {
@@ -167,11 +168,11 @@ void ScatterView::addPoint(const ScatterPoint& point, const QString& label, bool
     marker->setColor(on_front ? ink : palette().color(QPalette::Window));
     marker->setBorderColor(ink);
     marker->setPen(QPen(ink, 1.5));
-    marker->setPointLabelsVisible(!label.isEmpty());
     marker->setPointLabelsFormat(QString(label).remove('@')); // which begins a number in it
     marker->setPointLabelsColor(palette().color(QPalette::WindowText));
     marker->setPointLabelsClipping(false);
     add(marker);
+    if (!label.isEmpty()) { labels_.push_back({marker, label, on_front}); }
     connect(marker, &QScatterSeries::hovered, this, [this, name = point.name](QPointF where, bool on) {
         const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
         value_->setText(on ? QString("%1: %2, %3").arg(name, text(where.x()), text(where.y())) : QString());
@@ -189,6 +190,7 @@ void ScatterView::draw()
 {
     chart_->removeAllSeries();
     front_.clear();
+    labels_.clear();
     value_->clear();
     const int x = x_->currentIndex(), y = y_->currentIndex();
     std::vector<ScatterPoint> points;
@@ -219,10 +221,39 @@ void ScatterView::draw()
     setRange(across_, low.x(), high.x());
     setRange(up_, low.y(), high.y());
     styleChart(*chart_, *this);
+    placeLabels();
     note_->setText(
         tr("Bars: the intervals of the table. Filled and connected: no other candidate is better in both numbers, by their middles "
            "(across: %1; upwards: %2).")
             .arg(directionOf(one), directionOf(other)));
+}
+
+/// Names that would lie over each other are left out, those beside the front first; under the pointer each is told.
+void ScatterView::placeLabels()
+{
+    std::vector<QRectF> taken;
+    for (const bool front : {true, false}) {
+        for (const Label& label : labels_) {
+            if (label.on_front != front) { continue; }
+            const QFontMetricsF metrics(label.marker->pointLabelsFont());
+            const QPointF at = chart_->mapToPosition(label.marker->points().front(), label.marker);
+            const QSizeF size(metrics.horizontalAdvance(label.text), metrics.height());
+            const QRectF room(at.x() - 0.5 * size.width(), at.y() - 0.5 * label.marker->markerSize() - size.height(), size.width(),
+                              size.height());
+            const bool free = std::none_of(taken.begin(), taken.end(), [&room](const QRectF& other) { return other.intersects(room); });
+            if (free) { taken.push_back(room); }
+            label.marker->setPointLabelsVisible(free);
+        }
+    }
+}
+
+QStringList ScatterView::labels() const
+{
+    QStringList seen;
+    for (const Label& label : labels_) {
+        if (label.marker->pointLabelsVisible()) { seen << label.text; }
+    }
+    return seen;
 }
 
 void ScatterView::changeEvent(QEvent* event)

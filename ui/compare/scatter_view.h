@@ -12,6 +12,7 @@ class QChartView;
 class QComboBox;
 class QLabel;
 class QValueAxis;
+class QScatterSeries;
 class QXYSeries;
 
 namespace hygroloom {
@@ -31,6 +32,8 @@ public:
     void setComparison(const Comparison& comparison);
     /// Names of the candidates on the front, from left to right.
     QStringList front() const { return front_; }
+    /// Of the markers, those that are seen.
+    QStringList labels() const;
     void choose(int x, int y);
 
 protected:
@@ -38,6 +41,7 @@ protected:
 
 private:
     void draw();
+    void placeLabels();
     void addPoint(const ScatterPoint& point, const QString& label, bool on_front);
     void add(QXYSeries* series);
     static void setRange(QValueAxis* axis, double low, double high);
@@ -45,6 +49,12 @@ private:
     Comparison comparison_;
     bool proposing_ = true; ///< until the user chooses
     QStringList front_;
+    struct Label {
+        QScatterSeries* marker;
+        QString text;
+        bool on_front;
+    };
+    std::vector<Label> labels_;
     QComboBox* x_;
     QComboBox* y_;
     QLabel* value_;

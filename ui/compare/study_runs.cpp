@@ -3,7 +3,10 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/run/learned_times.h"
+#include "core/run/plan_run.h"
 #include "core/run/recording.h"
+#include "core/run/side_by_side.h"
 #include "gpu/backends.h"
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
@@ -17,13 +20,14 @@ namespace hygroloom {
 
 namespace {
 
-/// One scene fills a CPU. A GPU has room for some drafts.
+/// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
 std::size_t atOnce(Fidelity fidelity) { return expected_backend("auto") == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
 
 StudyRuns::StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, QObject* parent)
-    : QObject(parent), document_(document), runs_(runs), history_(history), store_(document, runs)
+    : QObject(parent), document_(document), runs_(runs), history_(history), store_(document, runs),
+      gate_([] { return memory_for_scenes("auto"); })
 {
     connect(&store_, &ReplicateStore::changed, this, &StudyRuns::changed);
     connect(&store_, &ReplicateStore::failed, this, &StudyRuns::failed);
@@ -110,8 +114,16 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
                 Q_EMIT progressed();
             });
         };
+        const Design& own = result.drawn.design;
+        const Experiment& experiment = *find_experiment(own, job.experiment);
+        std::optional<MemoryGate::Pass> pass;
+        if (expected_backend("auto") != "cpu") {
+            const std::vector<Textile> textile{textile_of_run(own, *find_fabric(own, job.fabric), experiment)};
+            pass.emplace(gate_, static_cast<double>(bytes_of_largest(own, experiment, textile, how)), control_.cancel);
+        }
         const std::unique_ptr<Backend> machine = make_backend("auto");
         result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
+        if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {
         result.failure = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");

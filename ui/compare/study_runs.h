@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/sweep.h"
+#include "core/run/memory_gate.h"
 #include "ui/compare/replicate_store.h"
 #include "ui/compare/study.h"
 
@@ -88,6 +89,7 @@ private:
     ReplicateStore store_;
     RunControl control_;
     std::mutex one_on_cpu_;
+    MemoryGate gate_;
     std::deque<Waiting> queue_;
     using Kind = std::tuple<std::string, std::string, Fidelity>; ///< fabric, experiment
     static Kind kindOf(const StudyJob& job) { return {job.fabric, job.experiment, job.fidelity}; }

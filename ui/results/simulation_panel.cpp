@@ -95,6 +95,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     connect(&run_, &SimulationRun::ended, this, &SimulationPanel::showEnd);
     connect(&run_, &SimulationRun::pausedChanged, this, &SimulationPanel::showState);
     connect(&document_, &Document::designChanged, this, &SimulationPanel::refreshPlans);
+    connect(&run_, &SimulationRun::ended, this, &SimulationPanel::refreshPlans);
     refreshPlans();
 }
 

@@ -33,6 +33,8 @@ public:
 
 public Q_SLOTS:
     void showPlan();
+    /// What the run is expected to take, anew: runs of this machine correct it.
+    void refreshPlans();
 
 Q_SIGNALS:
     void runRequested();
@@ -41,7 +43,6 @@ Q_SIGNALS:
 private:
     void addFidelities();
     void addDevices();
-    void refreshPlans();
     void showExpectations();
     void showState();
     void showProgress(const RunProgress& progress);

@@ -4,8 +4,10 @@
 #include "ui/basics/appearance.h"
 #include "ui/basics/wheel_guard.h"
 #include "ui/compare/compare_view.h"
+#include "ui/compare/study_runs.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
+#include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/design_workspace.h"
@@ -211,6 +213,7 @@ void MainWindow::connectParts()
         if (simulate_->playback().run() && mayLeave()) { simulate_->takeDesign(); }
     });
     connect(&compare_->view(), &CompareView::runRequested, simulate_.get(), &SimulateWorkspace::showEarlierRun);
+    connect(&compare_->study(), &StudyRuns::ended, &simulate_->panel(), &SimulationPanel::refreshPlans);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);
     connect(&compare_->view(), &CompareView::saved, this,
             [this](const QString& file) { statusBar()->showMessage(tr("Saved %1").arg(file), 4000); });
