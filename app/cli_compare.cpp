@@ -239,7 +239,8 @@ void add_compare(CLI::App& app, Verb& chosen)
     options->takes_knobs = true;
     verb.add_option("--fabrics", options->fabrics, "Two or more fabrics, separated by commas; all of the project when left out")
         ->allow_extra_args(false);
-    verb.add_option("--by", options->by, "Metric to rank by, such as absorbency_time_s; the first of the table when left out");
+    verb.add_option("--by", options->by,
+                    "Metric to rank by, such as absorbency_time_s or \"absorbency time\"; the first of the table when left out");
     verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
     add_replicates_option(verb, options->replicates, " of each fabric");
     verb.add_option(

@@ -152,6 +152,7 @@ std::string half_width_text(const Outcome& outcome, const std::map<std::string, 
     const auto found = intervals.find(outcome.key);
     if (found == intervals.end()) return {};
     const ShownInterval seen = shown(outcome, found->second);
+    if (seen.cut) return fmt::format(" ({} to {})", rounded_text(seen.low, 2), rounded_text(seen.high, 2));
     return seen.half > 0 ? " ± " + rounded_text(seen.half, 2) : "";
 }
 
@@ -193,10 +194,12 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json, const std:
     if (!m.series.temperature_max.empty())
         row("highest temperature", celsius_from_kelvin(*std::max_element(m.series.temperature_max.begin(), m.series.temperature_max.end())),
             "°C");
-    if (!of_replicates.empty())
+    if (!of_replicates.empty()) {
         print_result("  After ±: half of the interval that holds {:.0f} % of such cloths, by {} replicates and the numerical error.\n",
                      100 * of_intervals.held, of_replicates.begin()->second.runs);
-    else if (!run.plan.expected_errors.empty())
+        const std::string few = few_replicates_text(of_replicates.begin()->second.runs);
+        if (!few.empty()) print_result("  {}\n", few);
+    } else if (!run.plan.expected_errors.empty())
         print_result(
             "  After ±: the numerical error, as measured on runs of this kind. --replicates 8 adds what is not known of the cloth.\n");
     else

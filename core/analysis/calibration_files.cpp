@@ -4,6 +4,7 @@
 #include "core/analysis/intervals.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/report_parts.h"
+#include "core/analysis/series_keys.h"
 #include "core/analysis/svg.h"
 
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ std::string numbers_html(const Calibration& calibration)
 std::string fit_svg(const Calibration& calibration)
 {
     if (!has_picture(calibration)) return {};
-    LineChart chart = chart_of(calibration, calibration.data.quantity);
+    LineChart chart = chart_of(calibration, title_of_series(calibration.data.quantity));
     LineChart::Curve measured{"measured", {}, true};
     for (const MeasuredNumber& number : calibration.data.numbers) measured.values.push_back(number.value);
     chart.curves = {{"fitted", calibration.fitted}, {"before", calibration.before}, measured};

@@ -2,6 +2,7 @@
 #include "core/analysis/comparison.h"
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 
 #include <fmt/format.h>
 
@@ -72,8 +73,15 @@ void find_intervals(Candidate& candidate)
                 values.push_back(*value);
                 places.push_back(candidate.replicates[i]->places);
             }
-        candidate.intervals[key] = interval_of(values, places, numerical_of(candidate, key));
+        candidate.intervals[key] = interval_of(values, places, numerical_of(candidate, key), least_of(key));
     }
+}
+
+std::string small_letters(std::string text)
+{
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
 }
 
 bool shows_better(const std::optional<Compared>& found)
@@ -93,6 +101,34 @@ double place(const Candidate& candidate, const OutcomeInfo& by)
     const auto found = candidate.intervals.find(by.key);
     if (found == candidate.intervals.end()) return std::numeric_limits<double>::max();
     return by.better == Better::less ? found->second.centre : -found->second.centre;
+}
+
+/// How many of its runs have the number; none: not all of them have come to their end.
+std::optional<int> count_of(const Candidate& candidate, const std::string& key, int replicates)
+{
+    int count = 0;
+    for (int i = 0; i < replicates; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (at >= candidate.replicates.size() || !candidate.replicates[at]) return {};
+        count += number_of(candidate, at, key) ? 1 : 0;
+    }
+    return count;
+}
+
+/// Why a candidate's run lacks the number, in a clause; may be empty.
+std::string reason_of(const Candidate& candidate, const std::string& key)
+{
+    if (candidate.run && candidate.metrics)
+        for (const Outcome& outcome : outcomes_of(*candidate.run, *candidate.metrics))
+            if (outcome.key == key) return outcome.missing;
+    return {};
+}
+
+/// " within 10 s"; empty: it is not known how long its experiment takes.
+std::string within_text(const Candidate& candidate)
+{
+    const Experiment* experiment = candidate.run ? find_experiment(candidate.run->design, candidate.run->experiment) : nullptr;
+    return experiment ? fmt::format(" within {:g} s", experiment->duration_s) : std::string();
 }
 
 void rank(Comparison& comparison)
@@ -116,14 +152,21 @@ void rank(Comparison& comparison)
 
 } // namespace
 
-OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& key)
+OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& name)
 {
     std::string keys;
+    std::vector<std::string> known;
+    std::string begun; // the first whose key or title begins like the name
+    const std::string wanted = small_letters(name);
     for (const OutcomeInfo& criterion : criteria) {
-        if (criterion.key == key || key.empty()) return criterion;
+        const std::string title = small_letters(full_title(criterion));
+        if (name.empty() || wanted == criterion.key || wanted == title) return criterion;
+        if (begun.empty() && (criterion.key.starts_with(wanted) || title.starts_with(wanted))) begun = criterion.key;
+        known.insert(known.end(), {criterion.key, full_title(criterion)});
         keys += (keys.empty() ? "" : ", ") + criterion.key;
     }
-    throw Error(fmt::format("This experiment has no number \"{}\" to rank by; it has {}.", key, keys));
+    const std::string near = begun.empty() ? did_you_mean(name, known) : fmt::format("; did you mean \"{}\"?", begun);
+    throw Error(fmt::format("This experiment has no number \"{}\" to rank by{} It has {}.", name, near, keys));
 }
 
 Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<const Metrics> metrics)
@@ -138,6 +181,7 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
         first.numbers[outcome.key] = *outcome.value;
         if (const auto error = numerical_error(*run, outcome.key, *outcome.value)) candidate.numerical[outcome.key] = *error;
     }
+    first.edge_time = metrics->edge_time;
     candidate.replicates.emplace_back(std::move(first));
     for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
     candidate.run = std::move(run);
@@ -183,19 +227,63 @@ std::optional<Compared> compared(const Candidate& candidate, const Candidate& ba
     return found;
 }
 
+std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates)
+{
+    if (!candidate.failure.empty() || !baseline.failure.empty()) return {};
+    const auto own = count_of(candidate, criterion.key, replicates), other = count_of(baseline, criterion.key, replicates);
+    if (!own || !other || (*own == 0) == (*other == 0)) return {};
+    LoneNumber lone{criterion.key, candidate.fabric, baseline.fabric, *own > 0, {}, {}};
+    const Candidate &with = lone.fabric_has ? candidate : baseline, &without = lone.fabric_has ? baseline : candidate;
+    const int count = std::max(*own, *other);
+    const std::string in = count < replicates ? fmt::format(" in {} of {} replicates", count, replicates) : std::string();
+    if (criterion.key == "absorbency_time_s") {
+        lone.words = lone.fabric_has ? "absorbs, baseline does not" : "does not absorb, baseline does";
+        lone.sentence =
+            fmt::format("{} absorbs all of the liquid{}, {} does not{}.", with.fabric, in, without.fabric, within_text(without));
+    } else {
+        const std::string why = reason_of(without, criterion.key);
+        lone.words = lone.fabric_has ? "only this has it" : "only baseline has it";
+        lone.sentence = fmt::format("Only {} has the {}{}; {} has none{}.", with.fabric, full_title(criterion), in, without.fabric,
+                                    why.empty() ? why : " (" + why + ")");
+    }
+    return lone;
+}
+
+std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate)
+{
+    std::vector<std::string> notes = candidate.notes;
+    std::size_t runs = 0, at_edge = 0;
+    double first = std::numeric_limits<double>::infinity();
+    for (const auto& run : candidate.replicates) {
+        runs += run ? 1 : 0;
+        if (!run || !run->edge_time) continue;
+        ++at_edge;
+        first = std::min(first, *run->edge_time);
+    }
+    if (comparison.replicates > 1 && at_edge > 0)
+        notes.push_back(fmt::format("In {} of {} replicates water reached the edge of the sample, after {:.3g} s at the earliest; a larger "
+                                    "sample changes their numbers.",
+                                    at_edge, runs, first));
+    return notes;
+}
+
 void judge(Comparison& comparison)
 {
     for (Candidate& candidate : comparison.candidates) find_intervals(candidate);
     rank(comparison);
     comparison.verdicts.clear();
+    comparison.lone.clear();
     const auto base = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
                                    [&](const Candidate& c) { return c.fabric == comparison.baseline; });
     if (base == comparison.candidates.end()) return;
     for (const OutcomeInfo& criterion : comparison.criteria)
-        for (const Candidate& candidate : comparison.candidates)
-            if (&candidate != &*base)
-                if (auto found = compared(candidate, *base, criterion, comparison.replicates))
-                    comparison.verdicts.push_back(std::move(*found));
+        for (const Candidate& candidate : comparison.candidates) {
+            if (&candidate == &*base) continue;
+            if (auto found = compared(candidate, *base, criterion, comparison.replicates))
+                comparison.verdicts.push_back(std::move(*found));
+            else if (auto lone = lone_number(candidate, *base, criterion, comparison.replicates))
+                comparison.lone.push_back(std::move(*lone));
+        }
 }
 
 } // namespace hygroloom

@@ -15,6 +15,7 @@ namespace hygroloom {
 struct ReplicateRun {
     std::map<std::string, double> numbers; ///< by key, of all outcomes that could be determined
     std::vector<double> places;            ///< of each of the candidate's unknowns, see place_in_range()
+    std::optional<double> edge_time{};     ///< s, when water was first seen where the sample ends
 };
 
 /// A fabric and what its runs gave.
@@ -33,6 +34,14 @@ struct Candidate {
     bool tied = false;
 };
 
+/// Instead of a verdict: one of the two has the number, and in no replicate has the other.
+struct LoneNumber {
+    std::string metric, fabric, baseline;
+    bool fabric_has = false;
+    std::string words;    ///< "absorbs, baseline does not"
+    std::string sentence; ///< "Cotton absorbs all of the liquid, hemp does not within 10 s."
+};
+
 struct Why;
 
 struct Comparison {
@@ -43,13 +52,15 @@ struct Comparison {
     int replicates = 1;
     std::vector<Candidate> candidates;
     std::vector<Compared> verdicts; ///< each candidate against the baseline, by each criterion
+    std::vector<LoneNumber> lone;   ///< where there is no verdict, as only one of both has the number
     LaboratoryTable measured;       ///< of a laboratory, beside the simulated
     bool complete = false;          ///< whether all runs of all fabrics are among them
     std::shared_ptr<const Why> why; ///< of one fabric against another; nullptr: nobody asked
 };
 
-/// The criterion of that key, the first for an empty key. Throws Error naming those there are.
-OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& key);
+/// The criterion of that key or full title, in small or capital letters; the first for an empty name. Throws Error naming those there are,
+/// and the one that may be meant.
+OutcomeInfo criterion_named(const std::vector<OutcomeInfo>& criteria, const std::string& name);
 
 /// What a finished run gave, as the first replicate.
 Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<const Metrics> metrics);
@@ -61,13 +72,20 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number);
 /// number, or there is one pair and its numerical error is not known.
 std::optional<Compared> compared(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
 
+/// none: both have the number, or neither, or one of their runs failed or is missing.
+std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
+
 /// Intervals, ranks and verdicts from the runs that there are. A candidate's rank is one more than the number of candidates that are better
 /// or probably better; the order is by rank, then by number; those without the number come after them, those that failed last.
 void judge(Comparison& comparison);
 
 /// nullptr: there is none.
 const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
+const LoneNumber* lone_number_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
 const LaboratoryValue* measured_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
+
+/// What limits a candidate's numbers, in sentences: its notes, and in how many replicates water reached the edge.
+std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate);
 
 /// "3.25 ± 0.04", in the unit that people read.
 std::string with_interval(const OutcomeInfo& criterion, const Interval& interval);

@@ -109,7 +109,8 @@ std::string verdicts_table(const Comparison& comparison)
         Row row{"    " + c.fabric};
         for (const OutcomeInfo& criterion : comparison.criteria) {
             const Compared* found = verdict_of(comparison, c.fabric, criterion.key);
-            row.push_back(found ? name_of(found->verdict) : "-");
+            const LoneNumber* lone = lone_number_of(comparison, c.fabric, criterion.key);
+            row.push_back(found ? name_of(found->verdict) : lone ? lone->words : "-");
         }
         rows.push_back(row);
     }
@@ -129,6 +130,12 @@ Json verdicts_value(const Comparison& comparison)
                         {"difference", found.difference},
                         {"low", found.low},
                         {"high", found.high}});
+    for (const LoneNumber& lone : comparison.lone)
+        json.push_back({{"metric", lone.metric},
+                        {"fabric", lone.fabric},
+                        {"baseline", lone.baseline},
+                        {"verdict", lone.fabric_has ? "only fabric has it" : "only baseline has it"},
+                        {"sentence", lone.sentence}});
     return json;
 }
 
@@ -138,6 +145,13 @@ const Compared* verdict_of(const Comparison& comparison, const std::string& fabr
 {
     for (const Compared& found : comparison.verdicts)
         if (found.fabric == fabric && found.metric == metric) return &found;
+    return nullptr;
+}
+
+const LoneNumber* lone_number_of(const Comparison& comparison, const std::string& fabric, const std::string& metric)
+{
+    for (const LoneNumber& lone : comparison.lone)
+        if (lone.fabric == fabric && lone.metric == metric) return &lone;
     return nullptr;
 }
 
@@ -151,17 +165,21 @@ const LaboratoryValue* measured_of(const Comparison& comparison, const std::stri
 std::string with_interval(const OutcomeInfo& criterion, const Interval& interval)
 {
     const ShownInterval seen = shown(criterion, interval);
+    if (seen.cut)
+        return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", seen.value, seen.decimals, seen.low, seen.decimals, seen.high, seen.decimals);
     return seen.half > 0 ? fmt::format("{:.{}f} ± {:.{}f}", seen.value, seen.decimals, seen.half, seen.decimals)
                          : fmt::format("{:.4g}", seen.value);
 }
 
 std::string basis_text(const Comparison& comparison)
 {
+    const std::string few = few_replicates_text(comparison.replicates);
     return comparison.replicates > 1
-               ? fmt::format("Intervals hold {:.0f} % of such cloths: {} replicates draw the inputs that are not known, the yarns' "
-                             "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. The model's "
-                             "own error is not in them.",
-                             100 * of_intervals.held, comparison.replicates)
+               ? (few.empty() ? few : few + " ") +
+                     fmt::format("Intervals hold {:.0f} % of such cloths: {} replicates draw the inputs that are not known, the yarns' "
+                                 "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. The model's "
+                                 "own error is not in them.",
+                                 100 * of_intervals.held, comparison.replicates)
                : "Intervals and verdicts rest on the numerical error alone; 8 replicates (Replicates over the window's table, or "
                  "--replicates 8) add what is not known of the cloths and their scatter.";
 }
@@ -172,8 +190,9 @@ std::string comparison_table(const Comparison& comparison)
         fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
     text += numbers_table(comparison) + verdicts_table(comparison);
     text += "\n  " + basis_text(comparison) + "\n";
+    for (const LoneNumber& lone : comparison.lone) text += "  " + lone.sentence + "\n";
     for (const Candidate& c : comparison.candidates)
-        for (const std::string& note : c.notes) text += fmt::format("  {}: {}\n", c.fabric, note);
+        for (const std::string& note : all_notes(comparison, c)) text += fmt::format("  {}: {}\n", c.fabric, note);
     if (comparison.why) text += why_text(*comparison.why);
     return text;
 }
@@ -188,6 +207,7 @@ std::string comparison_json(const Comparison& comparison)
         else
             candidate["failure"] = c.failure;
         if (comparison.replicates > 1) candidate["drawn"] = c.unknowns;
+        if (comparison.replicates > 1) candidate["notes"] = all_notes(comparison, c);
         for (const LaboratoryValue& value : comparison.measured)
             if (value.fabric == c.fabric)
                 candidate["measured"][value.metric] = {{"value", value.value},
@@ -227,12 +247,13 @@ std::string comparison_csv(const Comparison& comparison)
             const bool there = found != c.intervals.end();
             text += there ? fmt::format(",{:.6g},{:.6g},{:.6g}", found->second.centre, found->second.low, found->second.high) : ",,,";
             const Compared* verdict = verdict_of(comparison, c.fabric, criterion.key);
-            text += std::string(",") + (verdict ? name_of(verdict->verdict) : "");
+            const LoneNumber* lone = lone_number_of(comparison, c.fabric, criterion.key);
+            text += std::string(",") + (verdict ? name_of(verdict->verdict) : lone ? csv_field(lone->words) : "");
             const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
             if (measured) text += value ? fmt::format(",{:.6g}", value->value) : ",";
         }
         std::string notes = c.failure;
-        for (const std::string& note : c.notes) notes += (notes.empty() ? "" : " ") + note;
+        for (const std::string& note : all_notes(comparison, c)) notes += (notes.empty() ? "" : " ") + note;
         text += fmt::format(",{:.4g},{}\n", c.wall, csv_field(notes));
     }
     return text;

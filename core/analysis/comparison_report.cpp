@@ -44,6 +44,8 @@ std::string cell(const Comparison& comparison, const Candidate& candidate, const
     std::string text = found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second);
     if (const Compared* verdict = verdict_of(comparison, candidate.fabric, criterion.key))
         text += fmt::format("<br><b>{}</b>", name_of(verdict->verdict));
+    if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, criterion.key))
+        text += fmt::format("<br><b>{}</b>", lone->words);
     if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key))
         text += fmt::format("<br>measured {:.4g}{}", shown(criterion, value->value).value,
                             value->spread ? fmt::format(" ± {:.2g}", *value->spread) : "");
@@ -66,7 +68,9 @@ std::string results(const Comparison& comparison)
             for (const OutcomeInfo& criterion : comparison.criteria) rows += cell(comparison, candidate, criterion);
         rows += "</tr>\n";
     }
-    return table(rows) + list({basis_text(comparison)});
+    std::vector<std::string> sentences{basis_text(comparison)};
+    for (const LoneNumber& lone : comparison.lone) sentences.push_back(lone.sentence);
+    return table(rows) + list(sentences);
 }
 
 /// The intervals of one number, a line a candidate; what was measured is a hollow diamond.
@@ -74,7 +78,7 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
 {
     constexpr double left = 170, width = 380, line = 22;
     double low = 0, high = 0;
-    bool any = false;
+    bool any = false, measured = false;
     const auto widen = [&](double a, double b) {
         low = any ? std::min(low, a) : a;
         high = any ? std::max(high, b) : b;
@@ -83,7 +87,10 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
     for (const Candidate& candidate : comparison.candidates) {
         if (const auto found = candidate.intervals.find(criterion.key); found != candidate.intervals.end())
             widen(found->second.low, found->second.high);
-        if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key)) widen(value->value, value->value);
+        if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key)) {
+            widen(value->value, value->value);
+            measured = true;
+        }
     }
     if (!any || !(high > low)) return {};
     const auto x_of = [&](double value) { return left + width * (value - low) / (high - low); };
@@ -102,8 +109,8 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
     }
     body += svg_text(left, y + 4, "start", fmt::format("{:.4g}", shown(criterion, low).value));
     body += svg_text(left + width, y + 4, "end", fmt::format("{:.4g} {}", shown(criterion, high).value, shown(criterion, high).unit));
-    return fmt::format("<figure>{}{}</svg><figcaption>{}</figcaption></figure>\n", svg_begin(580, y + 14), body,
-                       escaped_markup(full_title(criterion)));
+    return fmt::format("<figure>{}{}</svg><figcaption>{}. Point and line: simulated, with its interval.{}</figcaption></figure>\n",
+                       svg_begin(580, y + 14), body, escaped_markup(full_title(criterion)), measured ? " Hollow diamond: measured." : "");
 }
 
 /// At the times of the first curve, from the values at other times.
@@ -197,7 +204,7 @@ std::string computation(const Comparison& comparison)
         if (candidate.run)
             rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
                         candidate.run->device, fmt::format("{:.3g} s for {} run(s)", candidate.wall, candidate.replicates.size()));
-        for (const std::string& note : candidate.notes) notes.push_back(candidate.fabric + ": " + note);
+        for (const std::string& note : all_notes(comparison, candidate)) notes.push_back(candidate.fabric + ": " + note);
     }
     return table(rows) + list(notes) +
            table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, ""));

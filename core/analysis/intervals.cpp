@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,20 @@ double by_crossings(const RunRecord& run, const std::string& metric)
 
 } // namespace
 
-Interval interval_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places, std::optional<double> numerical)
+double half_width_in_deviations(int replicates) { return student_factor(of_intervals, replicates - 1) * std::sqrt(1 + 1.0 / replicates); }
+
+std::string few_replicates_text(int replicates)
+{
+    if (replicates < 2 || replicates >= fewest_useful_replicates) return {};
+    return fmt::format(
+        "{} replicates are few: an interval from them reaches {:.1f} standard deviations to either side ({:.1f} with {}, {:.1f} "
+        "with 8), so that hardly anything differs by it. Run {} or more.",
+        replicates, half_width_in_deviations(replicates), half_width_in_deviations(fewest_useful_replicates), fewest_useful_replicates,
+        half_width_in_deviations(8), fewest_useful_replicates);
+}
+
+Interval interval_of(const std::vector<double>& values, const std::vector<std::vector<double>>& places, std::optional<double> numerical,
+                     double least)
 {
     Interval interval;
     interval.centre = mean_of(values);
@@ -90,7 +104,7 @@ Interval interval_of(const std::vector<double>& values, const std::vector<std::v
     interval.numerical_known = numerical.has_value();
     interval.runs = static_cast<int>(values.size());
     const Spread spread = spread_of(values, places);
-    const double factor = interval.runs > 1 ? student_factor(of_intervals, interval.runs - 1) * std::sqrt(1 + 1.0 / interval.runs) : 0;
+    const double factor = interval.runs > 1 ? half_width_in_deviations(interval.runs) : 0;
     if (interval.runs > 1 && spread.parted) {
         interval.scatter = factor * spread.scatter;
         interval.input = factor * spread.input;
@@ -98,10 +112,12 @@ Interval interval_of(const std::vector<double>& values, const std::vector<std::v
         interval.spread = factor * spread.all;
     }
     const double half = std::hypot(interval.numerical, factor * spread.all);
-    interval.low = interval.centre - half;
+    interval.low = std::max(interval.centre - half, std::min(least, interval.centre));
     interval.high = interval.centre + half;
     return interval;
 }
+
+double least_of(const std::string& metric) { return may_be_negative(metric) ? -std::numeric_limits<double>::infinity() : 0; }
 
 double step_of(const RunRecord& run, const std::string& metric)
 {
@@ -121,16 +137,28 @@ std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const 
 {
     std::map<std::string, Interval> intervals;
     for (const Outcome& outcome : outcomes_of(run, metrics))
-        if (outcome.value) intervals[outcome.key] = interval_of({*outcome.value}, {}, numerical_error(run, outcome.key, *outcome.value));
+        if (outcome.value)
+            intervals[outcome.key] =
+                interval_of({*outcome.value}, {}, numerical_error(run, outcome.key, *outcome.value), least_of(outcome.key));
     return intervals;
 }
 
 ShownInterval shown(const OutcomeInfo& info, const Interval& interval)
 {
     const ShownValue value = shown(info, interval.centre);
-    ShownInterval seen{value.value, shown(info, interval.high).value - value.value, 0, value.unit};
+    ShownInterval seen;
+    seen.value = value.value;
+    seen.unit = value.unit;
+    seen.low = shown(info, interval.low).value;
+    seen.high = shown(info, interval.high).value;
+    seen.half = seen.high - value.value;
+    seen.cut = interval.centre - interval.low < 0.999 * (interval.high - interval.centre);
     const double finest = seen.half > 0 ? seen.half / 10 : std::abs(value.value) / 1000;
     seen.decimals = finest > 0 ? std::clamp(-static_cast<int>(std::floor(std::log10(finest) + 1e-9)), 0, 9) : 0;
+    // "0.40 ± 0.40" would hide whether the interval holds 0.
+    const auto rounded = [&seen](double number) { return std::round(std::abs(number) * std::pow(10.0, seen.decimals)); };
+    if (seen.half > 0 && std::abs(seen.value) != seen.half && rounded(seen.value) == rounded(seen.half) && seen.decimals < 9)
+        ++seen.decimals;
     return seen;
 }
 

@@ -230,6 +230,7 @@ void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(
 Metrics MetricsCollector::metrics() const
 {
     Metrics m = metrics_;
+    m.edge_time = edge_time_;
     if (edge_time_)
         m.notes.push_back(
             is_strip(experiment_.type)

@@ -131,7 +131,7 @@ const MetricGroup& management()
           [](M m) -> Value { return m.management->bottom.spreading_speed; },
           "",
           &G::spreading_speed_bottom},
-         {{"one_way_transport_pct", "one-way transport", "", "%", more},
+         {{"one_way_transport_pct", "one-way transport", "", "%", more, false, true},
           [](M m) -> Value { return m.management->one_way_transport; },
           "",
           &G::one_way_transport},
@@ -160,7 +160,7 @@ const MetricGroup& drying()
           [](M m) { return scaled(m.drying->rate, g_m2_h_per_kg_m2_s); },
           early},
          {{"time_to_dry_s", "time to dry", "", "s", less}, [](M m) { return m.drying->time_to_dry; }, "more than 4 % of the water is left"},
-         {{"surface_temperature_steady_c", "steady temperature", "", "°C", less},
+         {{"surface_temperature_steady_c", "steady temperature", "", "°C", less, false, true},
           [](M m) { return m.drying->steady_temperature ? Value(celsius_from_kelvin(*m.drying->steady_temperature)) : Value(); },
           early}}};
     return group;
@@ -179,7 +179,8 @@ const MetricGroup& conditioning()
          {{"regain_half_time_s", "half-change time", "", "s", less},
           [](M m) { return m.conditioning->half_time; },
           "the regain did not change"},
-         {{"temperature_peak_rise_c", "peak warming above air", "", "K", less}, [](M m) -> Value { return m.conditioning->peak_rise; }}}};
+         {{"temperature_peak_rise_c", "peak warming above air", "", "K", less, false, true},
+          [](M m) -> Value { return m.conditioning->peak_rise; }}}};
     return group;
 }
 
@@ -316,6 +317,15 @@ std::vector<OutcomeInfo> compared_by(ExperimentType type)
         for (const Metric& metric : group->rows)
             if (const int rank = rank_of(metric.info.key, of); rank > 0) infos[static_cast<std::size_t>(rank - 1)] = metric.info;
     return infos;
+}
+
+bool may_be_negative(const std::string& key)
+{
+    for (int type = 0; type < experiment_types; ++type)
+        for (const MetricGroup* group : metrics_of(static_cast<ExperimentType>(type)).groups)
+            for (const Metric& metric : group->rows)
+                if (metric.info.key == key) return metric.info.may_be_negative;
+    return true;
 }
 
 std::vector<BalanceRow> water_balance(const Ledger& l)

@@ -21,7 +21,8 @@ struct OutcomeInfo {
     std::string face;  ///< "top" or "bottom"; empty: of the whole sample
     std::string unit;  ///< of the value; empty for a plain number
     Better better = Better::neither;
-    bool in_rings = false; ///< another number, rounded to the rings of a tester
+    bool in_rings = false;        ///< another number, rounded to the rings of a tester
+    bool may_be_negative = false; ///< others, as lengths, times and amounts, are 0 at least
 };
 
 /// "wetted radius, top"
@@ -51,6 +52,9 @@ struct ShownValue {
     std::string unit;
 };
 ShownValue shown(const OutcomeInfo& info, double value);
+
+/// Of the metric of that key; true for an unknown one.
+bool may_be_negative(const std::string& key);
 
 /// The numbers by which fabrics are compared on a type of experiment. The first ranks by default.
 std::vector<OutcomeInfo> compared_by(ExperimentType type);

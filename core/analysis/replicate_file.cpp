@@ -25,12 +25,14 @@ ProjectJson value_of(int number, const ReplicateRun& run)
     value["numbers"] = ProjectJson::object();
     for (const auto& [key, found] : run.numbers) value["numbers"][key] = found;
     value["places"] = run.places;
+    if (run.edge_time) value["edge_s"] = *run.edge_time;
     return value;
 }
 
 ProjectJson value_of(const ReplicateSet& set)
 {
     ProjectJson value;
+    value["program"] = HYGROLOOM_VERSION;
     value["fabric"] = set.key.fabric;
     value["experiment"] = set.key.experiment;
     value["fidelity"] = name_of(set.key.fidelity);
@@ -66,6 +68,8 @@ void read_run(const ProjectJson& value, const std::string& file, const std::stri
     if (!numbers.is_object()) reader.refuse("numbers", fmt::format("must be an object; given is {}.", in_words(numbers)));
     for (const auto& [key, found] : numbers.items()) run.numbers[key] = number_in(found, file, at + "." + key);
     run.places = places_in(reader, set.unknowns.size());
+    reader.read("edge_s", run.edge_time);
+    if (run.edge_time && !(*run.edge_time >= 0)) reader.refuse("edge_s", "a time is 0 or more.");
     reader.finish({"number"});
     if (!set.runs.emplace(number, std::move(run)).second) reader.refuse("number", "each may stand there once.");
 }
@@ -80,10 +84,14 @@ void require_parts(const ReplicateSet& set, const ObjectReader& reader)
         reader.refuse("project", "it must have the experiment, and no other.");
 }
 
-ReplicateSet set_from(const ProjectJson& value, const std::string& file, const std::string& path)
+/// none: another version of the program wrote it.
+std::optional<ReplicateSet> set_from(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader reader(value, file, path);
     ReplicateSet set;
+    std::string program = HYGROLOOM_VERSION;
+    reader.read("program", program);
+    if (program != HYGROLOOM_VERSION) return {};
     std::string fidelity;
     double seed = 1;
     reader.read("fabric", set.key.fabric);
@@ -143,7 +151,8 @@ std::vector<ReplicateSet> parse_replicates(std::string_view text, const std::str
     if (version != newest_version) reader.refuse("version", fmt::format("this program reads version {}.", newest_version));
     std::vector<ReplicateSet> sets;
     const ProjectJson& all = array_in(reader.require("sets"), name, "sets");
-    for (std::size_t i = 0; i < all.size(); ++i) merge(sets, set_from(all[i], name, fmt::format("sets[{}]", i)));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (const auto set = set_from(all[i], name, fmt::format("sets[{}]", i))) merge(sets, *set);
     reader.finish();
     return sets;
 }
@@ -166,11 +175,28 @@ void merge(std::vector<ReplicateSet>& sets, const ReplicateSet& other)
     const auto found = std::find_if(sets.begin(), sets.end(), [&other](const ReplicateSet& set) { return set.key == other.key; });
     if (found == sets.end()) {
         sets.push_back(other);
-    } else if (found->unknowns == other.unknowns) {
+        return;
+    }
+    if (found->unknowns == other.unknowns) {
         for (const auto& [number, run] : other.runs) found->runs.insert_or_assign(number, run);
     } else { // by another version of the program, which knew of other unknowns
         *found = other;
     }
+    std::rotate(found, found + 1, sets.end());
+}
+
+std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design)
+{
+    std::erase_if(sets, [&design](const ReplicateSet& set) {
+        return !find_fabric(design, set.key.fabric) || !find_experiment(design, set.key.experiment);
+    });
+    std::size_t kept = 0, runs = 0;
+    for (auto set = sets.rbegin(); set != sets.rend(); ++set, ++kept) {
+        runs += set->runs.size();
+        if (kept > 0 && (kept == most_kept_sets || runs > most_kept_runs)) break;
+    }
+    sets.erase(sets.begin(), sets.end() - static_cast<std::ptrdiff_t>(kept));
+    return sets;
 }
 
 } // namespace hygroloom

@@ -30,14 +30,21 @@ Design part_of_run(const Design& design, const std::string& fabric, const std::s
 constexpr int most_replicates = 1000;
 
 std::string format_replicates(const std::vector<ReplicateSet>& sets);
-/// Trusts nothing in the text; name stands for the file. Throws FileError: where, what is wrong, what is allowed.
+/// Without the sets that another version of the program wrote, whose numbers may be others. Trusts nothing in the text; name stands for the
+/// file. Throws FileError: where, what is wrong, what is allowed.
 std::vector<ReplicateSet> parse_replicates(std::string_view text, const std::string& name);
 /// None where there is no file. Throws FileError.
 std::vector<ReplicateSet> read_replicates(const std::filesystem::path& path);
 
 /// The set of that key; nullptr: there is none.
 const ReplicateSet* find_set(const std::vector<ReplicateSet>& sets, const ReplicateKey& key);
-/// Adds what one has to the other; a run that both have is that of the other.
+/// Adds what one has to the other, whose set then is the last; a run that both have is that of the other.
 void merge(std::vector<ReplicateSet>& sets, const ReplicateSet& other);
+
+/// More than this are of designs that nobody goes back to (an assumption); the file stays below 20 MB.
+constexpr std::size_t most_kept_sets = 200, most_kept_runs = 20000;
+
+/// Without those of fabrics and experiments that the design lacks by name; of the others the last ones, up to the numbers above.
+std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design);
 
 } // namespace hygroloom

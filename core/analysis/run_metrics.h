@@ -38,6 +38,7 @@ struct Metrics {
     std::optional<ConditioningResult> conditioning;
     Series series;
     Ledger ledger;                    ///< at the end
+    std::optional<double> edge_time;  ///< s, when water was first seen where the sample ends
     std::vector<std::string> notes;   ///< what limits a metric, in sentences
     std::vector<std::string> assumed; ///< of the instrument that a metric imitates, in sentences
 };

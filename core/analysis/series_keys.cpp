@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/series_keys.h"
 
+#include "core/analysis/plots.h"
 #include "core/base/units.h"
 
 namespace hygroloom {
@@ -27,6 +28,18 @@ const std::vector<SeriesKey>& series_keys()
                                              {"water_content_top_pct", &Series::content_top, 1, 0, false},
                                              {"water_content_bottom_pct", &Series::content_bottom, 1, 0, false}};
     return keys;
+}
+
+std::string title_of_series(const std::string& key)
+{
+    for (const SeriesKey& series : series_keys()) {
+        if (series.key != key) continue;
+        for (const Plot& plot : all_plots())
+            for (const Curve& curve : plot.curves)
+                if (curve.values == series.values)
+                    return plot.curves.size() == 1 ? plot.title : std::string(plot.title) + ", " + curve.name;
+    }
+    return key;
 }
 
 std::vector<double> values_of(const SeriesKey& of, const Series& series)

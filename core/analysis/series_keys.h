@@ -4,6 +4,7 @@
 
 #include "core/analysis/run_metrics.h"
 
+#include <string>
 #include <vector>
 
 namespace hygroloom {
@@ -18,6 +19,9 @@ struct SeriesKey {
 
 /// In the order of the file, the time first.
 const std::vector<SeriesKey>& series_keys();
+
+/// "Wetted radius, top" for wetted_radius_top_mm; the key itself where no plot has the series.
+std::string title_of_series(const std::string& key);
 
 /// In the key's unit.
 std::vector<double> values_of(const SeriesKey& of, const Series& series);

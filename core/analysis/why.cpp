@@ -145,6 +145,18 @@ Compared compared_with_nothing(const std::vector<double>& values, const std::vec
     return found;
 }
 
+/// Of one exchange, in those replicates; none: it shows nothing.
+std::optional<Compared> shown_step(const Runs& runs, const std::vector<std::size_t>& replicates,
+                                   const std::vector<std::vector<double>>& places, double numerical_otherwise, Mixture before,
+                                   Mixture after, const Why& why)
+{
+    std::vector<double> differences;
+    for (const std::size_t r : replicates) differences.push_back(*runs.number(before, r) - *runs.number(after, r));
+    const double numerical = std::max(runs.numerical(before, numerical_otherwise), runs.numerical(after, numerical_otherwise));
+    Compared found = compared_with_nothing(differences, places, numerical, why);
+    return found.verdict == Verdict::no_difference ? std::nullopt : std::optional(std::move(found));
+}
+
 /// Which mixtures lack the number, and why nothing can be said.
 std::string missing_text(const WhyPlan& plan, const Why& why, const Runs& runs)
 {
@@ -209,7 +221,9 @@ Why why_of(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fabr
     why.fabrics = 2 + static_cast<int>(plan.mixtures.size());
     why.notes = plan.notes;
     why.whole = compared(fabric, against, metric, replicates);
-    if (!why.whole)
+    if (const auto lone = lone_number(fabric, against, metric, replicates))
+        why.nothing = lone->sentence + " What only one of them has cannot be shared out among parts.";
+    else if (!why.whole)
         why.nothing =
             fmt::format("Whether {} and {} differ in {} is not known: one of them has no such number, or its numerical error is not "
                         "known and there is one replicate.",
@@ -256,6 +270,8 @@ Why explain(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fab
             return why;
         }
     }
+    const auto alone = [&](Mixture before, Mixture after) { return shown_step(runs, complete, places, ends, before, after, why); };
+    const Mixture all = all_parts(parts);
     double squares = ends * ends;
     for (std::size_t i = 0; i < parts; ++i) {
         double numerical = 0;
@@ -264,7 +280,10 @@ Why explain(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fab
         });
         squares += numerical * numerical;
         const Exchange& part = plan.parts[i];
-        Contribution made{part.title, part.first, part.second, {}, part.several, compared_with_nothing(values[i], places, numerical, why)};
+        Contribution made{part.title,       part.first,
+                          part.second,      {},
+                          part.several,     compared_with_nothing(values[i], places, numerical, why),
+                          alone(0, bit(i)), alone(all ^ bit(i), all)};
         for (const PartField* field : part.fields) made.keys.emplace_back(field->key);
         why.parts.push_back(std::move(made));
     }

@@ -47,6 +47,8 @@ struct Contribution {
     std::vector<std::string> keys; ///< of the project file, that differ
     bool several = false;
     Compared compared; ///< difference: fabric less the other; better: in favour of the fabric
+    /// Of exchanging it alone in the fabric, and in the other fabric, likewise fabric less other; none: it shows nothing there.
+    std::optional<Compared> alone_in_fabric, alone_in_other;
 };
 
 struct Why {

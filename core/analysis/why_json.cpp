@@ -27,6 +27,8 @@ Json why_value(const Why& why)
     for (const Contribution& part : why.parts) {
         Json one{{"part", part.title}, {"keys", part.keys}, {"fabric_has", part.first}, {"baseline_has", part.second}};
         one.update(compared_value(part.compared));
+        if (part.alone_in_fabric) one["alone_in_fabric"] = compared_value(*part.alone_in_fabric);
+        if (part.alone_in_other) one["alone_in_baseline"] = compared_value(*part.alone_in_other);
         parts.push_back(std::move(one));
     }
     return {{"fabric", why.fabric},

@@ -67,6 +67,21 @@ std::string basis_of(const Why& why)
                        why.fabric, why.against, runs);
 }
 
+/// Where no contribution shows: what does by itself in one of the fabrics, or that nothing does.
+std::vector<std::string> what_shows_alone(const Why& why)
+{
+    std::vector<std::string> sentences;
+    for (const Contribution* part : in_order(why))
+        for (const auto& [alone, where] : {std::pair(&part->alone_in_fabric, &why.fabric), std::pair(&part->alone_in_other, &why.against)})
+            if (*alone)
+                sentences.push_back(fmt::format("Exchanged alone in {}, the {} ({} instead of {}) {}.", *where, part->title, part->first,
+                                                part->second, in_words(why, **alone, is_plural(*part))));
+    if (sentences.empty()) return {"No part by itself makes a difference that this simulation can show; only all of them do."};
+    sentences.insert(sentences.begin(), "No contribution is a difference that this simulation can show, as each is a mean over several "
+                                        "exchanges; single exchanges are.");
+    return sentences;
+}
+
 /// A bar from 0 for each contribution, with its interval.
 std::string bars(const Why& why)
 {
@@ -150,7 +165,7 @@ std::vector<std::string> sentences_of(const Why& why)
                                         in_words(why, part->compared, is_plural(*part))));
     if (why.parts.size() > 1 &&
         std::none_of(why.parts.begin(), why.parts.end(), [](const Contribution& part) { return is_shown(part.compared); }))
-        sentences.emplace_back("No part by itself makes a difference that this simulation can show; only all of them do.");
+        for (std::string& sentence : what_shows_alone(why)) sentences.push_back(std::move(sentence));
     if (why.together) sentences.push_back(fmt::format("What the parts do together {}.", in_words(why, *why.together, false)));
     sentences.push_back(basis_of(why));
     sentences.insert(sentences.end(), why.notes.begin(), why.notes.end());

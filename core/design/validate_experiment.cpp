@@ -94,7 +94,11 @@ void validate_feed_drops(const Experiment& e, const std::string& where, IssueLis
 {
     if (e.drop_ul == 0) return;
     constexpr double smallest = 0.5, largest = 1000;
-    if (!list.range(where + ".drop_ul", "volume of each drop of the feed", e.drop_ul, smallest, largest, "ul")) return;
+    if (!(e.drop_ul >= smallest && e.drop_ul <= largest))
+        return list.error(
+            "range", where + ".drop_ul",
+            fmt::format("The volume of each drop of the feed must be 0 (the feed flows evenly) or from {} to {} ul; given is {}.", smallest,
+                        largest, e.drop_ul));
     if (e.volume_ul > most_drops_of_feed * e.drop_ul)
         list.error("too_many_drops", where + ".drop_ul",
                    fmt::format("A feed of {} ul may come in at most {} drops, of {} ul or more; given are drops of {} ul.", e.volume_ul,

@@ -385,27 +385,40 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
                                         : " The numerical error with these knobs and parts was not measured.");
 }
 
+namespace {
+
+/// "8 runs of this kind and 2 at other fidelities"
+std::string learned_runs_text(int same, int other)
+{
+    const auto runs = [](int count) { return count == 1 ? std::string("One run") : fmt::format("{} runs", count); };
+    if (same == 0) return fmt::format("{} of this kind at {}", runs(other), other == 1 ? "another fidelity" : "other fidelities");
+    const std::string more = other == 0 ? "" : fmt::format(" and {} at {}", other, other == 1 ? "another fidelity" : "other fidelities");
+    return fmt::format("{} of this kind{}", runs(same), more);
+}
+
+} // namespace
+
 void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)
 {
     constexpr double as_good_as_alike = 0.03;
     double weights = 0, sum = 0;
-    int runs = 0;
+    int same = 0, other = 0; // fidelity
     for (const LearnedRun& run : learned) {
         const double unlike = distance(plan, run.plan);
         if (unlike >= 1) continue;
         const double work = std::abs(std::log(rough_work(plan, "cpu") / rough_work(run.plan, "cpu")));
-        const double far = unlike + work + (run.plan.fidelity == plan.fidelity ? 0.0 : 0.5) + as_good_as_alike;
+        const bool alike = run.plan.fidelity == plan.fidelity;
+        const double far = unlike + work + (alike ? 0.0 : 0.5) + as_good_as_alike;
         weights += 1 / (far * far);
         sum += std::log(run.ratio) / (far * far);
-        ++runs;
+        ++(alike ? same : other);
     }
-    if (runs == 0) return;
+    if (same + other == 0) return;
     const double ratio = std::exp(sum / weights);
     if (!std::isfinite(ratio)) return;
     plan.expected_seconds *= ratio;
-    plan.expectation_source +=
-        fmt::format(" {} of this kind on this machine took {} times {} estimate, so this time is corrected.",
-                    runs == 1 ? "One run" : std::to_string(runs) + " runs", rounded_text(ratio, 2), runs == 1 ? "its" : "their");
+    plan.expectation_source += fmt::format(" {} on this machine took {} times {} estimate, so this time is corrected.",
+                                           learned_runs_text(same, other), rounded_text(ratio, 2), same + other == 1 ? "its" : "their");
 }
 
 std::string error_text(const ModelPlan& plan)

@@ -80,6 +80,16 @@ Candidate with_replicates(const std::string& fabric, const std::string& key, con
     return all;
 }
 
+QString refusal_of(const std::vector<OutcomeInfo>& criteria, const std::string& name)
+{
+    try {
+        criterion_named(criteria, name);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
 const std::vector<double> eight_places{0.5, 0.07, 0.9, 0.33, 0.76, 0.21, 0.61, 0.45};
 
 } // namespace
@@ -202,12 +212,82 @@ private Q_SLOTS:
         const std::vector<OutcomeInfo> criteria = compared_by(ExperimentType::droplet);
         QCOMPARE(criterion_named(criteria, "").key, criteria[0].key);
         QVERIFY(criterion_named(criteria, "absorbency_time_s").better == Better::less);
-        try {
-            criterion_named(criteria, "ommc");
-            QFAIL("a drop has no OMMC");
-        } catch (const Error& error) {
-            QVERIFY2(std::string(error.what()).find("absorbency_time_s") != std::string::npos, error.what());
+        QCOMPARE(criterion_named(criteria, "Wetted radius, bottom").key, std::string("maximum_wetted_radius_bottom_mm"));
+        QVERIFY(refusal_of(criteria, "ommc").contains("number \"ommc\" to rank by. It has maximum_wetted_radius_top_mm"));
+        for (const char* near : {"absorbency", "Absorbency t", "absorbancy_time_s", "absorbency tme"})
+            QVERIFY2(refusal_of(criteria, near).contains("did you mean \"absorbency"), qPrintable(refusal_of(criteria, near)));
+    }
+    void aDifferenceDoesNotLookLikeItsInterval()
+    {
+        const auto seen = [](double centre, double half) {
+            Interval interval;
+            interval.centre = centre;
+            interval.low = centre - half;
+            interval.high = centre + half;
+            return with_interval(OutcomeInfo{}, interval);
+        };
+        QCOMPARE(seen(0.4, 0.1), std::string("0.40 ± 0.10"));
+        QCOMPARE(seen(0.404, 0.398), std::string("0.404 ± 0.398"));
+        QCOMPARE(seen(-0.404, 0.398), std::string("-0.404 ± 0.398"));
+        QCOMPARE(seen(0.4, 0.4), std::string("0.40 ± 0.40")); // they are alike
+    }
+    void whatCannotBeNegativeHasNoNegativeInterval()
+    {
+        const Interval cut = interval_of({1, 3}, {}, 0.1, least_of("absorbency_time_s"));
+        QCOMPARE(cut.low, 0.0);
+        QVERIFY(cut.high > 12 && cut.centre == 2);
+        QVERIFY2(with_interval(OutcomeInfo{}, cut) == "2 (0 to 13)", with_interval(OutcomeInfo{}, cut).c_str());
+        QVERIFY(interval_of({1, 3}, {}, 0.1, least_of("one_way_transport_pct")).low < -8);
+        QVERIFY(interval_of({1, 3}, {}, 0.1, least_of("surface_temperature_steady_c")).low < -8);
+        const auto high = with_interval(OutcomeInfo{}, interval_of({10, 10.2}, {}, 0.1, 0));
+        QVERIFY2(high.find(" ± ") != std::string::npos, high.c_str()); // nothing of it is cut
+    }
+    void fewReplicatesAreSaidToBeFew()
+    {
+        QVERIFY(few_replicates_text(1).empty() && few_replicates_text(4).empty() && few_replicates_text(8).empty());
+        QVERIFY(few_replicates_text(2).find("reaches 7.7 standard deviations to either side (2.6 with 4, 2.0 with 8)") !=
+                std::string::npos);
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        c.baseline = "a";
+        for (const int replicates : {1, 2, 3, 4}) {
+            c.replicates = replicates;
+            QCOMPARE(comparison_table(c).find("are few") != std::string::npos, replicates == 2 || replicates == 3);
         }
+    }
+    void whatOnlyOneHasIsAVerdictOfItsOwn()
+    {
+        Comparison c = of_drops({{"cotton", 3.0}, {"hemp", 9.0}, {"twill", 4.0}});
+        const std::string time = "absorbency_time_s", slope = c.criteria[1].key;
+        c.candidates[0].replicates[0]->numbers[time] = 0.5;
+        c.candidates[1].replicates[0]->numbers[slope] = 2;
+        c.candidates[2].replicates.clear(); // has not run
+        auto run = std::make_shared<RunRecord>();
+        run->design = drop_design();
+        run->design.experiments[0].duration_s = 10;
+        run->experiment = run->design.experiments[0].name;
+        c.candidates[1].run = run;
+        c.baseline = "cotton";
+        judge(c);
+        QCOMPARE(c.lone.size(), std::size_t(2));
+        QVERIFY(!verdict_of(c, "hemp", time) && !lone_number_of(c, "twill", time) && !lone_number_of(c, "hemp", c.criteria[0].key));
+        QCOMPARE(lone_number_of(c, "hemp", time)->words, std::string("does not absorb, baseline does"));
+        QCOMPARE(lone_number_of(c, "hemp", time)->sentence, std::string("cotton absorbs all of the liquid, hemp does not within 10 s."));
+        QCOMPARE(lone_number_of(c, "hemp", slope)->words, std::string("only this has it"));
+        for (const std::string& text : {comparison_table(c), comparison_csv(c)})
+            QVERIFY2(text.find("does not absorb, baseline does") != std::string::npos, text.c_str());
+        QVERIFY(comparison_json(c).find("only baseline has it") != std::string::npos);
+        c.replicates = 2; // the second runs are missing
+        judge(c);
+        QVERIFY(c.lone.empty());
+        const auto two = [](Candidate& candidate, std::optional<double> first, std::optional<double> second) {
+            candidate.replicates = {ReplicateRun{}, ReplicateRun{}};
+            if (first) candidate.replicates[0]->numbers["absorbency_time_s"] = *first;
+            if (second) candidate.replicates[1]->numbers["absorbency_time_s"] = *second;
+        };
+        two(c.candidates[0], 1.0, {});
+        two(c.candidates[1], {}, {});
+        judge(c);
+        QVERIFY2(c.lone.front().sentence.find("in 1 of 2 replicates") != std::string::npos, c.lone.front().sentence.c_str());
     }
     void theTableHasTitlesAndUnitsForPeople()
     {

@@ -158,6 +158,26 @@ private Q_SLOTS:
         QVERIFY2(sentences[1].find("no effect that this simulation can show") != std::string::npos, sentences[1].c_str());
     }
 
+    void whereOnlyAnExchangeAloneShowsItIsSaid()
+    {
+        // Either part alone makes nearly all of the difference in the fabric, the other then little: a mean of 0.6 with an error of 0.7.
+        const auto either = [](Mixture m, std::size_t) { return m == 0 ? 5.0 : m == 3 ? 6.2 : 6.0; };
+        const Why why = explained(made_up(2), 1, 0.7, either);
+        for (const Contribution& part : why.parts) {
+            QCOMPARE(part.compared.verdict, Verdict::no_difference);
+            QVERIFY(part.alone_in_fabric && !part.alone_in_other);
+            QCOMPARE(part.alone_in_fabric->difference, -1.0);
+        }
+        const auto says = [](const Why& of, const char* words) {
+            const auto sentences = sentences_of(of);
+            return std::any_of(sentences.begin(), sentences.end(), [&](const auto& s) { return s.find(words) != std::string::npos; });
+        };
+        QVERIFY(says(why, "Exchanged alone in cloth, the part 0 (1 instead of 2) lowers it by 1.00 ± 0.70 s, which is better."));
+        QVERIFY(!says(why, "No part by itself"));
+        const Why none = explained(made_up(2), 1, 0.7, [](Mixture m, std::size_t) { return m == 0 ? 5.0 : m == 3 ? 6.2 : 5.6; });
+        QVERIFY(says(none, "No part by itself") && !says(none, "Exchanged alone"));
+    }
+
     void aDifferenceThatIsNoneHasNoCauses()
     {
         // The parts do much, against each other.
@@ -182,6 +202,13 @@ private Q_SLOTS:
         QCOMPARE(most.parts.size(), std::size_t{3});
         QCOMPARE(most.parts[0].compared.pairs, 5);
         QVERIFY(std::abs(sum_of(most) - most.whole->difference) < 1e-13);
+    }
+
+    void whatOnlyOneFabricHasIsSaidInsteadOfShared()
+    {
+        const Why why = explained(made_up(2), 1, 0.1, [](Mixture m, std::size_t) { return m == 3 ? std::nullopt : std::optional(5.0); });
+        QVERIFY(why.parts.empty() && !why.whole);
+        QVERIFY2(why.nothing.find("cloth absorbs all of the liquid") == 0, why.nothing.c_str());
     }
 
     void replicatesWidenTheInterval()
