@@ -4,10 +4,10 @@
 # packaging/threads.sh    Takes some 20 minutes; exits with 1 where a race is found.
 set -eu
 cd "$(dirname "$0")/.."
-tests="tst_side_by_side tst_liquid tst_touching tst_mixed_yarns"
+tests="tests_run/tst_side_by_side tests_solver/tst_liquid tests_solver/tst_touching tests_solver/tst_mixed_yarns"
 
 cmake --preset tsan --log-level=NOTICE >/dev/null
-cmake --build --preset tsan --target thread_check hygroloom-cli $tests
+cmake --build --preset tsan --target thread_check hygroloom-cli tests_run tests_solver
 bin=build/tsan/bin
 TSAN_OPTIONS="suppressions=$PWD/tests/support/tsan.supp exitcode=0"
 export TSAN_OPTIONS QTEST_FUNCTION_TIMEOUT=3600000 # ms; what is checked is slow
@@ -31,7 +31,7 @@ run() {
 }
 run "a race put in by hand" race $bin/thread_check race
 run "the same without it" none $bin/thread_check none
-for test in $tests; do run "$test" none "$bin/tests/$test"; done
+for test in $tests; do run "${test#*/}" none "$bin/tests/${test%/*}" "${test#*/}"; done
 run "simulate, 4 threads" none $bin/hygroloom-cli simulate resources/examples/one-drop-on-cotton.hygro --fidelity draft --threads 4 -q \
   --set "experiments[0].duration_s=0.05" --set fidelity.particles_per_droplet=500 -o build/tsan/drop.hygrorec
 run "simulate side by side" none $bin/hygroloom-cli simulate resources/examples/three-candidates.hygro --experiment "one drop" --fidelity draft \

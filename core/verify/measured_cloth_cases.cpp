@@ -10,15 +10,17 @@
 namespace hygroloom {
 namespace {
 
-/// A moisture management test of a quarter of the liquid, on a sample whose edge it does not reach.
+double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
+
+/// A moisture management test of a quarter of the liquid, or of volume_ul, on a sample whose edge it does not reach.
 struct Management {
     double ommc = 0, radius = 0; ///< of the circle as large as the wet spot, m; a farthest crossing would tell whole pitches only
 };
-Management management_of(const Fabric& fabric, Backend& backend)
+Management management_of(const VerifyValues& v, const Fabric& fabric, Backend& backend)
 {
     Experiment experiment = standard_experiment(ExperimentType::moisture_management);
-    experiment.sample_mm = {50, 50};
-    experiment.volume_ul = 50;
+    experiment.sample_mm = {value(v, "sample_mm"), value(v, "sample_mm")};
+    experiment.volume_ul = value(v, "volume_ul");
     experiment.drop_ul = 0; // in drops a ring is reached by one or the next, which moves OMMC by up to 15 %
     const Metrics metrics = run_whole(design_of(fabric, experiment), Fidelity::draft, backend).metrics;
     return {metrics.management ? metrics.management->ommc : 0.0,
@@ -26,19 +28,20 @@ Management management_of(const Fabric& fabric, Backend& backend)
 }
 
 /// T3
-std::vector<VerifyResult> plain_and_rib(const VerifyValues&, Backend& backend)
+std::vector<VerifyResult> plain_and_rib(const VerifyValues& v, Backend& backend)
 {
     Fabric plain = library_fabric("Sheeting");
     plain.warp_crimp_percent.reset();
     plain.weft_crimp_percent.reset();
     Fabric rib = plain;
     rib.weave = weave_from_pattern("rib 2/2 warp");
-    return {known_miss(ratio_at_least("ommc_plain_over_rib", management_of(plain, backend).ommc / management_of(rib, backend).ommc, 1.02),
-                       "rates, radii and faces come out alike within 1 %, and water spreads 2 % faster where a yarn floats over two")};
+    return {
+        known_miss(ratio_at_least("ommc_plain_over_rib", management_of(v, plain, backend).ommc / management_of(v, rib, backend).ommc, 1.02),
+                   "rates, radii and faces come out alike within 1 %, and water spreads 2 % faster where a yarn floats over two")};
 }
 
 /// T4
-std::vector<VerifyResult> lighter_weft(const VerifyValues&, Backend& backend)
+std::vector<VerifyResult> lighter_weft(const VerifyValues& v, Backend& backend)
 {
     std::vector<VerifyResult> results;
     for (const auto& [word, weave] : {std::pair{"plain", "plain"}, std::pair{"twill", "twill 2/2 Z"}, std::pair{"panama", "basket 2/2"}}) {
@@ -49,7 +52,7 @@ std::vector<VerifyResult> lighter_weft(const VerifyValues&, Backend& backend)
         Fabric lighter = linen;
         *lighter.weft.linear_density_tex *= 0.95;
         lighter.weft.packing_factor = 0.9 * linen.weft.packing_factor.value_or(default_packing_factor);
-        const Management before = management_of(linen, backend), after = management_of(lighter, backend);
+        const Management before = management_of(v, linen, backend), after = management_of(v, lighter, backend);
         const char* holds_more =
             "a yarn packed more loosely holds more, so that the same water fills it less and wets less of the cloth; a "
             "lighter weft packed as before wets 1 % farther";
@@ -152,19 +155,13 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
 
 std::vector<VerifyCase> measured_cloth_cases()
 {
+    const std::vector<VerifyParameter> fed_cloth{{"sample_mm", 50, 10, 200, ""}, {"volume_ul", 50, 1, 200, ""}};
     return {
         {"measured_t3",
-         "Moisture management of plain weave and of 2/2 warp rib of the same yarns: the plain weave's capability is the higher.",
-         {},
-         plain_and_rib,
-         "Riaz et al., Journal of Natural Fibers 2023, doi 10.1080/15440478.2022.2163030",
-         ""},
-        {"measured_t4",
-         "A weft 5 % lighter and looser: capability and wetted radius rise.",
-         {},
-         lighter_weft,
-         "HOGENT, Materials 2024, 17(7), 1650, doi 10.3390/ma17071650: linen warp, flax or hemp weft",
-         ""},
+         "Moisture management of plain weave and of 2/2 warp rib of the same yarns: the plain weave's capability is the higher.", fed_cloth,
+         plain_and_rib, "Riaz et al., Journal of Natural Fibers 2023, doi 10.1080/15440478.2022.2163030", ""},
+        {"measured_t4", "A weft 5 % lighter and looser: capability and wetted radius rise.", fed_cloth, lighter_weft,
+         "HOGENT, Materials 2024, 17(7), 1650, doi 10.3390/ma17071650: linen warp, flax or hemp weft", ""},
         {"measured_t9",
          "Drying of five cloths: the same rate for an area, a time in proportion to the water, and more water the thicker the cloth.",
          {},

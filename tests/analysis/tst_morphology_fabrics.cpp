@@ -31,10 +31,10 @@ const VerifyResult& result(const VerifyReport& report, const std::string& name)
     qFatal("There is no such result.");
 }
 
-/// Random parallel rods that do not overlap, 400 to a repeat and 16 voxels thick: shaken from a net until nothing of it is left.
+/// Random parallel rods that do not overlap, 144 to a repeat and 16 voxels thick: shaken from a net until nothing of it is left.
 PoreImage random_rods(double packing)
 {
-    constexpr int rods = 400, columns = 20;
+    constexpr int rods = 144, columns = 12;
     constexpr double radius = 16;
     const double side = std::sqrt(rods * pi * radius * radius / packing);
     std::vector<std::array<double, 2>> at;

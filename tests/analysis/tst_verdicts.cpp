@@ -45,7 +45,7 @@ Design three_cloths()
     drop.sample_mm = {10, 10};
     Experiment strip = standard_experiment(ExperimentType::vertical_wicking);
     strip.name = "strip";
-    strip.sample_mm = {3, 60};
+    strip.sample_mm = {1, 60}; // few yarns, which are alike
     strip.duration_s = 10;
     design.experiments = {drop, strip};
     return design;

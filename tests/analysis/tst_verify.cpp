@@ -10,9 +10,32 @@
 
 using namespace hygroloom;
 
+namespace {
+
+using Changes = std::map<std::string, std::string>;
+
+/// Of cases that take long ctest runs less; verify runs them whole, and so does this test with HYGROLOOM_WHOLE_CASES=1.
+Changes smaller(const std::string& name)
+{
+    if (qEnvironmentVariableIsSet("HYGROLOOM_WHOLE_CASES")) return {};
+    static const std::map<std::string, Changes> all{
+        {"hydrostatic", {{"particles", "4000"}}},
+        {"laplace_pressure", {{"particles", "5000"}}},
+        {"measured_t3", {{"sample_mm", "24"}, {"volume_ul", "10"}}},
+        {"measured_t4", {{"sample_mm", "24"}, {"volume_ul", "10"}}},
+        {"measured_t6", {{"duration_s", "1800"}}},
+        {"measured_t7", {{"duration_s", "20"}}},
+        {"measured_t8", {{"duration_s", "40"}}},
+    };
+    const auto found = all.find(name);
+    return found == all.end() ? Changes() : found->second;
+}
+
+} // namespace
+
 class TestVerify : public QObject {
     Q_OBJECT
-    void check(const std::string& name, const std::map<std::string, std::string>& changes, const std::string& machine)
+    void check(const std::string& name, const Changes& changes, const std::string& machine)
     {
         std::unique_ptr<Backend> backend;
         try {
@@ -69,7 +92,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         QFETCH(QString, machine);
-        check(name.toStdString(), {}, machine.toStdString());
+        check(name.toStdString(), smaller(name.toStdString()), machine.toStdString());
     }
     void otherValuesPassToo_data()
     {

@@ -20,8 +20,8 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"--help"}).code, 0);
         QVERIFY(run_cli({"--version"}).out.contains("Hygroloom 0."));
-        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "presets", "devices", "calibrate", "compare",
-                                 "tradeoff", "verify"}) {
+        for (const char* verb : {"check", "plan", "simulate", "measure", "export", "import", "garment", "presets", "devices", "calibrate",
+                                 "compare", "tradeoff", "verify"}) {
             const Answer answer = run_cli({verb, "--help"});
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.contains("Example: hygroloom-cli"), verb);

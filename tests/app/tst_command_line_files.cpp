@@ -155,6 +155,36 @@ private Q_SLOTS:
         }
         QCOMPARE(QJsonDocument::fromJson(contents(project)).object()["fabrics"].toArray().size(), count);
     }
+    void garmentsAreReadAndAddedToAProject()
+    {
+        const QString tee = HYGROLOOM_SOURCE_DIR "/tests/data/garments/tee.json", project = at("worn/run.hygro");
+        QVERIFY(QDir(folder_.path()).mkpath("worn"));
+        const QJsonObject json = run_cli({"garment", "import", tee, "--json"}).json();
+        const QJsonObject panel = json["panels"].toArray()[0].toObject();
+        QCOMPARE(json["panels"].toArray().size(), 6);
+        QCOMPARE(json["seams"].toInt(), 12);
+        QVERIFY(std::abs(json["uv_scale"].toDouble() - 1.0 / 300) < 1e-12);
+        QCOMPARE(panel["name"].toString(), QString("lfsleeve"));
+        QCOMPARE(panel["edges"].toInt(), 4);
+        QVERIFY(std::abs(panel["area_m2"].toDouble() - 0.02052) < 2e-5 && panel["perimeter_mm"].toDouble() > 500);
+        QCOMPARE(run_cli({"garment", "import", tee, "-o", project}).code, 0);
+        const Answer second = run_cli({"garment", "import", "built-in:leggings", "-o", project});
+        QCOMPARE(second.code, 0);
+        QVERIFY2(second.out.contains("left leg") && second.out.contains("Added to"), second.out);
+        const QJsonArray worn = QJsonDocument::fromJson(contents(project)).object()["garments"].toArray();
+        QCOMPARE(worn.size(), 2);
+        QVERIFY(QFile::exists(at("worn/") + worn[0].toObject()["source"].toString()) &&
+                worn[0].toObject()["source"].toString().startsWith(".."));
+        QCOMPARE(run_cli({"check", project}).code, 0);
+        QCOMPARE(run_cli({"garment", "import", "built-in:coat"}).code, 2);
+        QCOMPARE(run_cli({"garment", "import", tee, "-o", at("x.json")}).code, 2);
+        QCOMPARE(run_cli({"garment", "import", tee, "--uv-unit", "mm"}).code, 2);
+        QCOMPARE(run_cli({"garment", "import", at("none.glb")}).code, 3);
+        write(at("pattern.json"), "{}");
+        const Answer refused = run_cli({"garment", "import", at("pattern.json"), "--json"});
+        QCOMPARE(refused.code, 3);
+        QVERIFY2(refused.json()["error"].toString().contains("The key \"pattern\" is missing"), refused.out);
+    }
     void streamsThatTakeNothing_data()
     {
         QTest::addColumn<QString>("redirection");

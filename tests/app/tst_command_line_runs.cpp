@@ -32,7 +32,7 @@ class TestCommandLineRuns : public QObject {
                 recording};
     }
 
-    QStringList small_scene(const char* duration) const
+    QStringList small_scene(const char* duration, const char* size = "[8,8]", const char* volume = "2") const
     {
         return {"tradeoff",
                 example("one-drop-on-cotton.hygro"),
@@ -42,8 +42,8 @@ class TestCommandLineRuns : public QObject {
                 "2",
                 "--set",
                 QString("experiments[0].duration_s=") + duration,
-                "experiments[0].sample_mm=[8,8]",
-                "experiments[0].droplets[0].volume_ul=2",
+                QString("experiments[0].sample_mm=") + size,
+                QString("experiments[0].droplets[0].volume_ul=") + volume,
                 "experiments[0].droplets[0].height_mm=0",
                 "fidelity.particles_per_droplet=100",
                 "-o",
@@ -159,9 +159,9 @@ private Q_SLOTS:
     }
     void aTradeoffComparesVariantsWithTheReference()
     {
-        const Answer answer = run_cli(small_scene("0.02") << "--knobs"
-                                                          << "fibre_shells,particles_per_droplet"
-                                                          << "--convergence",
+        const Answer answer = run_cli(small_scene("0.004", "[4,4]", "0.3") << "--knobs"
+                                                                           << "fibre_shells,particles_per_droplet"
+                                                                           << "--convergence",
                                       300);
         QVERIFY2(answer.code == 0, answer.err);
         QVERIFY2(answer.out.contains("from reference x 2 to reference x 4: error "), answer.out);

@@ -122,6 +122,27 @@ private Q_SLOTS:
         }
     }
 
+    void aProjectWithoutExperimentsIsToldHowToGetOne()
+    {
+        QFile in(structures());
+        QVERIFY(in.open(QIODevice::ReadOnly));
+        QJsonObject project = QJsonDocument::fromJson(in.readAll()).object();
+        const auto write = [&](const QJsonArray& experiments) {
+            project["experiments"] = experiments;
+            QFile out(folder_.filePath("bare.hygro"));
+            QVERIFY(out.open(QIODevice::WriteOnly));
+            out.write(QJsonDocument(project).toJson());
+        };
+        write({});
+        const Answer answer = run_cli({"compare", folder_.filePath("bare.hygro")});
+        QCOMPARE(answer.code, 2);
+        const QString said = QString::fromUtf8(answer.err);
+        QVERIFY2(said.contains("The project has no experiment. Add one to its \"experiments\", such as {"), answer.err);
+        const QString advice = said.mid(said.indexOf('{'), said.lastIndexOf('}') + 1 - said.indexOf('{'));
+        write({QJsonDocument::fromJson(advice.toUtf8()).object()}); // what it says works
+        QCOMPARE(run_cli({"plan", folder_.filePath("bare.hygro"), "--fabric", "base"}).code, 0);
+    }
+
     void aWrongQuestionIsRefused()
     {
         const QString project = structures();
@@ -132,6 +153,7 @@ private Q_SLOTS:
         QVERIFY(refused({"--why", "no such"}).contains("no fabric \"no such\""));
         QVERIFY(refused({"--why", "base", "--baseline", "base"}).contains("needs another fabric"));
         QVERIFY(refused({"--why", "base", "--baseline", "no such"}).contains("no fabric \"no such\""));
+        QVERIFY(refused({"--by", "absorbency"}).contains("did you mean \"absorbency_time_s\"?"));
         QVERIFY(refused({"--why", "base", "--fabrics", "no flyaways,twice the flyaways"}).contains("not among the compared fabrics"));
     }
 };

@@ -164,7 +164,7 @@ const Change changes[] = {
 const std::map<std::string, const char*> without_effect{
     {"project.format", "form of the file"},
     {"project.version", "form of the file"},
-    {"project.garments", "reserved"},
+    {"project.garments", "holds others"},
     {"project.materials", "holds others"},
     {"project.liquids", "holds others"},
     {"project.fabrics", "holds others"},
@@ -326,8 +326,10 @@ private Q_SLOTS:
         std::set<std::string> listed;
         for (const auto& [key, why] : without_effect) listed.insert(key);
         for (const Change& change : changes) QVERIFY2(listed.insert(change.key).second, change.key);
-        for (const std::string& key : keys_of_schema())
+        for (const std::string& key : keys_of_schema()) {
+            if (key.starts_with("garment.") || key.starts_with("wear.")) continue; // these are on samples: see tst_wear_keys
             QVERIFY2(listed.erase(key) == 1, (key + " is new: say in this test how it acts on the water, or why it does not").c_str());
+        }
         QVERIFY2(listed.empty(), listed.empty() ? "" : (*listed.begin() + " is not in the schema").c_str());
     }
     void eachKeyMovesTheWaterOrIsNamedIdle_data()

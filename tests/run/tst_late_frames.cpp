@@ -73,12 +73,13 @@ private:
 /// 101 frames.
 Design brief() { return drop_design(35, 0.03); }
 
-/// All parts are on, so nothing is watched.
+/// All parts are on, so nothing is watched. Few particles, as all that matters is when frames come.
 RunOptions all_on(bool may_go_on_on_cpu = false)
 {
     RunOptions options;
     options.fidelity = Fidelity::draft;
     options.forced = {{"sorption", true}, {"vapour", true}, {"heat", true}};
+    options.knobs = {{"particles_per_droplet", 200}};
     options.may_go_on_on_cpu = may_go_on_on_cpu;
     return options;
 }

@@ -80,6 +80,20 @@ private Q_SLOTS:
         QVERIFY(as_large < 2 * plan_of(18).expected_seconds && as_large > plan_of(18).expected_seconds);
         QCOMPARE(other, drying.expected_seconds); // another kind
     }
+    void runsAtOtherFidelitiesAreCountedAsSuch()
+    {
+        const ModelPlan draft = plan_of(15), standard = plan_of(15, Fidelity::standard);
+        keep_learned_times(file_.toStdString());
+        const auto said = [](Fidelity fidelity, const char* words) {
+            return plan_of(15, fidelity).expectation_source.find(words) != std::string::npos;
+        };
+        learn_time(run_of(standard, 3));
+        QVERIFY(said(Fidelity::draft, " One run of this kind at another fidelity on this machine took"));
+        learn_time(run_of(draft, 3));
+        learn_time(run_of(draft, 3));
+        QVERIFY(said(Fidelity::draft, " 2 runs of this kind and 1 at another fidelity on this machine took"));
+        QVERIFY(said(Fidelity::standard, " One run of this kind and 2 at other fidelities on this machine took"));
+    }
     void runsThatDidNotHaveTheMachineAreNotTaken()
     {
         const ModelPlan before = plan_of(15);

@@ -172,7 +172,7 @@ private Q_SLOTS:
         const std::string path = at("running.hygrorec");
         const pid_t child = begin_apart([&] {
             RecordingWriter writer(path, run_);
-            for (int k = 0; k < 400; ++k) writer.append(small_frame(run_, k));
+            for (int k = 0; k < 200; ++k) writer.append(small_frame(run_, k));
             writer.finish(1);
         });
         int openings = 0, last = 0, sizes = 0;
@@ -184,7 +184,7 @@ private Q_SLOTS:
             sizes += now > last ? 1 : 0;
             last = now;
         }
-        QCOMPARE(last, 400);
+        QCOMPARE(last, 200);
         QVERIFY2(sizes > 5, qPrintable(QString("%1 of %2 openings").arg(sizes).arg(openings)));
     }
     void aKillAtAnyMomentLeavesWholeFrames()
@@ -192,13 +192,13 @@ private Q_SLOTS:
         const std::string path = at("killed.hygrorec");
         std::mt19937 random(1);
         int readable = 0, frames = 0;
-        for (int trial = 0; trial < 60; ++trial) {
+        for (int trial = 0; trial < 30; ++trial) {
             write_older(path);
             const pid_t child = begin_apart([&] {
                 RecordingWriter writer(path, run_);
                 for (int k = 0;; ++k) writer.append(small_frame(run_, k % 5 + 5 * k));
             });
-            std::this_thread::sleep_for(std::chrono::microseconds(random() % (trial < 40 ? 60'000 : 400'000)));
+            std::this_thread::sleep_for(std::chrono::microseconds(random() % (trial < 20 ? 60'000 : 400'000)));
             kill(child, SIGKILL);
             waitpid(child, nullptr, 0);
             const int whole = whole_frames(path);
@@ -207,7 +207,7 @@ private Q_SLOTS:
             frames = std::max(frames, whole);
             QVERIFY(!Recording(path).is_being_written());
         }
-        QCOMPARE(readable, 60);
+        QCOMPARE(readable, 30);
         QVERIFY(frames > 1);
         write_older(path); // takes over what the last kill may have left beside it
         QCOMPARE(files().filter("killed"), QStringList{"killed.hygrorec"});

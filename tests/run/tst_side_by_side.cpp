@@ -2,6 +2,7 @@
 // Runs side by side share their work out and end together; work in a process of its own gives back what it did.
 #include "core/base/error.h"
 #include "core/run/apart.h"
+#include "core/run/memory_gate.h"
 #include "core/run/side_by_side.h"
 #include "core/solver/backend.h"
 
@@ -144,6 +145,34 @@ private Q_SLOTS:
             return false;
         });
         QCOMPARE(runs, 4);
+    }
+    void runsWaitUntilTheirMemoryFits()
+    {
+        MemoryGate gate([] { return 100.0; });
+        std::atomic<bool> cancel{false};
+        std::atomic<double> taken{0}, most{0};
+        std::atomic<int> inside{0}, together{0};
+        const auto go = [&](double bytes) {
+            const MemoryGate::Pass pass(gate, bytes, cancel);
+            together = std::max(together.load(), ++inside);
+            most = std::max(most.load(), taken += bytes);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            --inside;
+            taken -= bytes;
+        };
+        {
+            std::vector<std::jthread> runs;
+            for (int i = 0; i < 16; ++i) runs.emplace_back([&] { go(30); });
+        }
+        QVERIFY2(most <= 100 && together > 1, qPrintable(QString("%1 bytes, %2 together").arg(most.load()).arg(together.load())));
+        go(1000); // alone it goes all the same
+        const MemoryGate::Pass all(gate, 90, cancel);
+        std::jthread later([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            cancel = true;
+        });
+        QVERIFY_EXCEPTION_THROWN(go(20), Cancelled);
+        QCOMPARE(inside.load(), 0);
     }
 };
 

@@ -52,7 +52,7 @@ Design cotton_and_polyester_checks(double duration)
 
 std::vector<Frame> run(const Design& design, int threads = 0, const ForcedParts& forced = {})
 {
-    RunOptions options = draft(forced);
+    RunOptions options = draft(forced, {{"particles_per_droplet", 300}}); // what is checked does not depend on how fine a drop is
     options.threads = threads;
     return run(design, options).frames;
 }

@@ -35,7 +35,7 @@ protected:
 
     void run()
     {
-        if (window_->document().experiment()->duration_s != 0.1) { shortenExperiment(0.1, 4, 0.5); }
+        if (window_->document().experiment()->duration_s != 0.02) { shortenExperiment(0.02, 4, 0.5); }
         simulationPanel().setFidelity(Fidelity::draft);
         QSignalSpy ended(&simulation(), &SimulationRun::ended);
         window_->simulate().startRun();

@@ -25,7 +25,7 @@ private Q_SLOTS:
             design.fabrics[0].uncertainty.contact_angle_deg = 20;
             Experiment strip = standard_experiment(ExperimentType::vertical_wicking);
             strip.name = "strip";
-            strip.sample_mm = {3, 40};
+            strip.sample_mm = {1, 40};
             strip.duration_s = 4;
             design.experiments = {strip};
         });

@@ -92,6 +92,24 @@ private Q_SLOTS:
         QCOMPARE(view.front(), (QStringList{"quick", "wide"}));
     }
 
+    void namesInTheScatterDoNotLieOverEachOther()
+    {
+        Comparison numbers = comparison();
+        numbers.candidates.push_back(candidate("hardly slower than slow", 4.1, 3.05));
+        judge(numbers);
+        ScatterView view;
+        view.resize(700, 400);
+        view.show();
+        view.setComparison(numbers);
+        for (std::size_t i = 0; i < numbers.criteria.size(); ++i) {
+            if (numbers.criteria[i].key == "absorbency_time_s") { view.choose(0, static_cast<int>(i)); }
+        }
+        QTRY_COMPARE(view.labels().size(), 3);
+        QVERIFY(view.labels().contains("wide") && view.labels().contains("quick")); // those of the front
+        view.resize(60000, 40000);                                                  // where there is room for all
+        QTRY_COMPARE(view.labels().size(), 4);
+    }
+
     void aCurveHasTheBandOfItsNumbersError()
     {
         const auto metrics = std::make_shared<Metrics>();

@@ -406,7 +406,7 @@ private:
 
     void run()
     {
-        shortenExperiment(0.1, 4, 0.5);
+        shortenExperiment(0.02, 4, 0.5);
         QSignalSpy ended(&simulation(), &SimulationRun::ended);
         window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);

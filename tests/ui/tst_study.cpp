@@ -78,6 +78,8 @@ private Q_SLOTS:
         judge(comparison);
         QCOMPARE(comparison.candidates.front().intervals.at(radius).runs, 4);
         QCOMPARE(comparison.candidates.front().intervals.at(radius).centre, 4.5);
+        QVERIFY(comparison_csv(comparison).find("In 1 of 4 replicates water reached the edge of the sample, after 0.75 s") !=
+                std::string::npos);
         Design changed = design_;
         changed.fabrics[0].contact_angle_deg = 50;
         QCOMPARE(studyRows(changed, {runOf(changed, 0, Fidelity::draft, 5)}, sets, four)[0].missing.size(), std::size_t{4});
@@ -99,6 +101,7 @@ private Q_SLOTS:
             for (const auto& [number, run] : sets[i].runs) {
                 QCOMPARE(back[i].runs.at(number).numbers, run.numbers);
                 QCOMPARE(back[i].runs.at(number).places, run.places);
+                QCOMPARE(back[i].runs.at(number).edge_time, run.edge_time);
             }
         }
     }
@@ -349,8 +352,42 @@ private Q_SLOTS:
         QVERIFY(failed[0][0].toString().contains("replicates"));
         auto& store = const_cast<ReplicateStore&>(place.runs.store());
         store.add(setOf(design_, 4));
+        QTRY_VERIFY(QFile::exists(file + "~")); // in the background
         QCOMPARE(read_replicates(file.toStdString()).size(), std::size_t{1});
-        QVERIFY(QFile::exists(file + "~"));
+    }
+
+    void whatIsNotSavedYetIsSavedAtTheEnd()
+    {
+        const QString path = folder_.filePath("cloth.hygro");
+        write_project(design_, path.toStdString());
+        {
+            Workplace place;
+            QVERIFY(place.document.open(path));
+            for (int of = 2; of < 9; ++of) { const_cast<ReplicateStore&>(place.runs.store()).add(setOf(design_, of)); }
+        }
+        QCOMPARE(read_replicates(replicatesIn(runFolderOf(path)).toStdString()).size(), std::size_t{7});
+    }
+
+    void leftoversAreDropped()
+    {
+        Design renamed = design_;
+        renamed.fabrics[0].name = "gone";
+        std::vector<ReplicateSet> sets{setOf(renamed, 4)};
+        for (int of = 2; of < 2 + static_cast<int>(most_kept_sets) + 5; ++of) { sets.push_back(setOf(design_, of)); }
+        const std::vector<ReplicateSet> kept = without_leftovers(sets, design_);
+        QVERIFY(kept.size() < most_kept_sets && kept.back().key == sets.back().key); // there are too many runs in all
+        std::size_t runs = 0;
+        for (const ReplicateSet& set : kept) { runs += set.runs.size(); }
+        QVERIFY(runs <= most_kept_runs && runs + most_kept_sets + 6 > most_kept_runs);
+        for (ReplicateSet& set : sets) { set.runs.clear(); }
+        QCOMPARE(without_leftovers(sets, design_).size(), most_kept_sets);
+        QVERIFY(without_leftovers({setOf(renamed, 4)}, design_).empty());
+        merge(sets, setOf(design_, 2)); // the last to be used goes last
+        QCOMPARE(sets.back().key.of, 2);
+        QString text = QString::fromStdString(format_replicates({setOf(design_, 4)}));
+        QVERIFY(text.contains("\"program\": \""));
+        text.replace("\"program\": \"", "\"program\": \"0.0.");
+        QVERIFY(parse_replicates(text.toStdString(), "file").empty()); // of another version
     }
 
     void replicatesGoAlongWithAProjectThatIsSavedElsewhere()
@@ -362,6 +399,7 @@ private Q_SLOTS:
         QVERIFY(place.document.open(path));
         const_cast<ReplicateStore&>(place.runs.store()).add(setOf(design_, 4));
         QVERIFY(place.document.saveAs(other));
+        QTRY_VERIFY(QFile::exists(replicatesIn(runFolderOf(other))));
         QCOMPARE(read_replicates(replicatesIn(runFolderOf(other)).toStdString()).size(), std::size_t{1});
         QCOMPARE(place.runs.store().sets().size(), std::size_t{1});
     }
@@ -390,7 +428,8 @@ private:
     {
         const StudyJob job{design.fabrics[0].name, design.experiments[0].name, Fidelity::draft, false, 0, of};
         ReplicateSet set{keyOf(design, job), {"contact angle on cotton"}, {}};
-        for (int number = 0; number < of; ++number) { set.runs[number] = {{{radius, 3.0 + number}}, {number == 0 ? 0.5 : 0.25}}; }
+        for (int number = 0; number < of; ++number) { set.runs[number] = {{{radius, 3.0 + number}}, {number == 0 ? 0.5 : 0.25}, {}}; }
+        set.runs[1].edge_time = 0.75;
         return set;
     }
 
