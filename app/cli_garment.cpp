@@ -26,15 +26,10 @@ struct GarmentOptions : CommonOptions {
     std::string action;
     std::string file;
     std::string output;
-    std::string experiment;
-    std::string fidelity = name_of(Fidelity::standard);
-    double cell_mm = 0;
-    double time = -1;
-    std::string cells = "auto";
-    std::string scale = "same";
-    double most = 0;
     std::string name;
     std::string uv_unit = name_of(UvUnit::from_lengths);
+    WearVerbOptions plan;
+    WearMapVerbOptions map;
 };
 
 Garment garment_of(const GarmentOptions& options)
@@ -146,36 +141,13 @@ int import_garment(const GarmentOptions& options)
     return exit_ok;
 }
 
-int plan_one(const GarmentOptions& options)
+int act(GarmentOptions& options)
 {
-    WearVerbOptions plan;
-    plan.json = options.json;
-    plan.quiet = options.quiet;
-    plan.project = options.file;
-    plan.experiment = options.experiment;
-    plan.fidelity = options.fidelity;
-    plan.cell_mm = options.cell_mm;
-    return plan_garment(plan);
-}
-
-int map_one(const GarmentOptions& options)
-{
-    WearMapVerbOptions map;
-    map.json = options.json;
-    map.quiet = options.quiet;
-    map.recording = options.file;
-    map.output = options.output;
-    map.time = options.time;
-    map.cells = options.cells;
-    map.scale = options.scale;
-    map.most = options.most;
-    return map_garment(map);
-}
-
-int act(const GarmentOptions& options)
-{
-    if (options.action == "plan") return plan_one(options);
-    return options.action == "map" ? map_one(options) : import_garment(options);
+    static_cast<CommonOptions&>(options.plan) = static_cast<CommonOptions&>(options.map) = options;
+    options.plan.project = options.map.recording = options.file;
+    options.map.output = options.output;
+    if (options.action == "plan") return plan_garment(options.plan);
+    return options.action == "map" ? map_garment(options.map) : import_garment(options);
 }
 
 } // namespace
@@ -200,17 +172,18 @@ void add_garment(CLI::App& app, Verb& verb)
     garment_verb.add_option("--name", options->name, "Name of the garment; the file's when left out");
     garment_verb.add_option("--uv-unit", options->uv_unit, "Unit of a mesh's flat coordinates")
         ->check(CLI::IsMember({"from_lengths", "mm", "cm", "m"}));
-    garment_verb.add_option("--experiment", options->experiment, "With plan: experiment of the type wear; the only one when left out");
-    garment_verb.add_option("--fidelity", options->fidelity, "With plan: draft, standard or reference");
-    garment_verb.add_option("--cell-mm", options->cell_mm, "With plan: sides of cells, mm; by fidelity when left out")
+    garment_verb.add_option("--experiment", options->plan.experiment, "With plan: experiment of the type wear; the only one when left out");
+    garment_verb.add_option("--fidelity", options->plan.fidelity, "With plan: draft, standard or reference");
+    garment_verb.add_option("--cell-mm", options->plan.cell_mm, "With plan: sides of cells, mm; by fidelity when left out")
         ->check(CLI::Range(0.05, 100.0));
-    garment_verb.add_option("--time", options->time, "With map: time, s; the end when left out")
+    garment_verb.add_option("--time", options->map.time, "With map: time, s; the end when left out")
         ->default_str("")
         ->check(CLI::NonNegativeNumber);
-    garment_verb.add_option("--cells", options->cells, "With map: crossings over which water is summed up each way, or auto: as computed");
-    garment_verb.add_option("--scale", options->scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
+    garment_verb.add_option("--cells", options->map.cells,
+                            "With map: crossings over which water is summed up each way, or auto: as computed");
+    garment_verb.add_option("--scale", options->map.scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
         ->check(CLI::IsMember({"same", "capacity"}));
-    garment_verb.add_option("--most", options->most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
+    garment_verb.add_option("--most", options->map.most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
         ->check(CLI::PositiveNumber);
     add_common_options(garment_verb, *options);
     garment_verb.callback([&verb, options] { verb = [options] { return act(*options); }; });

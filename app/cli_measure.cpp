@@ -5,6 +5,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_metrics.h"
 #include "app/cli_report.h"
+#include "app/cli_wear.h"
 
 #include "core/analysis/map_picture.h"
 #include "core/analysis/metrics_json.h"
@@ -14,6 +15,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/project/atomic_file.h"
+#include "core/wear/wear_recording.h"
 
 #include <fmt/format.h>
 
@@ -127,6 +129,11 @@ int measure(const MeasureOptions& options)
     if (options.time >= 0 && options.map.empty() && options.report.empty())
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
+    if (WearRecording::is_one(options.recording)) {
+        if (!options.map.empty() || !options.report.empty() || !options.vtk.empty())
+            throw Stop(exit_usage, options.recording + ": This is the recording of a worn garment; `garment map` writes its maps.");
+        return measure_garment(options.recording, options);
+    }
     require_other_files(options);
     const std::unique_ptr<Recording> recording = opened(options);
     MetricsCollector collector;

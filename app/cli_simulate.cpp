@@ -328,8 +328,11 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
 /// A garment's run has no fabrics to choose, and no replicates.
 int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOptions& options)
 {
-    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || options.profile || !options.physics.empty())
-        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --backend, --threads and -o; its panels name their fabrics.");
+    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || options.profile || !options.physics.empty() ||
+        options.seed != RunVerbOptions{}.seed)
+        throw Stop(exit_usage,
+                   "A worn garment takes --fidelity, --cell-mm, --set, --backend, --threads and -o. Its panels name their fabrics, "
+                   "and nothing of it is left to chance.");
     WearVerbOptions how;
     static_cast<RunVerbOptions&>(how) = options;
     how.fidelity = options.fidelity;

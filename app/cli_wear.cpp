@@ -53,7 +53,7 @@ WearOptions how_of(const WearVerbOptions& options)
     WearOptions how;
     how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
     how.cell_mm = options.cell_mm;
-    how.threads = options.threads;
+    how.knobs = knob_settings(options);
     return how;
 }
 
@@ -148,6 +148,16 @@ int plan_garment(const WearVerbOptions& options)
         print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
                      area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
     print_result("Memory about {:.0f} MB; on two cores some {:.0f} s, a guess from the counts.\n", 1e-6 * plan.bytes, plan.seconds);
+    return exit_ok;
+}
+
+int measure_garment(const std::string& file, const CommonOptions& options)
+{
+    const WearRecording recording = as_invalid([&] { return WearRecording(file); });
+    WearMetrics metrics(recording.record().layout);
+    for (int k = 0; k < recording.frames(); ++k) metrics.add(as_invalid([&] { return recording.frame(k); }));
+    print_result("{}", text_of(metrics, recording.record().layout, options.json));
+    if (!options.quiet && !recording.finished()) print_note("{}: The run did not end.\n", file);
     return exit_ok;
 }
 

@@ -16,6 +16,8 @@ struct WearVerbOptions : RunVerbOptions {
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options);
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options);
 int plan_garment(const WearVerbOptions& options);
+/// Prints what a recorded garment came to. Throws Stop.
+int measure_garment(const std::string& recording, const CommonOptions& options);
 
 struct WearMapVerbOptions : CommonOptions {
     std::string recording, output;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/map_image.h"
 
+#include "core/analysis/cairo_image.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/base/utf8.h"
 #include "core/project/atomic_file.h"
 
-#include <cairo.h>
 #include <fmt/format.h>
 #include <png.h>
 
@@ -88,27 +88,8 @@ public:
         cairo_show_text(cairo_.get(), printable(words).c_str());
     }
 
-    /// Throws Error where something could not be drawn: Cairo keeps its first failure to the end.
-    Image take()
-    {
-        cairo_surface_flush(surface_.get());
-        if (const cairo_status_t status = cairo_status(cairo_.get()); status != CAIRO_STATUS_SUCCESS)
-            throw Error(fmt::format("The picture was not drawn: {}.", cairo_status_to_string(status)));
-        const int width = cairo_image_surface_get_width(surface_.get()), height = cairo_image_surface_get_height(surface_.get());
-        Image image{width, height, {}};
-        image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        for (int j = 0; j < height; ++j) {
-            const unsigned char* row =
-                cairo_image_surface_get_data(surface_.get()) +
-                static_cast<std::size_t>(j) * static_cast<std::size_t>(cairo_image_surface_get_stride(surface_.get()));
-            for (int i = 0; i < width; ++i) {
-                std::uint32_t pixel = 0;
-                std::memcpy(&pixel, row + 4 * static_cast<std::size_t>(i), sizeof pixel);
-                for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xffU));
-            }
-        }
-        return image;
-    }
+    /// Throws Error where something could not be drawn.
+    Image take() { return image_from(cairo_.get()); }
 
 private:
     void use(const Colour& colour) { cairo_set_source_rgb(cairo_.get(), colour[0] / 255, colour[1] / 255, colour[2] / 255); }
@@ -172,6 +153,27 @@ void draw_cells(Canvas& canvas, const CellMap& map, double height, int top, int 
 }
 
 } // namespace
+
+Image image_from(cairo_t* cairo)
+{
+    cairo_surface_t* const surface = cairo_get_target(cairo);
+    cairo_surface_flush(surface);
+    if (const cairo_status_t status = cairo_status(cairo); status != CAIRO_STATUS_SUCCESS)
+        throw Error(fmt::format("The picture was not drawn: {}.", cairo_status_to_string(status)));
+    const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+    Image image{width, height, {}};
+    image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int j = 0; j < height; ++j) {
+        const unsigned char* row = cairo_image_surface_get_data(surface) +
+                                   static_cast<std::size_t>(j) * static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+        for (int i = 0; i < width; ++i) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, row + 4 * static_cast<std::size_t>(i), sizeof pixel);
+            for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xffU));
+        }
+    }
+    return image;
+}
 
 Image draw_map(const CellMap& map, double width, double height, const MapImageOptions& options)
 {

@@ -73,7 +73,7 @@ struct Frame {
     // Of garments alone.
     std::vector<double> gained;     ///< kg of liquid and bound water that each segment has more than at the start
     std::vector<double> evaporated; ///< kg from each segment since the start
-    std::vector<float> on_skin;     ///< kg on the skin under each crossing
+    std::vector<double> on_skin;    ///< kg on the skin under each crossing
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

@@ -68,10 +68,10 @@ struct ClimateParameters {
 
 /// Air over a face, or over both as one, at a place of a garment.
 struct FaceAir {
-    double air_warmth = 0; ///< K, over the climate's temperature
-    double vapour = 0;     ///< kg/m3
-    double heat_transfer = 0;
-    double mass_transfer = 0; ///< as ClimateParameters
+    double air_warmth = 0;    ///< K, over the climate's temperature
+    double vapour = 0;        ///< kg/m3
+    double heat_transfer = 0; ///< W/(m2 K), radiation included
+    double mass_transfer = 0; ///< m/s
 };
 
 /// The cloth's water and warmth at the start.
@@ -103,7 +103,7 @@ struct ClothPanels {
     std::vector<double> cell_area;   ///< m2 of fabric per crossing of each panel
     std::vector<std::uint8_t> skin_on_top; ///< of each panel, whether its top face lies on the skin
     std::vector<std::uint8_t> air;         ///< of each crossing, its place in airs
-    std::vector<FaceAir> airs;             ///< each at most once for every panel and zone
+    std::vector<FaceAir> airs;             ///< one for each fabric and gap to the skin
     // Pieces of one system that seams join are solved together, as chains of places.
     std::vector<int> order;                       ///< segment of each place, chain after chain: all of the warp's, then all of the weft's
     std::vector<int> chain_ends;                  ///< past the last place of each chain

@@ -137,7 +137,7 @@ void show_garment(const Stock& stock, Frame& f)
     if (s.on_skin.empty()) return;
     f.gained.assign(s.liquid.size(), 0);
     f.evaporated.assign(s.evaporated.begin(), s.evaporated.end());
-    for (std::int64_t quanta : s.on_skin) f.on_skin.push_back(static_cast<float>(static_cast<double>(quanta) * water_quantum));
+    for (std::int64_t quanta : s.on_skin) f.on_skin.push_back(static_cast<double>(quanta) * water_quantum);
 }
 
 } // namespace

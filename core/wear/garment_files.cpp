@@ -26,12 +26,7 @@ struct PanelMesh {
 
 PanelMesh mesh_of(const WearLayout& layout, std::size_t panel)
 {
-    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
-    for (const FlatPlace& place : layout.panels[panel].outline)
-        for (std::size_t k = 0; k < 2; ++k) {
-            low[k] = std::min(low[k], place[k]);
-            high[k] = std::max(high[k], place[k]);
-        }
+    const FlatBox box = layout.panels[panel].box();
     PanelMesh mesh;
     std::map<int, std::uint32_t> known;
     const GarmentShape& shape = layout.shape;
@@ -45,7 +40,7 @@ PanelMesh mesh_of(const WearLayout& layout, std::size_t panel)
             const FlatPlace& flat = shape.flat[static_cast<std::size_t>(vertex)];
             mesh.places.push_back({static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)});
             mesh.texture.push_back(
-                {static_cast<float>((flat[0] - low[0]) / (high[0] - low[0])), static_cast<float>((flat[1] - low[1]) / (high[1] - low[1]))});
+                {static_cast<float>((flat[0] - box.left) / box.width()), static_cast<float>((flat[1] - box.low) / box.height())});
         }
     }
     return mesh;

@@ -2,6 +2,7 @@
 #include "core/wear/garment_grid.h"
 
 #include "core/base/error.h"
+#include "core/garment/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace {
 constexpr double most_cells_across = 100'000;
 
 double dot(const FlatPlace& a, const FlatPlace& b) { return a[0] * b[0] + a[1] * b[1]; }
-
-std::vector<FlatPlace> outline(const PatternPanel& panel)
-{
-    std::vector<FlatPlace> places;
-    for (const PanelEdge& edge : panel.edges) places.insert(places.end(), edge.places.begin(), edge.places.end() - 1);
-    return places;
-}
 
 /// Marks the cells of each pick between every second place where the outline crosses the pick's middle line.
 void mark_inside(PanelGrid& grid, const std::vector<FlatPlace>& outline)
@@ -60,7 +54,7 @@ std::array<int, 2> PanelGrid::cell_at(const FlatPlace& place) const
 PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, double pick_pitch)
 {
     const FlatPlace across{std::cos(grain), std::sin(grain)}, along{-std::sin(grain), std::cos(grain)};
-    const std::vector<FlatPlace> places = outline(panel);
+    const std::vector<FlatPlace> places = outline_of(panel);
     double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
     for (const FlatPlace& place : places)
         for (int k = 0; k < 2; ++k) {

@@ -14,7 +14,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr double skin_film = 35e-6;     ///< m: 35 g/m2 stay on skin, what comes then drips (Jones and Ogawa 1992)
+constexpr double skin_film = 35e-6;     ///< m of liquid that stay on skin, some 35 g/m2; what comes then drips; an assumption
 constexpr double contact_gap = 0.3e-3;  ///< m of still air that cloth on skin still has between, by hairs and waviness; an assumption
 constexpr std::size_t most_kinds = 255; ///< of yarns, airs and panels
 
@@ -122,8 +122,7 @@ void fill_panel(Builder& b, std::size_t panel)
             if (grid.has(end, pick) && grid.has(end, pick + 1)) cloth.touching[weft] = tile.touching[from_weft];
         }
     }
-    const std::size_t picks_from =
-        static_cast<std::size_t>(std::max<std::size_t>(1, b.made.grids.size())) * static_cast<std::size_t>(cloth.ends);
+    const std::size_t picks_from = b.made.grids.size() * static_cast<std::size_t>(cloth.ends);
     for (int pick = 0; pick < grid.picks; ++pick) {
         cloth.type[picks_from + static_cast<std::size_t>(grid.first_pick + pick)] = type_in_cloth(b, number, false, pick % fabric.picks);
         cloth.panels.panel[static_cast<std::size_t>(grid.first_pick + pick)] = static_cast<std::uint8_t>(panel);

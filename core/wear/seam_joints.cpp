@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/garment/outline.h"
 #include "core/wear/garment_scene.h"
 
 #include <algorithm>
@@ -14,14 +15,6 @@ struct OnEdge {
     FlatPlace place;
     FlatPlace out;
 };
-
-double length_of(const PanelEdge& edge)
-{
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < edge.places.size(); ++i)
-        length += std::hypot(edge.places[i + 1][0] - edge.places[i][0], edge.places[i + 1][1] - edge.places[i][1]);
-    return length;
-}
 
 /// At a share of its length. Panels go counter-clockwise, so that out is to the right.
 OnEdge at_share(const PanelEdge& edge, double share)

@@ -3,9 +3,11 @@
 
 #include "core/base/units.h"
 #include "core/design/wear.h"
+#include "core/garment/outline.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace hygroloom {
@@ -26,6 +28,18 @@ std::string cells_in_words(const GarmentScene& garment)
 
 } // namespace
 
+FlatBox WearPanel::box() const
+{
+    FlatBox box;
+    for (const FlatPlace& place : outline) {
+        box.left = std::min(box.left, place[0]);
+        box.right = std::max(box.right, place[0]);
+        box.low = std::min(box.low, place[1]);
+        box.high = std::max(box.high, place[1]);
+    }
+    return box;
+}
+
 WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
 {
     WearLayout layout;
@@ -40,8 +54,8 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
         const PatternPanel& panel = parts.pattern.panels[k];
         const PanelCut* cut = parts.garment->cut_of(panel.name);
         const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[k])];
-        WearPanel made{panel.name, cut->fabric, radian_from_degree(cut->grain_deg), fabric.crossings_per_cell, {}, garment.grids[k]};
-        for (const PanelEdge& edge : panel.edges) made.outline.insert(made.outline.end(), edge.places.begin(), edge.places.end() - 1);
+        WearPanel made{panel.name,        cut->fabric,     radian_from_degree(cut->grain_deg), fabric.crossings_per_cell,
+                       outline_of(panel), garment.grids[k]};
         layout.panels.push_back(std::move(made));
     }
     layout.cells = garment.cells;

@@ -8,12 +8,21 @@
 
 namespace hygroloom {
 
+/// m, of flat places.
+struct FlatBox {
+    double left = 1e300, low = 1e300, right = -1e300, high = -1e300;
+    double width() const { return right - left; }
+    double height() const { return high - low; }
+};
+
 struct WearPanel {
     std::string name, fabric;
     double grain = 0;               ///< radian
     int crossings_per_cell = 1;     ///< ends, and picks
     std::vector<FlatPlace> outline; ///< m, counter-clockwise
     PanelGrid grid;
+
+    FlatBox box() const; ///< about its outline
 };
 
 struct WearLayout {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/wear/wear_map.h"
 
+#include "core/analysis/cairo_image.h"
 #include "core/base/error.h"
 #include "core/base/utf8.h"
 
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -47,24 +46,7 @@ private:
     std::unordered_map<std::int64_t, std::size_t> cells_;
 };
 
-struct Box {
-    double left = 1e300, low = 1e300, right = -1e300, high = -1e300;
-    double width() const { return right - left; }
-    double height() const { return high - low; }
-};
-Box box_of(const WearPanel& panel)
-{
-    Box box;
-    for (const FlatPlace& place : panel.outline) {
-        box.left = std::min(box.left, place[0]);
-        box.right = std::max(box.right, place[0]);
-        box.low = std::min(box.low, place[1]);
-        box.high = std::max(box.high, place[1]);
-    }
-    return box;
-}
-
-double scale_of(const Box& box) { return std::min(pixels_per_metre, most_pixels / std::max({1e-6, box.width(), box.height()})); }
+double scale_of(const FlatBox& box) { return std::min(pixels_per_metre, most_pixels / std::max({1e-6, box.width(), box.height()})); }
 
 /// Draws into a picture of the size; throws Error where that fails.
 template <typename Draw> Image drawn(int width, int height, const Draw& draw)
@@ -77,20 +59,7 @@ template <typename Draw> Image drawn(int width, int height, const Draw& draw)
     cairo_set_source_rgb(cairo.get(), paper, paper, paper);
     cairo_paint(cairo.get());
     draw(cairo.get());
-    cairo_surface_flush(surface.get());
-    if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS)
-        throw Error(fmt::format("The picture was not drawn: {}.", cairo_status_to_string(status)));
-    Image image{width, height, {}};
-    image.rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const unsigned char* const bytes = cairo_image_surface_get_data(surface.get());
-    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
-    for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j)
-        for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
-            std::uint32_t pixel = 0;
-            std::memcpy(&pixel, bytes + j * stride + 4 * i, sizeof pixel);
-            for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xffU));
-        }
-    return image;
+    return image_from(cairo.get());
 }
 
 void use_step(cairo_t* cairo, double share)
@@ -196,7 +165,7 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
 
 Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t panel)
 {
-    const Box box = box_of(layout.panels[panel]);
+    const FlatBox box = layout.panels[panel].box();
     const double scale = scale_of(box);
     const CellsOfPanel cells(layout, panel);
     Image image{std::max(1, static_cast<int>(std::lround(scale * box.width()))),
@@ -215,7 +184,7 @@ Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t pa
 Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t panel, double time)
 {
     const WearPanel& of = layout.panels[panel];
-    const Box box = box_of(of);
+    const FlatBox box = of.box();
     constexpr double margin = 24, head = 64, legend = 170, foot = 56, most_side = 1000, least_height = 260;
     const double scale = most_side / std::max(box.width(), box.height());
     const double map_height = std::max(least_height, scale * box.height());
@@ -278,7 +247,7 @@ std::string wear_csv(const WearLayout& layout, const WearFrame& frame)
                             1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, body_zones()[static_cast<std::size_t>(c.zone)], 1e6 * c.area,
                             per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
                             static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]),
-                            per_area(static_cast<double>(frame.on_skin[i])));
+                            per_area(frame.on_skin[i]));
     }
     return text;
 }

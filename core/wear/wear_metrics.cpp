@@ -21,7 +21,7 @@ void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const Garment
     now.inside += frame.inside[i];
     if (water > wet_share * cell.capacity) now.wet_area += cell.area;
     now.evaporated += frame.evaporated[i];
-    now.on_skin += static_cast<double>(frame.on_skin[i]);
+    now.on_skin += frame.on_skin[i];
     now.temperature += static_cast<double>(frame.temperature[i]) * cell.area;
 }
 

@@ -50,8 +50,7 @@ public:
     const std::vector<WearPart>& panels() const { return panels_; }
     const std::vector<WearPart>& zones() const { return zones_; } ///< those that the garment covers
     const Ledger& ledger() const { return ledger_; }
-    /// J that the skin has given to the cloth, and J that evaporating took from cloth and skin together. By the trapezoidal rule over
-    /// frames.
+    /// J that the skin has given to the cloth, by the trapezoidal rule over frames; and J that evaporating takes at the skin's temperature.
     double heat_from_skin() const { return from_skin_; }
     double heat_of_evaporation() const;
     /// s: the last time at which the wearer's activity falls; none: never.

@@ -274,7 +274,7 @@ void WearWriter::append(const WearFrame& frame)
             write_values(group.get(), "outside", as_floats(frame.outside), "kg");
             write_values(group.get(), "evaporated", as_floats(frame.evaporated), "kg");
             write_values(group.get(), "temperature", frame.temperature, "K");
-            write_values(group.get(), "on_skin", frame.on_skin, "kg");
+            write_values(group.get(), "on_skin", as_floats(frame.on_skin), "kg");
         }
         std::vector<double> row;
         for (const LedgerColumn& column : ledger_columns) row.push_back(frame.ledger.*column.value);
@@ -387,7 +387,7 @@ WearFrame WearRecording::frame(int index) const
         frame.outside = doubles("outside");
         frame.evaporated = doubles("evaporated");
         frame.temperature = values("temperature");
-        frame.on_skin = values("on_skin");
+        frame.on_skin = doubles("on_skin");
         return frame;
     } catch (const FileError& error) {
         throw FileError(fmt::format("{}: frame {}: {}", file_->name, index, error.what()));

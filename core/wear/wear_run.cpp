@@ -26,7 +26,10 @@ double cell_side(const WearOptions& options)
     return options.cell_mm > 0 ? metre_from_mm(options.cell_mm) : side_of_cells[static_cast<std::size_t>(options.fidelity)];
 }
 
-GarmentResolution resolution_of(const WearOptions& options) { return {knobs_of(options.fidelity), cell_side(options)}; }
+GarmentResolution resolution_of(const WearOptions& options)
+{
+    return {with_settings(knobs_of(options.fidelity), options.knobs), cell_side(options)};
+}
 
 WearFrame wear_frame(const GarmentScene& garment, const Frame& frame)
 {

@@ -18,7 +18,7 @@ struct WearFrame {
     std::vector<double> inside, outside; ///< kg of liquid and bound water over the start, on the face towards the skin and on the other
     std::vector<double> evaporated;      ///< kg since the start
     std::vector<float> temperature;      ///< K, of its yarns
-    std::vector<float> on_skin;          ///< kg under it
+    std::vector<double> on_skin;         ///< kg under it
 
     double water(std::size_t cell) const { return inside[cell] + outside[cell]; }
 };
@@ -28,7 +28,7 @@ WearFrame wear_frame(const GarmentScene& garment, const Frame& frame);
 struct WearOptions {
     Fidelity fidelity = Fidelity::standard;
     double cell_mm = 0; ///< sides of cells, about; 0: by fidelity
-    int threads = 0;    ///< 0: all the machine has
+    KnobSettings knobs; ///< on top of the fidelity's
 };
 
 /// m, of a fidelity's cells.

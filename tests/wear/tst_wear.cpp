@@ -111,7 +111,7 @@ private Q_SLOTS:
         for (const WearPart& zone : run.metrics->zones()) {
             const auto number = std::find(body_zones().begin(), body_zones().end(), zone.name) - body_zones().begin();
             const double dose = 1e-3 * tee.parts.sweat.g_m2_h[static_cast<std::size_t>(number)] / 3600 * 60 * zone.area;
-            QVERIFY(std::abs(zone.course.back().water + zone.course.back().on_skin - dose) < 1e-6 * dose);
+            QVERIFY(std::abs(zone.course.back().water + zone.course.back().on_skin - dose) < 1e-9 * dose);
         }
     }
 

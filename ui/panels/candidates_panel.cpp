@@ -216,7 +216,14 @@ void CandidatesPanel::finishRename(QListWidgetItem* item)
         refresh();
         return;
     }
-    document_.edit(tr("rename fabric"), {}, [&](Design& design) { design.fabrics[row].name = name; });
+    document_.edit(tr("rename fabric"), {}, [&](Design& design) {
+        for (Garment& garment : design.garments) {
+            for (auto& [panel, cut] : garment.panels) {
+                if (cut.fabric == design.fabrics[row].name) { cut.fabric = name; }
+            }
+        }
+        design.fabrics[row].name = name;
+    });
     document_.endStroke();
 }
 

@@ -76,9 +76,11 @@ struct FlowAlongLines : PoreRounds {
     template <typename Team> HL_FN double warmth_over_seams(const Line<Team>& line, int i) const
     {
         const int own = s.panels.order[i];
+        const bool seam_before = i > line.first && is_seam(i - 1), seam_after = i + 1 < line.last && is_seam(i);
+        if (!seam_before && !seam_after) return s.warmth[own];
         double in = 0, from_before = 0, from_next = 0; // kg
-        if (i > line.first) (is_seam(i - 1) ? from_before : in) += flux_after(line, i - 1);
-        if (i + 1 < line.last) (is_seam(i) ? from_next : in) -= flux_after(line, i);
+        if (i > line.first) (seam_before ? from_before : in) += flux_after(line, i - 1);
+        if (i + 1 < line.last) (seam_after ? from_next : in) -= flux_after(line, i);
         const double now = heat_capacity(s.yarn_of(own), s.length[own], s.warm_water(own)) - water_specific_heat * in; // J/K
         double heat = 0, came = 0;
         const auto add = [&](double mass, int from) {
