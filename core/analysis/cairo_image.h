@@ -2,7 +2,7 @@
 // What Cairo has drawn, as a picture of this program.
 #pragma once
 
-#include "core/analysis/map_image.h"
+#include "core/analysis/image.h"
 
 #include <cairo.h>
 

@@ -3,16 +3,11 @@
 #pragma once
 
 #include "core/analysis/cell_map.h"
+#include "core/analysis/image.h"
 
 #include <optional>
 
 namespace hygroloom {
-
-struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgb; ///< rows from the top, three bytes per pixel
-};
 
 struct MapImageOptions {
     std::vector<std::string> captions; ///< lines over the map

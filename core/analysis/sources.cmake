@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  analysis/cairo_image.cpp
   analysis/calibration_files.cpp
   analysis/calibration_fit.cpp
   analysis/calibration_runs.cpp

@@ -5,8 +5,6 @@
 #include "core/analysis/map_image.h"
 #include "core/wear/wear_recording.h"
 
-#include <functional>
-
 namespace hygroloom {
 
 enum class WearScale {

@@ -324,6 +324,21 @@ private Q_SLOTS:
         QVERIFY(document_->design()->experiments.empty());
     }
 
+    void garmentsKeepAFabricThatIsRenamed()
+    {
+        CandidatesPanel candidates(*document_);
+        document_->edit("garment", {}, [](Design& design) {
+            Garment tee;
+            tee.name = "tee";
+            tee.panels["*"].fabric = design.fabrics[0].name;
+            design.garments.push_back(tee);
+        });
+        candidates.findChild<QListWidget*>()->item(0)->setText("other");
+        QCOMPARE(document_->design()->fabrics[0].name, std::string("other"));
+        QCOMPARE(document_->design()->garments[0].panels.at("*").fabric, std::string("other"));
+        QVERIFY(!document_->hasError());
+    }
+
     void noPanelCutsItsFieldsOff()
     {
         FabricPanel fabric(*document_);
