@@ -33,7 +33,8 @@ struct SimulateOptions : FidelityOptions {
     int replicates = 1;
     std::string output;
     bool profile = false;
-    double cell_mm = 0;
+    double cell_mm = 0, shown_mm = 0;
+    std::vector<std::string> detail;
 };
 
 std::string value_text(const KnobInfo& knob, double value) { return fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit); }
@@ -330,13 +331,15 @@ int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOp
 {
     if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || options.profile || !options.physics.empty() ||
         options.seed != RunVerbOptions{}.seed)
-        throw Stop(exit_usage,
-                   "A worn garment takes --fidelity, --cell-mm, --set, --backend, --threads and -o. Its panels name their fabrics, "
-                   "and nothing of it is left to chance.");
+        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, --threads and -o. Its "
+                               "panels name their fabrics, "
+                               "and nothing of it is left to chance.");
     WearVerbOptions how;
     static_cast<RunVerbOptions&>(how) = options;
     how.fidelity = options.fidelity;
     how.cell_mm = options.cell_mm;
+    how.shown_mm = options.shown_mm;
+    how.detail = options.detail;
     how.output = options.output;
     return simulate_wear(design, wear, how);
 }
@@ -356,7 +359,8 @@ int simulate(const SimulateOptions& options)
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
     if (const WearExperiment* wear = chosen_wear(design, options)) return wear_verb(design, *wear, options);
-    if (options.cell_mm > 0) throw Stop(exit_usage, "--cell-mm works with experiments of the type wear.");
+    if (options.cell_mm > 0 || options.shown_mm > 0 || !options.detail.empty())
+        throw Stop(exit_usage, "--cell-mm, --shown-mm and --detail work with experiments of the type wear.");
     if (replicates) return simulate_replicates(options, design, fitted, how);
     return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);
 }
@@ -395,6 +399,14 @@ void add_simulate(CLI::App& app, Verb& verb)
     add_machine_options(simulate_verb, *options);
     simulate_verb.add_option("--cell-mm", options->cell_mm, "Of a worn garment: sides of cells, mm; by fidelity when left out")
         ->check(CLI::Range(0.05, 100.0));
+    simulate_verb
+        .add_option("--shown-mm", options->shown_mm,
+                    "Of a worn garment: sides of the cells that are recorded, mm; as computed when left out, or larger so that there are "
+                    "500 000 at most")
+        ->check(CLI::Range(0.05, 100.0));
+    simulate_verb
+        .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")
+        ->delimiter(',');
     simulate_verb.add_flag("--profile", options->profile, "Also print the time of each stage");
     simulate_verb
         .add_option("--fabrics", options->fabrics, "Several fabrics, separated by commas, that run side by side; --json then prints a list")

@@ -53,6 +53,8 @@ WearOptions how_of(const WearVerbOptions& options)
     WearOptions how;
     how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
     how.cell_mm = options.cell_mm;
+    how.shown_mm = options.shown_mm;
+    how.detail = options.detail;
     how.knobs = knob_settings(options);
     return how;
 }

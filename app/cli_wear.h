@@ -8,7 +8,9 @@ namespace hygroloom {
 
 struct WearVerbOptions : RunVerbOptions {
     std::string fidelity = "standard";
-    double cell_mm = 0; ///< 0: by fidelity
+    double cell_mm = 0;  ///< 0: by fidelity
+    double shown_mm = 0; ///< see ShownSize
+    std::vector<std::string> detail;
     std::string output;
 };
 

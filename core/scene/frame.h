@@ -58,6 +58,16 @@ inline constexpr LedgerColumn ledger_columns[] = {
     {"free_until_s", &Ledger::free_until},
 };
 
+/// What a cell of a garment holds: sums over its crossings, made where the segments are.
+struct CellSums {
+    double top = 0, bottom = 0; ///< kg of liquid and bound water over the start, on each face
+    double liquid = 0, bound = 0, vapour = 0;
+    double evaporated = 0;                     ///< kg, since the start
+    double on_skin = 0;                        ///< kg, under it
+    double warmth = 0;                         ///< K over the climate's temperature, mean of its segments
+    double stored = 0, released = 0, lost = 0; ///< J, as in the ledger
+};
+
 struct Frame {
     double time = 0;           ///< s
     double unsolved_lines = 0; ///< how often the suctions along a yarn were not found, since the start: see PoreRounds
@@ -69,11 +79,8 @@ struct Frame {
     std::vector<float> temperature;                   ///< K
     std::vector<float> between;                       ///< kg of it between the yarns
     std::map<std::string, std::vector<float>> others; ///< of frame fields without a member here, by their name
-    std::vector<float> shells; ///< regain of every shell of every segment, from the inside; empty unless the scene asks
-    // Of garments alone.
-    std::vector<double> gained;     ///< kg of liquid and bound water that each segment has more than at the start
-    std::vector<double> evaporated; ///< kg from each segment since the start
-    std::vector<double> on_skin;    ///< kg on the skin under each crossing
+    std::vector<float> shells;   ///< regain of every shell of every segment, from the inside; empty unless the scene asks
+    std::vector<CellSums> cells; ///< of a garment: see ClothPanels::shown
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

@@ -110,6 +110,8 @@ struct ClothPanels {
     int warp_chains = 0;                          ///< how many are of the warp
     std::vector<double> joint_yarns, joint_rooms; ///< as SeamJoint, from each place to the next across a seam; less than 0: along the yarn
     std::vector<float> rise;                      ///< m, of each segment, by which the next one along its yarn lies higher
+    std::vector<int> shown;                       ///< crossings of each cell that frames show, cell after cell
+    std::vector<int> shown_ends;                  ///< past the last crossing of each cell
 };
 
 /// Two places at the borders of panels that are sewn together.
@@ -259,6 +261,7 @@ struct StepRules {
     double settle_share = 0;       ///< of the free liquid at rest that yarns absorb before it settles anew; 0: it takes all its steps
     bool shows_shells = false;     ///< whether frames show the regain of each shell
     bool shows_pressure = false;   ///< whether frames show the free liquid's pressure
+    bool shows_segments = true;    ///< whether frames of a garment show its segments, too, not its cells alone
 };
 
 struct Scene {

@@ -45,6 +45,8 @@ struct Panels {
     const std::uint8_t* air = nullptr;
     const FaceAir* airs = nullptr;
     const float* rise = nullptr;
+    const int* shown = nullptr;
+    const int* shown_ends = nullptr;
     const int* order = nullptr;
     const int* chain_ends = nullptr;
     const double* joint_yarns = nullptr;
@@ -153,6 +155,8 @@ inline Panels panels_of(const ClothPanels& p)
     there.air = p.air.data();
     there.airs = p.airs.data();
     there.rise = p.rise.data();
+    there.shown = p.shown.data();
+    there.shown_ends = p.shown_ends.data();
     there.order = p.order.data();
     there.chain_ends = p.chain_ends.data();
     there.joint_yarns = p.joint_yarns.data();
@@ -174,7 +178,7 @@ inline Yarns yarns_of(const Scene& scene)
 
 /// The arrays of panels on a machine.
 template <template <typename> typename Buffer> struct PanelArrays {
-    Buffer<int> first, last, crossings, order, chain_ends;
+    Buffer<int> first, last, crossings, shown, shown_ends, order, chain_ends;
     Buffer<std::uint8_t> of_pick, skin_on_top, air;
     Buffer<double> cell_area, joint_yarns, joint_rooms;
     Buffer<FaceAir> airs;
@@ -191,6 +195,8 @@ template <template <typename> typename Buffer> struct PanelArrays {
         cell_area.upload(panels.cell_area);
         airs.upload(panels.airs);
         rise.upload(panels.rise);
+        shown.upload(panels.shown);
+        shown_ends.upload(panels.shown_ends);
         order.upload(panels.order);
         chain_ends.upload(panels.chain_ends);
         joint_yarns.upload(panels.joint_yarns);
@@ -208,6 +214,8 @@ template <template <typename> typename Buffer> struct PanelArrays {
         there.air = air.data();
         there.airs = airs.data();
         there.rise = rise.data();
+        there.shown = shown.data();
+        there.shown_ends = shown_ends.data();
         there.order = order.data();
         there.chain_ends = chain_ends.data();
         there.joint_yarns = joint_yarns.data();
@@ -296,7 +304,7 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"between_suction", "Pa", Count::sucking_crossings, saved}, of.between_suction...);
         visit(Row{"between_settled", "1", Count::sucking_crossings, saved}, of.between_settled...);
         visit(Row{"sweat", "m/s", Count::skin_crossings}, of.sweat...);
-        visit(Row{"on_skin", "2^-64 kg", Count::skin_crossings, saved, shown}, of.on_skin...);
+        visit(Row{"on_skin", "2^-64 kg", Count::skin_crossings, saved}, of.on_skin...);
         visit(Row{"offered", "2^-64 kg", Count::offered_takers}, of.offered...);
         visit(Row{"absorbed", "2^-64 kg", Count::takers, saved}, of.absorbed...);
         visit(Row{"contact", "1", Count::takers}, of.contact...);

@@ -6,6 +6,7 @@
 
 #include "core/solver/free_liquid.h"
 #include "core/solver/yarn_network_flow.h"
+#include "core/solver/yarn_network_stock.h"
 
 #include <array>
 #include <chrono>

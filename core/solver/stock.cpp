@@ -125,49 +125,59 @@ void show_segment(const Stock& stock, const Scene& scene, const Yarns& yarns, co
                          scene.climate.temperature + s.warmth[i],
                          s.between.empty() ? 0.0 : clings(yarns, line.is_warp, crossing, warp_up) * s.between[crossing]};
     for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
-    const double gained = now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
-    (on_top ? f.water_top : f.water_bottom) += gained;
-    if (!f.gained.empty()) f.gained[i] = gained;
+    (on_top ? f.water_top : f.water_bottom) += now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
 }
 
-/// What garments show more of than samples.
-void show_garment(const Stock& stock, Frame& f)
+/// Adds what a garment's cells hold.
+void add_cells(const Stock& stock, Ledger& l)
 {
+    for (const CellSums& cell : stock.cells) {
+        l.water_free += cell.on_skin;
+        l.water_liquid += cell.liquid;
+        l.water_bound += cell.bound;
+        l.water_vapour += cell.vapour;
+        l.water_evaporated += cell.evaporated;
+        l.energy_stored += cell.stored;
+        l.energy_released += cell.released;
+        l.energy_lost += cell.lost;
+    }
+}
+
+void add_segments(const Stock& stock, const Scene& scene, Ledger& l)
+{
+    Yarns yarns = yarns_of(scene);
+    yarns.unvisited = stock.unvisited;
     const SegmentFields<Shown>& s = stock.segments;
-    if (s.on_skin.empty()) return;
-    f.gained.assign(s.liquid.size(), 0);
-    f.evaporated.assign(s.evaporated.begin(), s.evaporated.end());
-    for (std::int64_t quanta : s.on_skin) f.on_skin.push_back(static_cast<double>(quanta) * water_quantum);
+    const auto sum_visited = [&yarns](std::span<const double> values) { return sum_of_visited(yarns, values); }; // the others are 0
+    l.water_liquid = sum_visited(s.liquid);
+    if (!s.between.empty()) l.water_liquid += sum_of_all(s.between);
+    l.water_bound = sum_of_all(s.bound);
+    l.water_vapour = sum_of_all(s.vapour);
+    l.water_evaporated = sum_visited(s.evaporated);
+    l.energy_stored = sum_visited(s.stored);
+    l.energy_released = sum_visited(s.released);
+    l.energy_lost = sum_visited(s.lost);
 }
 
 } // namespace
 
 Ledger ledger_of(const Stock& stock, const Scene& scene)
 {
-    Yarns yarns = yarns_of(scene);
-    yarns.unvisited = stock.unvisited;
-    const SegmentFields<Shown>& s = stock.segments;
-    const auto sum_visited = [&yarns](std::span<const double> values) { return sum_of_visited(yarns, values); }; // the others are 0
     Ledger l;
     l.time = stock.time;
     l.water_initial = stock.initial;
-    l.water_delivered = stock.delivered + sum_of_all(s.supplied);
+    l.water_delivered = stock.delivered + sum_of_all(stock.segments.supplied);
     std::int64_t free = stock.standing;
     const ParticleFields<Shown>& p = stock.particles;
     for (std::size_t i = 0; i < p.alive.size(); ++i) free += p.alive[i] ? p.content[i] : 0;
-    for (std::int64_t quanta : s.on_skin) free += quanta;
     l.water_free = static_cast<double>(free) * water_quantum;
-    l.water_liquid = sum_visited(s.liquid);
-    if (!s.between.empty()) l.water_liquid += sum_of_all(s.between);
-    l.water_bound = sum_of_all(s.bound);
-    l.water_vapour = sum_of_all(s.vapour);
-    l.water_evaporated = sum_visited(s.evaporated);
     l.water_dripped = stock.dripped;
     l.free_until = stock.free_until;
-    l.energy_stored = sum_visited(s.stored);
     l.energy_delivered = stock.initial_energy;
-    l.energy_released = sum_visited(s.released);
-    l.energy_lost = sum_visited(s.lost);
+    if (scene.cloth.panels.count > 0)
+        add_cells(stock, l);
+    else
+        add_segments(stock, scene, l);
     return l;
 }
 
@@ -177,10 +187,11 @@ Frame frame_of(const Stock& stock, const Scene& scene)
     f.time = stock.time;
     f.unsolved_lines = stock.unsolved_lines;
     f.ledger = ledger_of(stock, scene);
+    f.cells.assign(stock.cells.begin(), stock.cells.end());
+    if (stock.segments.liquid.empty()) return f;
     f.shells.assign(stock.segments.regain.begin(), stock.segments.regain.end());
     f.resize_fields(stock.segments.liquid.size());
     copy_shown_fields(stock.segments, f);
-    show_garment(stock, f);
     Segments s;
     static_cast<Yarns&>(s) = yarns_of(scene);
     for (int line = 0; line < s.visited_lines(); ++line) { // on the host all are visited

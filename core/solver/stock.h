@@ -37,12 +37,13 @@ struct Stock {
     double unsolved_lines = 0; ///< see Frame
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
-    SegmentFields<Shown> segments;
+    SegmentFields<Shown> segments;   ///< of a garment empty, where its cells alone are shown
+    Shown<CellSums> cells;           ///< of a garment
     ParticleFields<Shown> particles; ///< also those that yarns have absorbed
     std::vector<Real> stress;        ///< of each particle; empty unless the scene asks
 };
 
-/// Summed on the host in segment order: the same on every machine.
+/// Summed on the host in the order of segments, or of a garment's cells: the same on every machine.
 Ledger ledger_of(const Stock& stock, const Scene& scene);
 Frame frame_of(const Stock& stock, const Scene& scene);
 

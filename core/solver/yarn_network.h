@@ -126,6 +126,7 @@ private:
     Buffer<SeamJoint> seams_;
     Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
     Buffer<YarnTotals> totals_; ///< one, of this step
+    Buffer<CellSums> cells_;    ///< of a garment's frames
 };
 
 template <typename Executor> Segments YarnNetwork<Executor>::segments()
@@ -388,26 +389,6 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     const bool changes = std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
                          scene_->supply.skin.next_change(step.time - step.dt) == step.time; // courses of climate have no jumps
     if (changes) steps_.begin_anew(drops_about);
-}
-
-template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock)
-{
-    each_segment("take stock", TakeStock{segments()});
-    stock.delivered += pools_.pumped.mass();
-    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), std::int64_t(0));
-    stock.dripped += pools_.ran_off.mass();
-    stock.unsolved_lines = unsolved_lines_;
-    stock.unvisited = region_.unvisited();
-}
-
-template <typename Executor> template <typename LookAt> void YarnNetwork<Executor>::show(const LookAt& look_at, Stock& stock)
-{
-    Segments::each(
-        [&](const auto& field, const auto& buffer, auto& shown) {
-            const bool wanted = field.shown && (field.count != SegmentCount::shells || scene_->rules.shows_shells);
-            shown = look_at(buffer, wanted ? buffer.size() : 0);
-        },
-        fields_, stock.segments);
 }
 
 template <typename Executor> template <typename Archive> void YarnNetwork<Executor>::pass_state(Archive& archive)

@@ -320,6 +320,8 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
     add_rises(b, places);
     wet(b);
     sew(cloth, seam_joints(parts.pattern, b.made, passes(parts)));
+    b.made.scene.rules.shows_segments = false;
+    b.made.shown = show_cells(b.made, parts.pattern, resolution.shown);
     return std::move(b.made);
 }
 

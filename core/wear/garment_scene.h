@@ -31,12 +31,26 @@ struct GarmentCell {
     double capacity = 0;     ///< kg of water that its fibres, pores and room can hold beyond what they hold at rest
 };
 
+/// How finely frames, recordings and maps show a garment.
+struct ShownSize {
+    double side = 0;                 ///< m, of a shown cell, about; 0: as computed, or larger so that there are 500 000 at most
+    std::vector<std::string> detail; ///< panels of which every computed cell is shown
+};
+
+/// The cells that frames show: those that are computed, or squares of them.
+struct ShownCells {
+    std::vector<int> computed_per_cell; ///< of each panel, along an end and along a pick
+    std::vector<PanelGrid> grids;       ///< of each panel
+    std::vector<GarmentCell> cells; ///< areas and capacities are sums, zones those of most of the area; in order of their first crossings
+};
+
 struct GarmentScene {
     Scene scene;
     std::vector<FabricCells> fabrics; ///< that panels are cut from, each once
     std::vector<int> fabric;          ///< of each panel, its place in fabrics
     std::vector<PanelGrid> grids;     ///< of each panel
-    std::vector<GarmentCell> cells;   ///< in the order of the scene's panels.crossings
+    std::vector<GarmentCell> cells;   ///< as computed, in the order of the scene's panels.crossings
+    ShownCells shown;
 };
 
 /// How finely, and what of the wearer acts.
@@ -45,10 +59,15 @@ struct GarmentResolution {
     double side = 3e-3;   ///< m, of a cell, about
     bool hangs = true;    ///< water runs down
     bool has_skin = true; ///< the inner face lies over the skin; otherwise air passes along both
+    ShownSize shown = {};
 };
 
-/// Precondition: validate() found no error. Throws Error with a sentence where a panel has no fabric or no cell.
+/// Precondition: validate() found no error. Throws Error with a sentence where a panel has no fabric or no cell, or is not there to be
+/// shown in detail.
 GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution);
+
+/// Which cells frames show; tells the scene which crossings each sums up. Throws Error for a panel that the garment does not have.
+ShownCells show_cells(GarmentScene& garment, const GarmentPattern& pattern, const ShownSize& size);
 
 /// The joints of the pattern's seams between cells; pass: share of each seam.
 std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentScene& garment, const std::vector<double>& pass);

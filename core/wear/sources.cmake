@@ -6,6 +6,7 @@ target_sources(hygroloom_core PRIVATE
   wear/garment_scene.cpp
   wear/seam_joints.cpp
   wear/sewing.cpp
+  wear/shown_cells.cpp
   wear/wear_layout.cpp
   wear/wear_map.cpp
   wear/wear_metrics.cpp

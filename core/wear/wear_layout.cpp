@@ -23,6 +23,9 @@ std::string cells_in_words(const GarmentScene& garment)
     }
     std::string all;
     for (const std::string& each : words) all += (all.empty() ? "" : "; ") + each;
+    const std::vector<int>& per_cell = garment.shown.computed_per_cell;
+    const auto [least, most] = std::minmax_element(per_cell.begin(), per_cell.end());
+    if (*most > 1) all += fmt::format("; shown in sums of {0} x {0} cells{1}", *most, *least < *most ? " at most" : "");
     return all;
 }
 
@@ -54,11 +57,15 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
         const PatternPanel& panel = parts.pattern.panels[k];
         const PanelCut* cut = parts.garment->cut_of(panel.name);
         const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[k])];
-        WearPanel made{panel.name,        cut->fabric,     radian_from_degree(cut->grain_deg), fabric.crossings_per_cell,
-                       outline_of(panel), garment.grids[k]};
+        WearPanel made{panel.name,
+                       cut->fabric,
+                       radian_from_degree(cut->grain_deg),
+                       fabric.crossings_per_cell * garment.shown.computed_per_cell[k],
+                       outline_of(panel),
+                       garment.shown.grids[k]};
         layout.panels.push_back(std::move(made));
     }
-    layout.cells = garment.cells;
+    layout.cells = garment.shown.cells;
     layout.shape = parts.pattern.shape;
     return layout;
 }

@@ -28,7 +28,9 @@ double cell_side(const WearOptions& options)
 
 GarmentResolution resolution_of(const WearOptions& options)
 {
-    return {with_settings(knobs_of(options.fidelity), options.knobs), cell_side(options)};
+    GarmentResolution resolution{with_settings(knobs_of(options.fidelity), options.knobs), cell_side(options)};
+    resolution.shown = {metre_from_mm(options.shown_mm), options.detail};
+    return resolution;
 }
 
 WearFrame wear_frame(const GarmentScene& garment, const Frame& frame)
@@ -36,21 +38,14 @@ WearFrame wear_frame(const GarmentScene& garment, const Frame& frame)
     WearFrame seen;
     seen.time = frame.time;
     seen.ledger = frame.ledger;
-    const Cloth& cloth = garment.scene.cloth;
-    for (const GarmentCell& cell : garment.cells) {
-        const auto warp = static_cast<std::size_t>(cell.crossing);
-        const int end = cell.crossing / cloth.picks, pick = cell.crossing % cloth.picks;
-        const auto weft = static_cast<std::size_t>(cloth.crossings() + pick * cloth.ends + end);
-        const double warp_on_top =
-            cloth.warp_up_share.empty() ? static_cast<double>(cloth.warp_up[warp]) : static_cast<double>(cloth.warp_up_share[warp]);
-        const double top = warp_on_top * frame.gained[warp] + (1 - warp_on_top) * frame.gained[weft],
-                     bottom = (1 - warp_on_top) * frame.gained[warp] + warp_on_top * frame.gained[weft];
-        const bool skin_on_top = cloth.panels.skin_on_top[static_cast<std::size_t>(cell.panel)] != 0;
-        seen.inside.push_back(skin_on_top ? top : bottom);
-        seen.outside.push_back(skin_on_top ? bottom : top);
-        seen.evaporated.push_back(frame.evaporated[warp] + frame.evaporated[weft]);
-        seen.temperature.push_back(0.5F * (frame.temperature[warp] + frame.temperature[weft]));
-        seen.on_skin.push_back(frame.on_skin[warp]);
+    for (std::size_t i = 0; i < frame.cells.size(); ++i) {
+        const CellSums& cell = frame.cells[i];
+        const bool skin_on_top = garment.scene.cloth.panels.skin_on_top[static_cast<std::size_t>(garment.shown.cells[i].panel)] != 0;
+        seen.inside.push_back(skin_on_top ? cell.top : cell.bottom);
+        seen.outside.push_back(skin_on_top ? cell.bottom : cell.top);
+        seen.evaporated.push_back(cell.evaporated);
+        seen.temperature.push_back(static_cast<float>(garment.scene.climate.temperature + cell.warmth));
+        seen.on_skin.push_back(cell.on_skin);
     }
     return seen;
 }
@@ -71,9 +66,9 @@ WearPlan plan_wear(const GarmentScene& garment, const GarmentParts& parts)
     return plan;
 }
 
-std::vector<double> wear_times(const WearExperiment& wear, std::size_t cells)
+std::vector<double> wear_times(const WearExperiment& wear)
 {
-    const int frames = cells > 2'000'000 ? 12 : 60; // each takes as long as it has cells
+    constexpr int frames = 60;
     std::set<double> times{0, wear.duration_s};
     for (int k = 1; k < frames; ++k) times.insert(wear.duration_s * k / frames);
     for (const Activity& activity : wear.activity)
@@ -90,7 +85,7 @@ void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& 
         if (control.cancel) throw Cancelled();
     };
     backend.load(garment.scene);
-    for (double until : wear_times(wear, garment.cells.size())) {
+    for (double until : wear_times(wear)) {
         for (double reached = 0; reached < until;) {
             obey();
             reached = backend.advance(until);

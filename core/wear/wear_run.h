@@ -11,7 +11,7 @@ namespace hygroloom {
 
 class Backend;
 
-/// One moment. Of each cell, in the order of GarmentScene::cells.
+/// One moment. Of each shown cell, in the order of ShownCells::cells.
 struct WearFrame {
     double time = 0; ///< s
     Ledger ledger;
@@ -27,8 +27,10 @@ WearFrame wear_frame(const GarmentScene& garment, const Frame& frame);
 
 struct WearOptions {
     Fidelity fidelity = Fidelity::standard;
-    double cell_mm = 0; ///< sides of cells, about; 0: by fidelity
-    KnobSettings knobs; ///< on top of the fidelity's
+    double cell_mm = 0;              ///< sides of cells, about; 0: by fidelity
+    double shown_mm = 0;             ///< of the cells that frames show; 0: see ShownSize
+    std::vector<std::string> detail; ///< see ShownSize
+    KnobSettings knobs;              ///< on top of the fidelity's
 };
 
 /// m, of a fidelity's cells.
@@ -45,8 +47,8 @@ struct WearPlan {
 };
 WearPlan plan_wear(const GarmentScene& garment, const GarmentParts& parts);
 
-/// s, of frames: 60 evenly, 12 of more than two million cells, and one at each change of activity.
-std::vector<double> wear_times(const WearExperiment& wear, std::size_t cells);
+/// s, of frames: 60 evenly, and one at each change of activity.
+std::vector<double> wear_times(const WearExperiment& wear);
 
 struct WearCallbacks {
     std::function<void(std::shared_ptr<const WearFrame>)> frame;

@@ -55,12 +55,12 @@ struct Worn {
         parts.sweat.g_m2_h.assign(body_zones().size(), 0);
     }
     Worn(const Worn&) = delete;
-    GarmentScene scene(double side, bool hangs = false, bool has_skin = false)
+    GarmentScene scene(double side, bool hangs = false, bool has_skin = false, const ShownSize& shown = {})
     {
         parts.design = &design;
         parts.garment = &garment;
         parts.wear = &wear;
-        return garment_scene(parts, {knobs_of(Fidelity::standard), side, hangs, has_skin});
+        return garment_scene(parts, {knobs_of(Fidelity::standard), side, hangs, has_skin, shown});
     }
 };
 
@@ -82,16 +82,11 @@ inline Frame frame_at(const Scene& scene, double time)
     return cpu->frame();
 }
 
-/// kg of liquid and bound water in each cell over the start, in the order of the garment's cells.
-inline std::vector<double> water_in_cells(const GarmentScene& garment, const Frame& frame)
+/// kg of liquid and bound water in each shown cell over the start.
+inline std::vector<double> water_in_cells(const Frame& frame)
 {
     std::vector<double> water;
-    const Cloth& cloth = garment.scene.cloth;
-    for (const GarmentCell& cell : garment.cells) {
-        const int end = cell.crossing / cloth.picks, pick = cell.crossing % cloth.picks;
-        water.push_back(frame.gained[static_cast<std::size_t>(cell.crossing)] +
-                        frame.gained[static_cast<std::size_t>(cloth.crossings() + pick * cloth.ends + end)]);
-    }
+    for (const CellSums& cell : frame.cells) water.push_back(cell.top + cell.bottom);
     return water;
 }
 

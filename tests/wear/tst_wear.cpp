@@ -99,6 +99,38 @@ private Q_SLOTS:
         QVERIFY(std::abs(all.area - pattern_area) < 0.02 * pattern_area);
     }
 
+    /// What is shown in larger cells is the sum of what smaller ones hold, and the ledger is the same.
+    void shown_cells_are_sums()
+    {
+        Tee tee(120);
+        Finished fine, coarse;
+        go(tee, tee.scene(10e-3, true, true), fine);
+        const GarmentScene summed = tee.scene(10e-3, true, true, {40e-3, {"front"}});
+        go(tee, summed, coarse);
+        const WearFrame &a = fine.frames.back(), &b = coarse.frames.back();
+        QVERIFY(b.inside.size() < a.inside.size() / 2);
+        QCOMPARE(summed.shown.cells.size(), b.inside.size());
+        std::map<std::array<int, 3>, double> sums; // by panel, end and pick of a shown cell
+        for (std::size_t i = 0; i < a.inside.size(); ++i) {
+            const GarmentCell& cell = fine.layout.cells[i];
+            const int per_cell = summed.shown.computed_per_cell[static_cast<std::size_t>(cell.panel)];
+            QCOMPARE(per_cell, fine.layout.panels[static_cast<std::size_t>(cell.panel)].name == "front" ? 1 : 4);
+            sums[{cell.panel, cell.end / per_cell, cell.pick / per_cell}] += a.water(i);
+        }
+        QCOMPARE(sums.size(), b.inside.size());
+        double area = 0;
+        for (std::size_t i = 0; i < b.inside.size(); ++i) {
+            const GarmentCell& cell = coarse.layout.cells[i];
+            const double sum = sums.at({cell.panel, cell.end, cell.pick});
+            QVERIFY(std::abs(b.water(i) - sum) <= 1e-12 * std::abs(sum));
+            area += cell.area;
+        }
+        QVERIFY(std::abs(area - fine.metrics->all().area) < 1e-9 * area);
+        QVERIFY(std::abs(a.ledger.water_liquid - b.ledger.water_liquid) <= 1e-12 * a.ledger.water_liquid);
+        QVERIFY(std::abs(a.ledger.energy_lost - b.ledger.energy_lost) <= 1e-9 * std::abs(a.ledger.energy_lost));
+        QVERIFY_THROWS_EXCEPTION(Error, tee.scene(10e-3, true, true, {40e-3, {"frnt"}}));
+    }
+
     /// Without wicking and air each zone keeps its dose.
     void without_wicking_zones_keep_their_doses()
     {
@@ -143,7 +175,7 @@ private Q_SLOTS:
                 garment.scene.supply.skin.rate[static_cast<std::size_t>(cell.crossing)] =
                     evenly || inside ? 1e-3 * 0.5 * rate / 3600 / garment.scene.climate.density : 0.0;
             }
-            const std::vector<double> water = water_in_cells(garment, frame_at(garment.scene, 10));
+            const std::vector<double> water = water_in_cells(frame_at(garment.scene, 10));
             total = std::accumulate(water.begin(), water.end(), 0.0);
             return squares(garment, water, 24 * pitch);
         };
@@ -174,7 +206,7 @@ private Q_SLOTS:
         const auto lower_share = [&](bool hangs) {
             GarmentScene garment = worn.scene(4e-3, hangs);
             sweat_in_circle(garment, {0.01, 0.1}, 1, 0.06 * rate); // evenly
-            const std::vector<double> water = water_in_cells(garment, frame_at(garment.scene, 300));
+            const std::vector<double> water = water_in_cells(frame_at(garment.scene, 300));
             double low = 0, all = 0;
             for (std::size_t i = 0; i < water.size(); ++i) {
                 all += water[i];

@@ -2,6 +2,7 @@
 // Small stages of a segment of its own: it takes what was absorbed, and sums up what it stores.
 #pragma once
 
+#include "core/scene/frame.h"
 #include "core/solver/steps/yarn_lines.h"
 
 namespace hygroloom::inline HL_PRECISION {
@@ -36,6 +37,49 @@ struct TakeStock {
     {
         const int i = s.visited_segment(index);
         s.stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.warm_water(i)) * s.warmth[i];
+    }
+};
+
+/// Sums up what each cell of a garment's frames holds, in the order of its crossings.
+struct SeeCells {
+    Segments s;
+    CellSums* cells;
+
+    HL_FN void operator()(int cell) const
+    {
+        const int first = cell > 0 ? s.panels.shown_ends[cell - 1] : 0, last = s.panels.shown_ends[cell];
+        CellSums sums;
+        for (int k = first; k < last; ++k) add_crossing(s.panels.shown[k], sums);
+        sums.warmth /= 2 * (last - first);
+        cells[cell] = sums;
+    }
+    HL_FN void add_crossing(int warp, CellSums& sums) const
+    {
+        const int end = warp / s.picks, pick = warp % s.picks, weft = s.weft_of(end, pick);
+        const double between = s.between[warp], clings = s.crossing_at(end, pick).between.on_warp[s.warp_up[warp] != 0];
+        const double on_top =
+            s.warp_up_share != nullptr ? static_cast<double>(s.warp_up_share[warp]) : static_cast<double>(s.warp_up[warp]);
+        const double of_warp = gained(warp) + clings * between, of_weft = gained(weft) + (1 - clings) * between;
+        sums.top += on_top * of_warp + (1 - on_top) * of_weft;
+        sums.bottom += (1 - on_top) * of_warp + on_top * of_weft;
+        sums.liquid += between;
+        if (s.on_skin != nullptr) sums.on_skin += static_cast<double>(s.on_skin[warp]) * water_quantum;
+        for (const int i : {warp, weft}) {
+            sums.liquid += s.liquid[i];
+            sums.bound += s.bound[i];
+            sums.vapour += s.vapour[i];
+            sums.evaporated += s.evaporated[i];
+            sums.warmth += s.warmth[i];
+            sums.stored += heat_capacity(s.yarn_of(i), s.length[i], s.warm_water(i)) * s.warmth[i];
+            sums.released += s.released[i];
+            sums.lost += s.lost[i];
+        }
+    }
+    /// kg of liquid and bound water over the start.
+    HL_FN double gained(int i) const
+    {
+        const YarnParameters& yarn = s.yarn_of(i);
+        return s.liquid[i] + (s.bound[i] - yarn.initial_regain * s.length[i] * yarn.fibre_area * yarn.fibre_density);
     }
 };
 
