@@ -164,8 +164,7 @@ void add_garment(CLI::App& app, Verb& verb)
         "built-in:leggings.\n"
         "`garment plan PROJECT --experiment E` says into how many cells a worn garment is cut, and what the run takes.\n"
         "`garment map RECORDING --time T -o FOLDER` writes the water map of a worn garment: pictures and textures of its panels, a table "
-        "of "
-        "cells, OBJ and GLB.");
+        "of cells, the cells for ParaView (VTP), OBJ and GLB.");
     garment_verb.add_option("action", options->action, "What to do")->required()->check(CLI::IsMember({"import", "plan", "map"}));
     garment_verb.add_option("file", options->file, "File to read, or built-in:tee")->required()->type_name("FILE");
     garment_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");
