@@ -35,17 +35,7 @@ template <typename Act> auto as_invalid(Act act)
 
 GarmentParts parts_of(const Design& design, const WearExperiment& wear, const std::string& project)
 {
-    GarmentParts parts;
-    parts.design = &design;
-    parts.garment = find_garment(design, wear.garment);
-    parts.wear = &wear;
-    const fs::path base = fs::absolute(project).parent_path();
-    as_invalid([&] {
-        parts.pattern = read_pattern(*parts.garment, base);
-        parts.sweat = sweat_table(parts.garment->wearer.zones, base);
-        return 0;
-    });
-    return parts;
+    return as_invalid([&] { return garment_parts(design, wear, fs::absolute(project).parent_path()); });
 }
 
 WearOptions how_of(const WearVerbOptions& options)

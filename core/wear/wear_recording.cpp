@@ -24,9 +24,8 @@ constexpr const char* wear_format = "hygroloom-wear-recording";
 constexpr int wear_version = 1;
 constexpr long most_cells = 100'000'000, most_vertices = 20'000'000;
 constexpr std::size_t most_panels = 255;
-constexpr double most_flat = 100, most_far = 1000;        // m, of places on flat panels and in space
-constexpr double least_side = 1e-6, most_side = 1;        // m, of cells
-constexpr double least_amount = 1e-20, most_amount = 1e6; // m2 or kg, of a cell
+constexpr double most_flat = 100, most_far = 1000;                                          // m, of places on flat panels and in space
+constexpr double least_side = 1e-6, most_side = 1, least_amount = 1e-20, most_amount = 1e6; // m, and m2 or kg, of cells
 
 /// What cells hold that is written as numbers.
 struct CellColumn {
@@ -66,6 +65,10 @@ std::string layout_json(const WearLayout& layout)
                      {"cells_in_words", layout.cells_in_words},
                      {"skin_temperature", layout.skin_temperature}};
     if (layout.stops) json["stops"] = *layout.stops;
+    for (const std::vector<WearLayout::SkinTemperature>& zone : layout.skin_course) {
+        ProjectJson& course = json["skin_course"].emplace_back(ProjectJson::array());
+        for (const auto& [time, temperature] : zone) course.push_back(ProjectJson::array({time, temperature}));
+    }
     json["panels"] = ProjectJson::array();
     for (const WearPanel& panel : layout.panels) {
         ProjectJson made{{"name", panel.name},
@@ -130,6 +133,29 @@ WearPanel read_panel(const ProjectJson& value, const std::string& file, const st
     return panel;
 }
 
+double skin_temperature_in(double temperature, const std::string& file)
+{
+    if (!(temperature >= 200 && temperature <= 400))
+        throw FileError(fmt::format("{}: skin_temperature is from 200 to 400 K; given is {:g}.", file, temperature));
+    return temperature;
+}
+
+decltype(WearLayout::skin_course) read_skin_course(const ProjectJson& courses, const std::string& file)
+{
+    constexpr const char* name = "skin_course";
+    decltype(WearLayout::skin_course) read;
+    for (const ProjectJson& zone : array_in(courses, file, name)) {
+        read.emplace_back();
+        for (const ProjectJson& moment : array_in(zone, file, name)) {
+            const double before = read.back().empty() ? 0 : read.back().back().time;
+            if (array_in(moment, file, name).size() != 2 || number_in(moment[0], file, name) < before)
+                throw FileError(fmt::format("{}: {}: moments have a time and a temperature, and are in order.", file, name));
+            read.back().push_back({number_in(moment[0], file, name), skin_temperature_in(number_in(moment[1], file, name), file)});
+        }
+    }
+    return read;
+}
+
 WearLayout layout_from(const std::string& text, const std::string& file)
 {
     const ProjectJson json = parse_json(text, file);
@@ -140,8 +166,8 @@ WearLayout layout_from(const std::string& text, const std::string& file)
     object.read("cells_in_words", layout.cells_in_words);
     object.read("skin_temperature", layout.skin_temperature);
     object.read("stops", layout.stops);
-    if (!(layout.skin_temperature >= 200 && layout.skin_temperature <= 400))
-        throw FileError(fmt::format("{}: skin_temperature is from 200 to 400 K; given is {:g}.", file, layout.skin_temperature));
+    layout.skin_temperature = skin_temperature_in(layout.skin_temperature, file);
+    if (const ProjectJson* courses = object.find("skin_course")) layout.skin_course = read_skin_course(*courses, file);
     const ProjectJson& panels = array_in(object.require("panels"), file, "panels");
     if (panels.empty() || panels.size() > most_panels) throw FileError(file + ": a garment has from 1 to 255 panels.");
     for (std::size_t i = 0; i < panels.size(); ++i) layout.panels.push_back(read_panel(panels[i], file, fmt::format("panels[{}]", i)));
@@ -206,9 +232,9 @@ std::vector<GarmentCell> read_cells(hid_t file, const std::vector<WearPanel>& pa
     for (const CellColumn& column : cell_columns) {
         const std::vector<float> values = h5::read_floats(group.get(), column.name, count);
         cells.resize(count);
-        const bool is_number = std::string(column.unit) == "1";
         for (std::size_t i = 0; i < count; ++i) {
-            if (is_number && !(values[i] >= 0 && values[i] < 1e6F)) throw FileError("a cell lies nowhere; it is damaged.");
+            if (column.unit == std::string_view("1") && !(values[i] >= 0 && values[i] < 1e6F))
+                throw FileError("a cell lies nowhere; it is damaged.");
             column.set(cells[i], values[i]);
         }
     }
