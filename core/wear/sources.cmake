@@ -11,5 +11,6 @@ target_sources(hygroloom_core PRIVATE
   wear/wear_map.cpp
   wear/wear_metrics.cpp
   wear/wear_recording.cpp
+  wear/wear_report.cpp
   wear/wear_run.cpp
 )
