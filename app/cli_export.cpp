@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// export: a piece of a fabric as a mesh or as curves for other programs.
+// export: a piece of a fabric as a mesh, as curves or as pictures for other programs.
 #include "app/cli.h"
 #include "app/cli_bar.h"
 #include "app/cli_interrupt.h"
+#include "app/cli_textures.h"
 
 #include "core/base/text.h"
 #include "core/project/mesh_file.h"
@@ -31,6 +32,9 @@ struct ExportVerbOptions : ProjectOptions {
     bool no_flyaways = false;
     bool estimate = false;
     std::uint64_t seed = 1;
+    bool textures = false;
+    double dpi = TextureRequest{}.dpi;
+    double wet = TextureRequest{}.saturation;
 };
 
 /// "AxB", each more than 0 and up to most.
@@ -174,8 +178,25 @@ void write_piece(const Piece& piece, const ExportOptions& how, const ExportVerbO
     if (options.json) print_json(json);
 }
 
+int export_pictures(const ExportVerbOptions& options)
+{
+    const ExportVerbOptions usual;
+    if (options.detail != usual.detail || !options.size.empty() || !options.water.empty() || options.time >= 0 || options.samples > 0 ||
+        options.sides > 0 || options.open_ends || options.no_flyaways || options.estimate)
+        throw Stop(exit_usage, "--textures takes --fabric, --dpi, --wet, --repeats and -o.");
+    TextureRequest request{options.dpi, 1, 1, options.wet};
+    if (!options.repeats.empty()) {
+        const auto repeats = pair_from(options.repeats, 100000,
+                                       "--repeats: This must be repeats along the weft x along the warp, up to 100000, such as 2x2");
+        request.across = repeats[0];
+        request.along = repeats[1];
+    }
+    return export_textures(options, request, options.output);
+}
+
 int export_piece(const ExportVerbOptions& options)
 {
+    if (options.textures) return export_pictures(options);
     if (CLI::detail::to_lower(std::filesystem::path(options.output).extension().string()) == ".wif") {
         if (options.estimate || !options.water.empty())
             throw Stop(exit_usage, "--estimate and --water are for meshes and curves, not for a draft (.wif).");
@@ -213,9 +234,12 @@ int export_piece(const ExportVerbOptions& options)
 void add_export(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<ExportVerbOptions>();
-    CLI::App& export_verb = *app.add_subcommand("export", "Write a piece of a fabric as a mesh or as curves, or its draft (WIF)");
+    CLI::App& export_verb =
+        *app.add_subcommand("export", "Write a piece of a fabric as a mesh or as curves, its draft (WIF), or its repeat as textures");
     export_verb.footer("Example: hygroloom-cli export cloth.hygro --detail yarn --size-mm 5x5 -o cloth.obj\n"
                        "Meshes: .obj .ply .stl .3mf in mm; .glb .gltf .dae .x3d in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
+                       "`export cloth.hygro --textures --dpi 1200 -o FOLDER` writes one repeat as pictures that tile: colour, normals, "
+                       "roughness, opacity, dry and wet, with materials for glTF and OBJ.\n"
                        "Ctrl-C leaves no file.");
     add_project_options(export_verb, *options, false);
     export_verb.add_option("--detail", options->detail, "What is drawn")->type_name("{centreline,yarn,fibre}");
@@ -237,8 +261,16 @@ void add_export(CLI::App& app, Verb& verb)
     export_verb.add_option("--time", options->time, "Time in the recording, s; the end when left out")
         ->default_str("")
         ->check(time_validator());
+    CLI::Option* textures =
+        export_verb.add_flag("--textures", options->textures, "Write a folder of pictures of one repeat, and materials, instead of a mesh");
+    export_verb.add_option("--dpi", options->dpi, "With --textures: pixels per inch")->check(CLI::Range(10.0, 20000.0))->needs(textures);
+    export_verb.add_option("--wet", options->wet, "With --textures: share of the pores that water fills in the wet pictures")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(textures);
     export_verb.add_flag("--estimate", options->estimate, "Print the size and write nothing");
-    export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format")->required()->type_name("FILE");
+    export_verb.add_option("-o,--output", options->output, "File to write; its ending sets the format. With --textures a folder")
+        ->required()
+        ->type_name("FILE");
     export_verb.callback([&verb, options] { verb = [options] { return export_piece(*options); }; });
 }
 

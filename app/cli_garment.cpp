@@ -164,8 +164,7 @@ void add_garment(CLI::App& app, Verb& verb)
         "built-in:leggings.\n"
         "`garment plan PROJECT --experiment E` says into how many cells a worn garment is cut, and what the run takes.\n"
         "`garment map RECORDING --time T -o FOLDER` writes the water map of a worn garment: pictures and textures of its panels, a table "
-        "of "
-        "cells, OBJ and GLB.");
+        "of cells, the cells for ParaView (VTP), OBJ and GLB; with --report one page of it all.");
     garment_verb.add_option("action", options->action, "What to do")->required()->check(CLI::IsMember({"import", "plan", "map"}));
     garment_verb.add_option("file", options->file, "File to read, or built-in:tee")->required()->type_name("FILE");
     garment_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");
@@ -185,6 +184,16 @@ void add_garment(CLI::App& app, Verb& verb)
         ->check(CLI::IsMember({"same", "capacity"}));
     garment_verb.add_option("--most", options->map.most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
         ->check(CLI::PositiveNumber);
+    garment_verb
+        .add_option("--report", options->map.report,
+                    "With map: write a report (.html or .pdf) with maps, tables, curves and what was assumed; -o may be left out")
+        ->type_name("FILE");
+    garment_verb
+        .add_option("--times", options->map.times,
+                    "With --report: times of its maps, s, separated by commas; at each quarter of the run when left out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::NonNegativeNumber);
     add_common_options(garment_verb, *options);
     garment_verb.callback([&verb, options] { verb = [options] { return act(*options); }; });
 }

@@ -130,9 +130,9 @@ int measure(const MeasureOptions& options)
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
     if (WearRecording::is_one(options.recording)) {
-        if (!options.map.empty() || !options.report.empty() || !options.vtk.empty())
+        if (!options.map.empty() || !options.vtk.empty())
             throw Stop(exit_usage, options.recording + ": This is the recording of a worn garment; `garment map` writes its maps.");
-        return measure_garment(options.recording, options);
+        return measure_garment(options.recording, options, options.report, options.time);
     }
     require_other_files(options);
     const std::unique_ptr<Recording> recording = opened(options);

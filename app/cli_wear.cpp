@@ -3,10 +3,12 @@
 #include "app/cli_wear.h"
 
 #include "app/cli_interrupt.h"
+#include "app/cli_report.h"
 
 #include "core/analysis/map_image.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
+#include "core/wear/wear_report.h"
 #include "gpu/backends.h"
 
 #include <fmt/chrono.h>
@@ -35,17 +37,7 @@ template <typename Act> auto as_invalid(Act act)
 
 GarmentParts parts_of(const Design& design, const WearExperiment& wear, const std::string& project)
 {
-    GarmentParts parts;
-    parts.design = &design;
-    parts.garment = find_garment(design, wear.garment);
-    parts.wear = &wear;
-    const fs::path base = fs::absolute(project).parent_path();
-    as_invalid([&] {
-        parts.pattern = read_pattern(*parts.garment, base);
-        parts.sweat = sweat_table(parts.garment->wearer.zones, base);
-        return 0;
-    });
-    return parts;
+    return as_invalid([&] { return garment_parts(design, wear, fs::absolute(project).parent_path()); });
 }
 
 WearOptions how_of(const WearVerbOptions& options)
@@ -63,6 +55,31 @@ std::string text_of(const WearMetrics& metrics, const WearLayout& layout, bool j
 {
     return json ? metrics.json() + "\n"
                 : fmt::format("{} in \"{}\", {}\n{}", layout.garment, layout.experiment, layout.cells_in_words, metrics.text());
+}
+
+WearMetrics metrics_of(const WearRecording& recording)
+{
+    WearMetrics metrics(recording.record().layout);
+    for (int k = 0; k < recording.frames(); ++k) metrics.add(as_invalid([&] { return recording.frame(k); }));
+    return metrics;
+}
+
+void write_wear_report(const WearRecording& recording, const WearMetrics& metrics, const std::vector<double>& times,
+                       const WearMapOptions& how, const std::string& file, bool quiet)
+{
+    const std::vector<ReportPicture> pictures =
+        as_invalid([&] { return pictures_of_panels(recording, frames_for_report(recording, times), how); });
+    write_report_file(file, wear_report_html(recording.record(), metrics, pictures, recording.finished()));
+    if (!quiet) print_note("Report: {}\n", file);
+}
+
+/// Reports must not take the place of what is read.
+void require_other_file(const std::string& report, const std::string& recording)
+{
+    check_report_name(report);
+    std::error_code none; // no such file: another
+    if (!report.empty() && fs::equivalent(report, recording, none))
+        throw Stop(exit_usage, report + ": This is the recording that is read; give another name for what is written.");
 }
 
 } // namespace
@@ -153,11 +170,16 @@ int plan_garment(const WearVerbOptions& options)
     return exit_ok;
 }
 
-int measure_garment(const std::string& file, const CommonOptions& options)
+int measure_garment(const std::string& file, const CommonOptions& options, const std::string& report, double time)
 {
+    require_other_file(report, file);
     const WearRecording recording = as_invalid([&] { return WearRecording(file); });
-    WearMetrics metrics(recording.record().layout);
-    for (int k = 0; k < recording.frames(); ++k) metrics.add(as_invalid([&] { return recording.frame(k); }));
+    const WearMetrics metrics = metrics_of(recording);
+    if (!report.empty()) {
+        WearMapOptions how;
+        how.crossings = recording.record().layout.panels.front().crossings_per_cell;
+        write_wear_report(recording, metrics, time >= 0 ? std::vector{time} : std::vector<double>{}, how, report, options.quiet);
+    }
     print_result("{}", text_of(metrics, recording.record().layout, options.json));
     if (!options.quiet && !recording.finished()) print_note("{}: The run did not end.\n", file);
     return exit_ok;
@@ -165,7 +187,10 @@ int measure_garment(const std::string& file, const CommonOptions& options)
 
 int map_garment(const WearMapVerbOptions& options)
 {
-    if (options.output.empty()) throw Stop(exit_usage, "Name a folder for the map with -o.");
+    if (options.output.empty() && options.report.empty())
+        throw Stop(exit_usage, "Name a folder for the map with -o, or a page with --report.");
+    if (options.report.empty() && !options.times.empty()) throw Stop(exit_usage, "--times are those of a report; the map's is --time.");
+    require_other_file(options.report, options.recording);
     const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
     const WearLayout& layout = recording.record().layout;
     int nearest = recording.frames() - 1;
@@ -181,6 +206,11 @@ int map_garment(const WearMapVerbOptions& options)
         const auto [last, failure] = std::from_chars(options.cells.data(), end, how.crossings);
         if (failure != std::errc() || last != end || how.crossings < 1 || how.crossings > 10000)
             throw Stop(exit_usage, "--cells " + options.cells + ": This must be auto or a whole number from 1 to 10000.");
+    }
+    if (!options.report.empty()) write_wear_report(recording, metrics_of(recording), options.times, how, options.report, options.quiet);
+    if (options.output.empty()) {
+        if (options.json) print_result("{}\n", Json{{"files", {options.report}}}.dump(2));
+        return exit_ok;
     }
     const WearMap map = wear_map(layout, frame, how);
     make_folder(options.output);

@@ -18,8 +18,9 @@ struct WearVerbOptions : RunVerbOptions {
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options);
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options);
 int plan_garment(const WearVerbOptions& options);
-/// Prints what a recorded garment came to. Throws Stop.
-int measure_garment(const std::string& recording, const CommonOptions& options);
+/// Prints what a recorded garment came to, and writes a report of it where its name is not empty; time: s, of its maps, less than 0: some.
+/// Throws Stop.
+int measure_garment(const std::string& recording, const CommonOptions& options, const std::string& report, double time);
 
 struct WearMapVerbOptions : CommonOptions {
     std::string recording, output;
@@ -27,6 +28,8 @@ struct WearMapVerbOptions : CommonOptions {
     std::string cells = "auto"; ///< crossings
     std::string scale = "same";
     double most = 0;
+    std::string report;
+    std::vector<double> times; ///< s, of the report's maps
 };
 int map_garment(const WearMapVerbOptions& options);
 

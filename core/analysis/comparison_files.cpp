@@ -22,14 +22,6 @@ std::string one_line(std::string text)
     return text;
 }
 
-/// A CSV field.
-std::string csv_field(const std::string& text)
-{
-    std::string inside;
-    for (const char c : one_line(text)) inside += c == '"' ? "\"\"" : std::string(1, c);
-    return '"' + inside + '"';
-}
-
 bool most_first(const OutcomeInfo& criterion) { return criterion.better != Better::less; }
 const char* order_words(const OutcomeInfo& criterion) { return most_first(criterion) ? "largest first" : "smallest first"; }
 
@@ -241,20 +233,20 @@ std::string comparison_csv(const Comparison& comparison)
     }
     text += ",wall_s,notes\n";
     for (const Candidate& c : comparison.candidates) {
-        text += (c.rank > 0 ? std::to_string(c.rank) : std::string()) + "," + csv_field(c.fabric);
+        text += (c.rank > 0 ? std::to_string(c.rank) : std::string()) + "," + quoted_csv_field(c.fabric);
         for (const OutcomeInfo& criterion : comparison.criteria) {
             const auto found = c.intervals.find(criterion.key);
             const bool there = found != c.intervals.end();
             text += there ? fmt::format(",{:.6g},{:.6g},{:.6g}", found->second.centre, found->second.low, found->second.high) : ",,,";
             const Compared* verdict = verdict_of(comparison, c.fabric, criterion.key);
             const LoneNumber* lone = lone_number_of(comparison, c.fabric, criterion.key);
-            text += std::string(",") + (verdict ? name_of(verdict->verdict) : lone ? csv_field(lone->words) : "");
+            text += std::string(",") + (verdict ? name_of(verdict->verdict) : lone ? quoted_csv_field(lone->words) : "");
             const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
             if (measured) text += value ? fmt::format(",{:.6g}", value->value) : ",";
         }
         std::string notes = c.failure;
         for (const std::string& note : all_notes(comparison, c)) notes += (notes.empty() ? "" : " ") + note;
-        text += fmt::format(",{:.4g},{}\n", c.wall, csv_field(notes));
+        text += fmt::format(",{:.4g},{}\n", c.wall, quoted_csv_field(notes));
     }
     return text;
 }

@@ -24,6 +24,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/moisture_tester.cpp
   analysis/outcomes.cpp
   analysis/plots.cpp
+  analysis/poly_data.cpp
   analysis/replicate_file.cpp
   analysis/report.cpp
   analysis/report_parts.cpp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/vtk_files.h"
 
+#include "core/analysis/poly_data.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/project/atomic_file.h"
@@ -9,64 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <fstream>
 
 namespace hygroloom {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
-
-template <typename T> constexpr const char* vtk_type = nullptr;
-template <> constexpr const char* vtk_type<float> = "Float32";
-template <> constexpr const char* vtk_type<std::int32_t> = "Int32";
-template <> constexpr const char* vtk_type<std::uint8_t> = "UInt8";
-
-/// A PolyData file whose arrays lie behind its text, each after its size in bytes.
-class PolyData {
-public:
-    void begin(const char* group) { text_ += fmt::format("<{}>\n", group); }
-    void end(const char* group) { text_ += fmt::format("</{}>\n", group); }
-    /// The values must stay as long as the file is not written.
-    template <typename T> void add(const char* name, const std::vector<T>& values, int components = 1)
-    {
-        text_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-                             vtk_type<T>, name, components, offset_);
-        arrays_.push_back({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
-        offset_ += sizeof(std::uint64_t) + arrays_.back().bytes;
-    }
-    void write(const std::filesystem::path& path, double time, std::size_t points, std::size_t verts, std::size_t lines) const
-    {
-        write_file_with(path, [&](const std::filesystem::path& temporary) {
-            std::ofstream file(temporary, std::ios::binary);
-            file << "<?xml version=\"1.0\"?>\n"
-                    "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
-                 << fmt::format("<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
-                                "</DataArray></FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-                                "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-                                time, points, verts, lines)
-                 << text_ << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-            for (const Bytes& array : arrays_) {
-                const auto size = static_cast<std::uint64_t>(array.bytes);
-                file.write(reinterpret_cast<const char*>(&size), sizeof size);
-                file.write(array.first, static_cast<std::streamsize>(array.bytes));
-            }
-            file << "\n</AppendedData>\n</VTKFile>\n";
-            file.close();
-            if (!file) throw FileError(path.string() + ": The file cannot be written; the disk may be full.");
-        });
-    }
-
-private:
-    struct Bytes {
-        const char* first;
-        std::size_t bytes;
-    };
-    std::string text_;
-    std::vector<Bytes> arrays_;
-    std::size_t offset_ = 0;
-};
 
 /// What stays the same in all frames: each segment is a line from half-way to the crossing before, over its own, half-way to the next.
 struct Lines {
@@ -143,7 +90,7 @@ void write_yarns(const Lines& lines, const Frame& frame, const std::filesystem::
     file.add("connectivity", lines.connectivity);
     file.add("offsets", lines.offsets);
     file.end("Lines");
-    file.write(path, frame.time, lines.point_count(), 0, n);
+    file.write(path, frame.time, {lines.point_count(), 0, n, 0});
 }
 
 void write_liquid(const Frame& frame, const std::filesystem::path& path)
@@ -168,7 +115,7 @@ void write_liquid(const Frame& frame, const std::filesystem::path& path)
     file.add("connectivity", connectivity);
     file.add("offsets", offsets);
     file.end("Verts");
-    file.write(path, frame.time, n, n, 0);
+    file.write(path, frame.time, {n, n, 0, 0});
 }
 
 /// Names a time's file, as two programs' ways of telling times ask for it.

@@ -19,6 +19,19 @@ inline std::string cut_text(std::string_view text, std::size_t most)
     return std::string(text.substr(0, most));
 }
 
+/// A field of a CSV, in quotes, on one line.
+inline std::string quoted_csv_field(const std::string& text)
+{
+    std::string inside;
+    for (const char c : text) inside += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+    return '"' + inside + '"';
+}
+/// The same, in quotes only where it needs them.
+inline std::string csv_field(const std::string& text)
+{
+    return text.find_first_of(",;\"\n\r") == std::string::npos ? text : quoted_csv_field(text);
+}
+
 /// The decimals with which a number shows as many digits as count, none of a large one: of 2 digits 4.8, 0.55, 17, 310.
 inline int decimals_for(double number, int digits)
 {

@@ -43,7 +43,11 @@ void validate_wear(const Design& design, const WearExperiment& wear, const std::
     list.range(where + ".climate.air_speed_m_s", "air speed", wear.climate.air_speed_m_s, 0, 20, "m/s");
     list.range(where + ".duration_s", "duration", wear.duration_s, 1, 86400, "s");
     list.range(where + ".initial_water_g_m2", "water at the start", wear.initial_water_g_m2, 0, 5000, "g/m2");
-    validate_activity(wear, where, list);
+    if (wear.activity_file.empty())
+        validate_activity(wear, where, list);
+    else if (!wear.activity_file.ends_with(".csv"))
+        list.error("unknown_activity", where + ".activity",
+                   fmt::format("Rates over time are a .csv beside the project; given is \"{}\".", wear.activity_file));
 }
 
 } // namespace hygroloom

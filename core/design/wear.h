@@ -20,7 +20,8 @@ struct WearExperiment {
     std::string liquid = "sweat";
     double duration_s = 1800;
     std::vector<Activity> activity{Activity{}}; ///< in order of time, the first at 0
-    double initial_water_g_m2 = 0;              ///< that the garment is wet with at the start
+    std::string activity_file;     ///< a CSV of rates over time by zone, relative to the project, in place of activity; empty: none
+    double initial_water_g_m2 = 0; ///< that the garment is wet with at the start
     bool operator==(const WearExperiment&) const = default;
 };
 

@@ -18,4 +18,25 @@ struct SweatTable {
 /// stands for those that do not. Throws FileError, naming file, line and zone.
 SweatTable sweat_table(const std::string& name_or_file, const std::filesystem::path& base);
 
+/// A zone of the body at one moment; between two of them it changes evenly, and two at one time are a jump.
+struct SweatMomentOfZone {
+    double time_s = 0;
+    double g_m2_h = 0;
+    double skin_temperature_c = 0; ///< where SweatCourse::has_temperature
+    bool operator==(const SweatMomentOfZone&) const = default;
+};
+
+/// How zones sweat, and how warm their skin is, over time. Before a zone's first moment and after its last it is as in that one.
+struct SweatCourse {
+    std::vector<std::vector<SweatMomentOfZone>> zones; ///< by body_zones(); empty: the wearer's table holds
+    bool has_temperature = false;
+    std::string source; ///< the file
+};
+
+constexpr std::size_t most_moments_of_zone = 10'000;
+
+/// A CSV beside the project with the columns time_s, zone, g_m2_h and, if it has that, skin_temperature_c. Rows of a zone stand in order of
+/// time; "default" stands for all zones that are not named. Throws FileError, naming file, line, field, range and value.
+SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base);
+
 } // namespace hygroloom

@@ -6,4 +6,5 @@ target_sources(hygroloom_core PRIVATE
   geometry/mesh.cpp
   geometry/mesh_stream.cpp
   geometry/textile.cpp
+  geometry/top_view.cpp
 )

@@ -22,9 +22,12 @@ target_sources(hygroloom_core PRIVATE
   project/project_value.cpp
   project/project_write.cpp
   project/scene_file.cpp
+  project/texture_files.cpp
+  project/texture_material.cpp
   project/weave_json.cpp
   project/weave_picture.cpp
   project/wear_json.cpp
+  project/wet_look.cpp
   project/wif_draft.cpp
   project/wif_file.cpp
   project/wif_import.cpp

@@ -21,11 +21,19 @@ Climate read_still_climate(ObjectReader& object, Climate climate)
     return climate;
 }
 
-std::vector<Activity> read_activity(ObjectReader& object, std::vector<Activity> standard)
+/// A list of factors, or the name of a file.
+void read_activity(ObjectReader& object, WearExperiment& wear)
 {
     const ProjectJson* value = object.find("activity");
-    if (!value) return standard;
+    if (!value) return;
+    if (value->is_string()) {
+        object.read("activity", wear.activity_file);
+        if (wear.activity_file.empty()) object.refuse("activity", "Name a CSV beside the project, or give a list of factors.");
+        return;
+    }
     const std::string path = object.path_of("activity");
+    if (!value->is_array())
+        object.refuse("activity", "This must be a list of factors or the name of a CSV; given is " + in_words(*value) + ".");
     const ProjectJson& list = array_in(*value, object.file(), path);
     std::vector<Activity> activity;
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -35,7 +43,7 @@ std::vector<Activity> read_activity(ObjectReader& object, std::vector<Activity> 
         moment.read("factor", activity.back().factor);
         moment.finish({"time_s", "factor"});
     }
-    return activity;
+    wear.activity = std::move(activity);
 }
 
 } // namespace
@@ -55,7 +63,7 @@ WearExperiment wear_from_json(const ProjectJson& value, const std::string& file,
     wear.climate = read_still_climate(object, wear.climate);
     object.read("liquid", wear.liquid);
     object.read("duration_s", wear.duration_s);
-    wear.activity = read_activity(object, wear.activity);
+    read_activity(object, wear);
     object.read("initial_water_g_m2", wear.initial_water_g_m2);
     object.finish({"name", "garment"});
     return wear;
@@ -72,8 +80,12 @@ ProjectJson json_from_wear(const WearExperiment& wear)
                        {"air_speed_m_s", wear.climate.air_speed_m_s}}},
                      {"liquid", wear.liquid},
                      {"duration_s", wear.duration_s}};
-    json["activity"] = ProjectJson::array();
-    for (const Activity& moment : wear.activity) json["activity"].push_back({{"time_s", moment.time_s}, {"factor", moment.factor}});
+    if (!wear.activity_file.empty()) {
+        json["activity"] = wear.activity_file;
+    } else {
+        json["activity"] = ProjectJson::array();
+        for (const Activity& moment : wear.activity) json["activity"].push_back({{"time_s", moment.time_s}, {"factor", moment.factor}});
+    }
     json["initial_water_g_m2"] = wear.initial_water_g_m2;
     return json;
 }

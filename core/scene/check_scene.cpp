@@ -106,6 +106,15 @@ void check(const Supply& supply)
            "its skin takes sweat away");
     demand(std::all_of(supply.skin.course.begin(), supply.skin.course.end(), [](const SweatMoment& moment) { return moment.factor >= 0; }),
            "its skin takes sweat away");
+    for (const std::vector<SkinMoment>& moments : supply.skin.zones) {
+        demand(!moments.empty(), "a zone of its skin has no moment");
+        demand(std::all_of(moments.begin(), moments.end(), [](const SkinMoment& moment) { return moment.rate >= 0; }),
+               "its skin takes sweat away");
+        demand(std::is_sorted(moments.begin(), moments.end(), [](const SkinMoment& a, const SkinMoment& b) { return a.time < b.time; }),
+               "a zone of its skin is not in order of time");
+    }
+    for (const SkinAir& air : supply.skin.airs)
+        demand(air.zone < supply.skin.zones.size() && air.outer + air.to_skin > 0, "an air lies over no zone of its skin");
 }
 
 void check(const FreeLiquidStart& liquid)

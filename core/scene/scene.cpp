@@ -349,21 +349,6 @@ double ScenePool::next_change(double time) const
     return next;
 }
 
-double SkinSupply::factor_at(double time) const
-{
-    double factor = 0;
-    for (const SweatMoment& moment : course)
-        if (moment.time <= time) factor = moment.factor;
-    return factor;
-}
-
-double SkinSupply::next_change(double time) const
-{
-    for (const SweatMoment& moment : course)
-        if (moment.time > time) return moment.time;
-    return std::numeric_limits<double>::infinity();
-}
-
 AirMoment air_of(const Climate& air, double time, const Textile& textile, const Experiment& experiment)
 {
     const auto [width, height] = sample_extent_mm(experiment);

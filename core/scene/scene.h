@@ -206,15 +206,45 @@ struct SweatMoment {
     double factor = 1; ///< of SkinSupply::rate
 };
 
+/// A zone of the skin at a time; between two of them it changes evenly, two at one time are a jump.
+struct SkinMoment {
+    double time = 0;   ///< s
+    double rate = 0;   ///< m/s
+    double warmth = 0; ///< K, over the climate's temperature
+};
+
+/// What one of the panels' airs is mixed from.
+struct SkinAir {
+    std::size_t zone = 0;    ///< of SkinSupply::zones, to which its inner face looks
+    double outer = 0;        ///< W/(m2 K), from the air outside
+    double outer_warmth = 0; ///< K, of that air over the climate's temperature
+    double to_skin = 0;      ///< W/(m2 K)
+
+    double warmth(double of_skin) const { return (outer * outer_warmth + to_skin * of_skin) / (outer + to_skin); }
+};
+
 /// A skin that sweats onto the face that lies on it. What the cloth does not take stays on the skin, and what the skin does not hold drips.
 struct SkinSupply {
     std::vector<double> rate;        ///< m/s (m3 of liquid per m2 and s) at each crossing; empty: there is no skin
     std::vector<SweatMoment> course; ///< the first at 0 s
     double holds = 0;                ///< m of liquid
+    // Where zones change on their own; else all is empty.
+    std::vector<std::vector<SkinMoment>> zones; ///< each with one moment at least
+    std::vector<std::uint8_t> zone;             ///< of each crossing, its place in zones: then rate is that at the start
+    std::vector<SkinAir> airs;                  ///< of each of the panels' airs; empty: the skin's warmth does not change
 
     double factor_at(double time) const;
-    /// s: the next time after this at which the factor changes; infinite where there is none.
+    bool has_zones() const { return !zones.empty(); }
+    SkinMoment zone_at(std::size_t zone, double time) const;
+    /// As rate and ClothPanels::airs are at a time.
+    std::vector<double> rates_at(double time) const;
+    std::vector<FaceAir> airs_at(std::vector<FaceAir> airs, double time) const;
+    /// m/s, the most that each crossing's skin ever sweats; with the course's factor.
+    std::vector<double> most_rates() const;
+    /// s: the next time after this at which the factor changes, or how a zone changes; infinite where there is none.
     double next_change(double time) const;
+    /// Whether the factor or a zone jumps then.
+    bool jumps_at(double time) const;
 };
 
 /// Liquid that comes to the cloth while the scene runs.

@@ -3,6 +3,7 @@ target_sources(hygroloom_core PRIVATE
   scene/check_scene.cpp
   scene/coarse_scene.cpp
   scene/scene.cpp
+  scene/skin.cpp
   scene/suction.cpp
   scene/unevenness.cpp
 )

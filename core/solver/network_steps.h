@@ -19,11 +19,11 @@ constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are count
 inline double sweat_rate(const Scene& scene)
 {
     const SkinSupply& skin = scene.supply.skin;
-    double rate = scene.supply.sweat * scene.cloth.cell_area * scene.cloth.crossings(), most = 0; // m3/s
-    for (const SweatMoment& moment : skin.course) most = std::max(most, moment.factor);
+    double rate = scene.supply.sweat * scene.cloth.cell_area * scene.cloth.crossings(); // m3/s
+    const std::vector<double> most = skin.most_rates();
     for (int crossing : scene.cloth.panels.crossings)
-        if (!skin.rate.empty())
-            rate += most * skin.rate[static_cast<std::size_t>(crossing)] *
+        if (!most.empty())
+            rate += most[static_cast<std::size_t>(crossing)] *
                     scene.cloth.panels.cell_area[scene.cloth.panels.panel[static_cast<std::size_t>(crossing % scene.cloth.picks)]];
     return rate * scene.climate.density;
 }

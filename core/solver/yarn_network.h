@@ -274,7 +274,9 @@ template <typename Executor> void YarnNetwork<Executor>::sweat_from_skin(double 
 {
     const SkinSupply& skin = scene_->supply.skin;
     totals_.write(0, {});
-    const double begins = 0.5 * (time + time - dt); // the factor changes at steps' ends only
+    const double begins = 0.5 * (time + time - dt); // the factor changes at steps' ends only, and zones change evenly between them
+    if (skin.has_zones()) fields_.sweat.upload(skin.rates_at(begins));
+    if (!skin.airs.empty()) panels_.airs.upload(skin.airs_at(scene_->cloth.panels.airs, begins));
     each_crossing("sweat", SweatFromSkin{segments(), climate_.density, skin.factor_at(begins) * dt, dt, skin.holds, &totals_.data()->asked,
                                          &totals_.data()->shed});
     const YarnTotals found = totals_.read(0);
@@ -289,11 +291,9 @@ template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(doubl
     supply(time, dt);
     totals_.write(0, {});
     const double exchange_dt = time - exchange_time_;
-    const NetworkStep step{time,
-                           dt,
-                           exchange_dt,
-                           frame_due || steps_.exchange_is_due(exchange_dt),
-                           {scene_->rules.step_error > 0 && !drops_about && !by_suction(), pools_.any_stands()}};
+    const bool is_due = frame_due || steps_.exchange_is_due(exchange_dt);
+    const StepSigns signs{scene_->rules.step_error > 0 && !drops_about && !by_suction(), pools_.any_stands()};
+    const NetworkStep step{time, dt, exchange_dt, is_due, signs};
     move_liquid_and_heat(dt, step.signs);
     return step;
 }
@@ -387,7 +387,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     region_.include_reached(found.reach);
     const auto changes_now = [&](const ScenePool& pool) { return pool.next_change(step.time - step.dt) == step.time; };
     const bool changes = std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
-                         scene_->supply.skin.next_change(step.time - step.dt) == step.time; // courses of climate have no jumps
+                         scene_->supply.skin.jumps_at(step.time); // courses of climate have no jumps
     if (changes) steps_.begin_anew(drops_about);
 }
 

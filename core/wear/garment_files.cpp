@@ -174,6 +174,8 @@ std::vector<std::string> write_wear_map(const WearLayout& layout, const WearFram
         add_panel(glb, layout.panels[panel], mesh, texture);
     }
     write("cells.csv", wear_csv(layout, frame));
+    write_cells_vtk(layout, frame, folder / "cells.vtp");
+    files.emplace_back("cells.vtp");
     write("garment.obj", obj);
     write("garment.mtl", mtl);
     write("garment.glb", glb.file());

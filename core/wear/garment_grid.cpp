@@ -16,6 +16,12 @@ constexpr double most_cells_across = 100'000;
 
 double dot(const FlatPlace& a, const FlatPlace& b) { return a[0] * b[0] + a[1] * b[1]; }
 
+/// Of a triangle, with its sign.
+double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
 /// Marks the cells of each pick between every second place where the outline crosses the pick's middle line.
 void mark_inside(PanelGrid& grid, const std::vector<FlatPlace>& outline)
 {
@@ -81,41 +87,42 @@ PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, 
     return grid;
 }
 
-std::vector<Vec3d> places_of(const PanelGrid& grid, const GarmentShape& shape, int panel)
+void for_cells_in_triangles(const PanelGrid& grid, const GarmentShape& shape, int panel, const VisitCell& visit)
 {
-    const std::size_t cells = grid.there.size();
-    std::vector<Vec3d> places(cells);
-    std::vector<std::uint8_t> known(cells, 0);
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
         if (shape.panel[t] != panel) continue;
         std::array<FlatPlace, 3> flat;
-        std::array<Vec3d, 3> corner;
         int low[2] = {grid.ends, grid.picks}, high[2] = {-1, -1};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto vertex = static_cast<std::size_t>(shape.triangles[t][k]);
-            flat[k] = shape.flat[vertex];
-            corner[k] = shape.places[vertex];
+            flat[k] = shape.flat[static_cast<std::size_t>(shape.triangles[t][k])];
             const std::array<int, 2> at = grid.cell_at(flat[k]);
             for (std::size_t side = 0; side < 2; ++side) {
                 low[side] = std::min(low[side], at[side]);
                 high[side] = std::max(high[side], at[side]);
             }
         }
-        const auto twice = [](const FlatPlace& a, const FlatPlace& b, const FlatPlace& c) {
-            return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        };
-        const double whole = twice(flat[0], flat[1], flat[2]);
+        const double whole = twice_area(flat[0], flat[1], flat[2]);
         if (whole == 0) continue;
         for (int end = std::max(0, low[0]); end <= std::min(grid.ends - 1, high[0]); ++end)
             for (int pick = std::max(0, low[1]); pick <= std::min(grid.picks - 1, high[1]); ++pick) {
                 const FlatPlace at = grid.middle(end, pick);
-                const double a = twice(at, flat[1], flat[2]) / whole, b = twice(flat[0], at, flat[2]) / whole, c = 1 - a - b;
+                const double a = twice_area(at, flat[1], flat[2]) / whole, b = twice_area(flat[0], at, flat[2]) / whole, c = 1 - a - b;
                 constexpr double beside = -1e-9;
                 if (a < beside || b < beside || c < beside) continue;
-                places[grid.cell(end, pick)] = a * corner[0] + b * corner[1] + c * corner[2];
-                known[grid.cell(end, pick)] = 1;
+                visit({t, end, pick, {a, b, c}});
             }
     }
+}
+
+std::vector<Vec3d> places_of(const PanelGrid& grid, const GarmentShape& shape, int panel)
+{
+    std::vector<Vec3d> places(grid.there.size());
+    std::vector<std::uint8_t> known(places.size(), 0);
+    for_cells_in_triangles(grid, shape, panel, [&](const CellInTriangle& at) {
+        const auto corner = [&](std::size_t k) { return shape.places[static_cast<std::size_t>(shape.triangles[at.triangle][k])]; };
+        places[grid.cell(at.end, at.pick)] = at.shares[0] * corner(0) + at.shares[1] * corner(1) + at.shares[2] * corner(2);
+        known[grid.cell(at.end, at.pick)] = 1;
+    });
     std::deque<std::array<int, 2>> edge; // cells that tell their neighbours
     for (int end = 0; end < grid.ends; ++end)
         for (int pick = 0; pick < grid.picks; ++pick)

@@ -5,6 +5,7 @@
 #include "core/garment/pattern.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace hygroloom {
 
@@ -32,6 +33,16 @@ struct PanelGrid {
 /// Cells of the given size (m, across the ends and across the picks), the warp turned from the pattern's +y by the grain (radian,
 /// counter-clockwise).
 PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, double pick_pitch);
+
+/// A cell whose middle lies in a triangle of the garment's shape, and the shares of the triangle's corners there.
+struct CellInTriangle {
+    std::size_t triangle = 0;
+    int end = 0, pick = 0;
+    std::array<double, 3> shares{};
+};
+using VisitCell = std::function<void(const CellInTriangle&)>;
+/// Of one panel. A cell on a side that triangles share is told more than once.
+void for_cells_in_triangles(const PanelGrid& grid, const GarmentShape& shape, int panel, const VisitCell& visit);
 
 /// Where in space the middle of each cell lies, m; end x picks + pick. Cells beyond the mesh's edge lie with their neighbours.
 std::vector<Vec3d> places_of(const PanelGrid& grid, const GarmentShape& shape, int panel);

@@ -14,8 +14,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr double skin_film = 35e-6;     ///< m of liquid that stay on skin, some 35 g/m2; what comes then drips; an assumption
-constexpr double contact_gap = 0.3e-3;  ///< m of still air that cloth on skin still has between, by hairs and waviness; an assumption
 constexpr std::size_t most_kinds = 255; ///< of yarns, airs and panels
 
 struct Builder {
@@ -24,7 +22,7 @@ struct Builder {
     GarmentScene made;
     std::vector<std::size_t> first_warp, first_weft; ///< of each fabric's types in the cloth's
     std::size_t weft_types = 0;
-    std::map<std::tuple<int, double>, std::uint8_t> air; ///< by fabric and gap
+    std::map<std::tuple<int, double, int>, std::uint8_t> air; ///< by fabric, gap and, where the skin's warmth changes, zone
 
     Cloth& cloth() { return made.scene.cloth; }
     std::size_t warp(int end, int pick) const
@@ -153,12 +151,16 @@ void add_pieces(Builder& b)
 /// W/(m2 K), through a gap of still air, mm.
 double skin_contact(double gap) { return air_conductivity / (metre_from_mm(gap) + contact_gap); }
 
+/// Whether zones have a warmth of their own over time.
+bool warmth_changes(const Builder& b) { return b.resolution.has_skin && b.parts.course && b.parts.course->has_temperature; }
+
 /// Air over the outer face, and the skin beyond the gap. The skin's face lets no vapour through: it sweats liquid, and what it holds lies
 /// wet under the cloth. Each of a crossing's two segments answers for half of both faces.
-std::uint8_t air_over(Builder& b, std::size_t panel, double gap)
+std::uint8_t air_over(Builder& b, std::size_t panel, double gap, int zone)
 {
     const int fabric = b.made.fabric[panel];
-    const auto [at, is_new] = b.air.try_emplace({fabric, gap}, static_cast<std::uint8_t>(b.cloth().panels.airs.size()));
+    const auto [at, is_new] =
+        b.air.try_emplace({fabric, gap, warmth_changes(b) ? zone : 0}, static_cast<std::uint8_t>(b.cloth().panels.airs.size()));
     if (!is_new) return at->second;
     std::vector<FaceAir>& airs = b.cloth().panels.airs;
     if (airs.size() >= most_kinds) throw Error("A garment with more than 255 kinds of air at its cloth cannot be computed.");
@@ -169,9 +171,9 @@ std::uint8_t air_over(Builder& b, std::size_t panel, double gap)
     }
     const double to_skin = skin_contact(gap);
     const double skin_warmth = kelvin_from_celsius(b.parts.garment->wearer.skin_temperature_c) - outside.temperature;
-    const double both = outside.heat_transfer + to_skin;
-    airs.push_back({(outside.heat_transfer * outside.air_warmth + to_skin * skin_warmth) / both, outside.vapour, 0.5 * both,
-                    0.5 * outside.mass_transfer});
+    const SkinAir mixed{static_cast<std::size_t>(zone), outside.heat_transfer, outside.air_warmth, to_skin};
+    airs.push_back({mixed.warmth(skin_warmth), outside.vapour, 0.5 * (outside.heat_transfer + to_skin), 0.5 * outside.mass_transfer});
+    if (warmth_changes(b)) b.made.scene.supply.skin.airs.push_back(mixed);
     return at->second;
 }
 
@@ -193,6 +195,31 @@ double capacity_of(const Builder& b, std::size_t panel, int end, int pick)
         tile.crossing[warp * static_cast<std::size_t>(tile.weft_types()) + weft - static_cast<std::size_t>(tile.warp_types)];
     return of_yarn(tile.yarns[warp], tile.length[fabric.warp(end, pick)]) + of_yarn(tile.yarns[weft], tile.length[fabric.weft(end, pick)]) +
            climate.density * crossing.between.volume;
+}
+
+/// m/s of liquid.
+double skin_rate(const Builder& b, double g_m2_h) { return 1e-3 * g_m2_h / 3600.0 / b.made.scene.climate.density; }
+
+/// How each zone of the body sweats over time; those that the file does not name as their table says.
+void add_course(Builder& b)
+{
+    const GarmentParts& parts = b.parts;
+    if (!parts.wear->activity_file.empty() && !parts.course)
+        throw Error("The rates over time of \"" + parts.wear->name + "\" (" + parts.wear->activity_file + ") were not read.");
+    if (!parts.course) return;
+    SkinSupply& skin = b.made.scene.supply.skin;
+    const double usual = kelvin_from_celsius(parts.garment->wearer.skin_temperature_c), from = b.made.scene.climate.temperature;
+    for (std::size_t zone = 0; zone < body_zones().size(); ++zone) {
+        std::vector<SkinMoment>& moments = skin.zones.emplace_back();
+        for (const SweatMomentOfZone& moment : parts.course->zones[zone])
+            moments.push_back({moment.time_s, skin_rate(b, moment.g_m2_h),
+                               (parts.course->has_temperature ? kelvin_from_celsius(moment.skin_temperature_c) : usual) - from});
+        if (moments.empty()) moments.push_back({0, skin_rate(b, parts.sweat.g_m2_h[zone]), usual - from});
+    }
+    skin.zone.assign(static_cast<std::size_t>(b.cloth().crossings()), static_cast<std::uint8_t>(skin.zones.size()));
+    for (const GarmentCell& cell : b.made.cells) skin.zone[static_cast<std::size_t>(cell.crossing)] = static_cast<std::uint8_t>(cell.zone);
+    skin.rate = skin.rates_at(0);
+    if (!skin.airs.empty()) b.cloth().panels.airs = skin.airs_at(std::move(b.cloth().panels.airs), 0);
 }
 
 /// The cells that are there, with what the body under each does.
@@ -222,11 +249,12 @@ void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
         scene.cloth.panels.crossings.push_back(cell.crossing);
         const double gap = gap_at(*b.parts.garment, b.parts.pattern, cell.panel, cell.place);
         if (b.resolution.has_skin) cell.skin_contact = skin_contact(gap);
-        scene.cloth.panels.air[crossing] = air_over(b, static_cast<std::size_t>(cell.panel), gap);
-        scene.supply.skin.rate[crossing] = 1e-3 * b.parts.sweat.g_m2_h[zone] / 3600.0 / scene.climate.density;
+        scene.cloth.panels.air[crossing] = air_over(b, static_cast<std::size_t>(cell.panel), gap, cell.zone);
+        scene.supply.skin.rate[crossing] = skin_rate(b, b.parts.sweat.g_m2_h[zone]);
     }
     for (const Activity& activity : b.parts.wear->activity) scene.supply.skin.course.push_back({activity.time_s, activity.factor});
     scene.supply.skin.holds = skin_film;
+    add_course(b);
 }
 
 /// By how much the next cell along each yarn lies higher.
@@ -282,6 +310,19 @@ std::vector<double> passes(const GarmentParts& parts)
 }
 
 } // namespace
+
+GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base)
+{
+    GarmentParts parts;
+    parts.design = &design;
+    parts.garment = find_garment(design, wear.garment);
+    parts.wear = &wear;
+    if (parts.garment == nullptr) throw Error("There is no garment named \"" + wear.garment + "\" in the project.");
+    parts.pattern = read_pattern(*parts.garment, base);
+    parts.sweat = sweat_table(parts.garment->wearer.zones, base);
+    if (!wear.activity_file.empty()) parts.course = sweat_course(wear.activity_file, base);
+    return parts;
+}
 
 GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution)
 {

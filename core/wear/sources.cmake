@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  wear/cells_vtk.cpp
   wear/fabric_cells.cpp
   wear/garment_files.cpp
   wear/garment_grid.cpp
@@ -11,5 +12,6 @@ target_sources(hygroloom_core PRIVATE
   wear/wear_map.cpp
   wear/wear_metrics.cpp
   wear/wear_recording.cpp
+  wear/wear_report.cpp
   wear/wear_run.cpp
 )

@@ -29,7 +29,46 @@ std::string cells_in_words(const GarmentScene& garment)
     return all;
 }
 
+/// When the garment's skin last sweats less than before; and how warm its zones are over time.
+void take_course(const GarmentScene& garment, double duration, WearLayout& layout)
+{
+    const SkinSupply& skin = garment.scene.supply.skin;
+    std::vector<double> area(skin.zones.size(), 0);
+    for (const GarmentCell& cell : garment.cells) area[static_cast<std::size_t>(cell.zone)] += cell.area;
+    const auto sweat = [&](double time) {
+        double sum = 0;
+        for (std::size_t zone = 0; zone < area.size(); ++zone) sum += area[zone] * skin.zone_at(zone, time).rate;
+        return sum;
+    };
+    double before = sweat(0);
+    layout.stops.reset();
+    for (double time = skin.next_change(0); time < duration; time = skin.next_change(time)) {
+        const double now = sweat(time);
+        if (now < before) layout.stops = time;
+        before = now;
+    }
+    if (skin.airs.empty()) return;
+    for (const std::vector<SkinMoment>& moments : skin.zones) {
+        layout.skin_course.emplace_back();
+        for (const SkinMoment& moment : moments)
+            layout.skin_course.back().push_back({moment.time, garment.scene.climate.temperature + moment.warmth});
+    }
+}
+
 } // namespace
+
+double WearLayout::skin_temperature_at(int zone, double time) const
+{
+    if (static_cast<std::size_t>(zone) >= skin_course.size() || skin_course[static_cast<std::size_t>(zone)].empty())
+        return skin_temperature;
+    const std::vector<SkinTemperature>& course = skin_course[static_cast<std::size_t>(zone)];
+    const auto after =
+        std::upper_bound(course.begin(), course.end(), time, [](double at, const SkinTemperature& moment) { return at < moment.time; });
+    if (after == course.begin()) return course.front().temperature;
+    if (after == course.end()) return course.back().temperature;
+    const SkinTemperature& before = *(after - 1);
+    return before.temperature + (time - before.time) / (after->time - before.time) * (after->temperature - before.temperature);
+}
 
 FlatBox WearPanel::box() const
 {
@@ -53,6 +92,7 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
     const std::vector<Activity>& activity = parts.wear->activity;
     for (std::size_t k = 1; k < activity.size(); ++k)
         if (activity[k].factor < activity[k - 1].factor) layout.stops = activity[k].time_s;
+    if (garment.scene.supply.skin.has_zones()) take_course(garment, parts.wear->duration_s, layout);
     for (std::size_t k = 0; k < garment.grids.size(); ++k) {
         const PatternPanel& panel = parts.pattern.panels[k];
         const PanelCut* cut = parts.garment->cut_of(panel.name);

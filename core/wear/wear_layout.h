@@ -29,10 +29,18 @@ struct WearLayout {
     std::string garment, experiment;
     std::string cells_in_words;  ///< "cells of 2.3 x 2.3 mm, 8 x 8 crossings"
     double skin_temperature = 0; ///< K
+    /// How warm each zone of the body is, where that changes: as SkinMoment, but K; empty: skin_temperature everywhere.
+    struct SkinTemperature {
+        double time = 0;        ///< s
+        double temperature = 0; ///< K
+    };
+    std::vector<std::vector<SkinTemperature>> skin_course;
     std::optional<double> stops; ///< s, when the wearer's activity last falls; none: never
     std::vector<WearPanel> panels;
     std::vector<GarmentCell> cells;
     GarmentShape shape;
+
+    double skin_temperature_at(int zone, double time) const; ///< K
 };
 
 WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment);

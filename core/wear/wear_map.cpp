@@ -3,6 +3,7 @@
 
 #include "core/analysis/cairo_image.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 
 #include <fmt/format.h>
@@ -126,7 +127,7 @@ std::array<std::uint8_t, 3> step_colour(double share)
                                                                       {66, 146, 198},
                                                                       {33, 113, 181},
                                                                       {8, 48, 107}}};
-    return colours[static_cast<std::size_t>(std::clamp(static_cast<int>(share * steps), 0, steps - 1))];
+    return colours[static_cast<std::size_t>(std::clamp(share * steps, 0.0, steps - 1.0))];
 }
 
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
@@ -242,12 +243,12 @@ std::string wear_csv(const WearLayout& layout, const WearFrame& frame)
     for (std::size_t i = 0; i < layout.cells.size(); ++i) {
         const GarmentCell& c = layout.cells[i];
         const auto per_area = [&](double kg) { return 1e3 * kg / c.area; };
-        text += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.4f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n",
-                            layout.panels[static_cast<std::size_t>(c.panel)].name, c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1],
-                            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, body_zones()[static_cast<std::size_t>(c.zone)], 1e6 * c.area,
-                            per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
-                            static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]),
-                            per_area(frame.on_skin[i]));
+        text += fmt::format(
+            "{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.4f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n",
+            csv_field(layout.panels[static_cast<std::size_t>(c.panel)].name), c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1],
+            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, body_zones()[static_cast<std::size_t>(c.zone)], 1e6 * c.area,
+            per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
+            static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]), per_area(frame.on_skin[i]));
     }
     return text;
 }

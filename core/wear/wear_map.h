@@ -38,7 +38,12 @@ Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t pa
 /// A row for each cell.
 std::string wear_csv(const WearLayout& layout, const WearFrame& frame);
 
-/// Writes NAME.png, NAME_texture.png of each panel, cells.csv, garment.obj with garment.mtl, and garment.glb to a folder that is there.
+/// Cells as quadrilaterals in space (mm) with what they hold, each array named as the table's column; panels and zones by number, with
+/// their names beside. Of each point flat_mm, its place on the flat panel. Throws FileError.
+void write_cells_vtk(const WearLayout& layout, const WearFrame& frame, const std::filesystem::path& path);
+
+/// Writes NAME.png, NAME_texture.png of each panel, cells.csv, cells.vtp, garment.obj with garment.mtl, and garment.glb to a folder that is
+/// there.
 /// Returns the files' names. Throws FileError.
 std::vector<std::string> write_wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap& map,
                                         const std::filesystem::path& folder);

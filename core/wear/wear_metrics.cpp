@@ -117,7 +117,8 @@ void WearMetrics::add(const WearFrame& frame)
         const GarmentCell& cell = layout_.cells[i];
         for (WearNow* now : {&all, &panels[static_cast<std::size_t>(cell.panel)], &zones[static_cast<std::size_t>(zone_of_[i])]})
             add_cell(*now, frame, i, cell);
-        flow += cell.skin_contact * cell.area * (layout_.skin_temperature - static_cast<double>(frame.temperature[i]));
+        const double skin = layout_.skin_temperature_at(cell.zone, frame.time);
+        flow += cell.skin_contact * cell.area * (skin - static_cast<double>(frame.temperature[i]));
     }
     if (!all_.course.empty()) from_skin_ += 0.5 * (flow + flow_before_) * (frame.time - all_.course.back().time);
     flow_before_ = flow;

@@ -24,6 +24,8 @@ constexpr const char* wear_format = "hygroloom-wear-recording";
 constexpr int wear_version = 1;
 constexpr long most_cells = 100'000'000, most_vertices = 20'000'000;
 constexpr std::size_t most_panels = 255;
+constexpr double most_flat = 100, most_far = 1000;                                          // m, of places on flat panels and in space
+constexpr double least_side = 1e-6, most_side = 1, least_amount = 1e-20, most_amount = 1e6; // m, and m2 or kg, of cells
 
 /// What cells hold that is written as numbers.
 struct CellColumn {
@@ -63,6 +65,10 @@ std::string layout_json(const WearLayout& layout)
                      {"cells_in_words", layout.cells_in_words},
                      {"skin_temperature", layout.skin_temperature}};
     if (layout.stops) json["stops"] = *layout.stops;
+    for (const std::vector<WearLayout::SkinTemperature>& zone : layout.skin_course) {
+        ProjectJson& course = json["skin_course"].emplace_back(ProjectJson::array());
+        for (const auto& [time, temperature] : zone) course.push_back(ProjectJson::array({time, temperature}));
+    }
     json["panels"] = ProjectJson::array();
     for (const WearPanel& panel : layout.panels) {
         ProjectJson made{{"name", panel.name},
@@ -85,7 +91,18 @@ FlatPlace place_in(const ProjectJson& value, const std::string& file, const std:
 {
     const ProjectJson& pair = array_in(value, file, path);
     if (pair.size() != 2) throw FileError(fmt::format("{}: {}: a place has two numbers.", file, path));
-    return {number_in(pair[0], file, path), number_in(pair[1], file, path)};
+    const FlatPlace place{number_in(pair[0], file, path), number_in(pair[1], file, path)};
+    if (!(std::abs(place[0]) <= most_flat && std::abs(place[1]) <= most_flat))
+        throw FileError(fmt::format("{}: {}: a place lies within {:g} m; given is {:g}, {:g}.", file, path, most_flat, place[0], place[1]));
+    return place;
+}
+
+/// Of cells: each as long as a cell can be, and not along each other.
+bool can_be_sides(const FlatPlace& across, const FlatPlace& along)
+{
+    const double a = std::hypot(across[0], across[1]), b = std::hypot(along[0], along[1]);
+    const auto is_length = [](double length) { return length >= least_side && length <= most_side; };
+    return is_length(a) && is_length(b) && std::abs(across[0] * along[1] - across[1] * along[0]) > 0.01 * a * b;
 }
 
 WearPanel read_panel(const ProjectJson& value, const std::string& file, const std::string& path)
@@ -106,7 +123,37 @@ WearPanel read_panel(const ProjectJson& value, const std::string& file, const st
     const auto is_count = [](int count) { return count >= 1 && count <= 100'000; };
     if (!is_count(panel.crossings_per_cell) || !is_count(panel.grid.ends) || !is_count(panel.grid.picks) || panel.outline.size() < 3)
         throw FileError(fmt::format("{}: {}: a panel has from 1 to 100 000 cells each way, and an outline.", file, path));
+    if (static_cast<long>(panel.grid.ends) * panel.grid.picks > most_cells)
+        throw FileError(fmt::format("{}: {}: a panel has at most {} cells; given are {} x {}.", file, path, most_cells, panel.grid.ends,
+                                    panel.grid.picks));
+    if (!can_be_sides(panel.grid.across, panel.grid.along))
+        throw FileError(fmt::format("{}: {}: a cell's sides, across and along, are from {:g} to {:g} m long and cross each other.", file,
+                                    path, least_side, most_side));
+    if (!(std::abs(panel.grain) <= 10)) throw FileError(fmt::format("{}: {}.grain: {:g} is no angle.", file, path, panel.grain));
     return panel;
+}
+
+double skin_temperature_in(double temperature, const std::string& file)
+{
+    if (!(temperature >= 200 && temperature <= 400))
+        throw FileError(fmt::format("{}: skin_temperature is from 200 to 400 K; given is {:g}.", file, temperature));
+    return temperature;
+}
+
+decltype(WearLayout::skin_course) read_skin_course(const ProjectJson& courses, const std::string& file)
+{
+    constexpr const char* name = "skin_course";
+    decltype(WearLayout::skin_course) read;
+    for (const ProjectJson& zone : array_in(courses, file, name)) {
+        read.emplace_back();
+        for (const ProjectJson& moment : array_in(zone, file, name)) {
+            const double before = read.back().empty() ? 0 : read.back().back().time;
+            if (array_in(moment, file, name).size() != 2 || number_in(moment[0], file, name) < before)
+                throw FileError(fmt::format("{}: {}: moments have a time and a temperature, and are in order.", file, name));
+            read.back().push_back({number_in(moment[0], file, name), skin_temperature_in(number_in(moment[1], file, name), file)});
+        }
+    }
+    return read;
 }
 
 WearLayout layout_from(const std::string& text, const std::string& file)
@@ -119,6 +166,8 @@ WearLayout layout_from(const std::string& text, const std::string& file)
     object.read("cells_in_words", layout.cells_in_words);
     object.read("skin_temperature", layout.skin_temperature);
     object.read("stops", layout.stops);
+    layout.skin_temperature = skin_temperature_in(layout.skin_temperature, file);
+    if (const ProjectJson* courses = object.find("skin_course")) layout.skin_course = read_skin_course(*courses, file);
     const ProjectJson& panels = array_in(object.require("panels"), file, "panels");
     if (panels.empty() || panels.size() > most_panels) throw FileError(file + ": a garment has from 1 to 255 panels.");
     for (std::size_t i = 0; i < panels.size(); ++i) layout.panels.push_back(read_panel(panels[i], file, fmt::format("panels[{}]", i)));
@@ -154,6 +203,9 @@ GarmentShape read_shape(hid_t file, std::size_t panels)
                              flat = h5::read_floats(group.get(), "flat", static_cast<hsize_t>(2 * vertices)),
                              corners = h5::read_floats(group.get(), "corners", static_cast<hsize_t>(4 * triangles));
     GarmentShape shape;
+    for (const std::vector<float>* all : {&places, &flat})
+        if (std::any_of(all->begin(), all->end(), [](float at) { return !(std::abs(at) <= static_cast<float>(most_far)); }))
+            throw FileError(fmt::format("its shape reaches farther than {:g} m; it is damaged.", most_far));
     for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
         shape.places.push_back(
             {static_cast<double>(places[3 * i]), static_cast<double>(places[3 * i + 1]), static_cast<double>(places[3 * i + 2])});
@@ -180,15 +232,16 @@ std::vector<GarmentCell> read_cells(hid_t file, const std::vector<WearPanel>& pa
     for (const CellColumn& column : cell_columns) {
         const std::vector<float> values = h5::read_floats(group.get(), column.name, count);
         cells.resize(count);
-        const bool is_number = std::string(column.unit) == "1";
         for (std::size_t i = 0; i < count; ++i) {
-            if (is_number && !(values[i] >= 0 && values[i] < 1e6F)) throw FileError("a cell lies nowhere; it is damaged.");
+            if (column.unit == std::string_view("1") && !(values[i] >= 0 && values[i] < 1e6F))
+                throw FileError("a cell lies nowhere; it is damaged.");
             column.set(cells[i], values[i]);
         }
     }
     for (GarmentCell& cell : cells) {
+        const auto is_amount = [](double value) { return value >= least_amount && value <= most_amount; };
         if (static_cast<std::size_t>(cell.panel) >= panels.size() || static_cast<std::size_t>(cell.zone) >= body_zones().size() ||
-            !(cell.area > 0 && cell.capacity > 0))
+            !(is_amount(cell.area) && is_amount(cell.capacity)))
             throw FileError("a cell is of no panel or no zone, or holds nothing; it is damaged.");
         const PanelGrid& grid = panels[static_cast<std::size_t>(cell.panel)].grid;
         if (cell.end >= grid.ends || cell.pick >= grid.picks) throw FileError("a cell lies outside its panel; it is damaged.");

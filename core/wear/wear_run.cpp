@@ -78,6 +78,25 @@ std::vector<double> wear_times(const WearExperiment& wear)
     return {times.begin(), times.end()};
 }
 
+namespace {
+
+/// With those at which zones change on their own, where they are few.
+std::vector<double> times_of_frames(const GarmentScene& garment, const WearExperiment& wear)
+{
+    constexpr std::size_t few = 60;
+    std::vector<double> times = wear_times(wear), changes;
+    const SkinSupply& skin = garment.scene.supply.skin;
+    if (!skin.has_zones()) return times;
+    for (double time = skin.next_change(0); time < wear.duration_s && changes.size() <= few; time = skin.next_change(time))
+        changes.push_back(time);
+    if (changes.size() > few) return times;
+    std::set<double> all(times.begin(), times.end());
+    all.insert(changes.begin(), changes.end());
+    return {all.begin(), all.end()};
+}
+
+} // namespace
+
 void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& backend, RunControl& control,
               const WearCallbacks& callbacks)
 {
@@ -87,7 +106,7 @@ void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& 
         if (control.cancel) throw Cancelled();
     };
     backend.load(garment.scene);
-    for (double until : wear_times(wear)) {
+    for (double until : times_of_frames(garment, wear)) {
         for (double reached = 0; reached < until;) {
             obey();
             reached = backend.advance(until);

@@ -6,55 +6,10 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <vector>
 
 namespace hygroloom {
 namespace {
-
-constexpr const char* numbers[][2] = {
-    {"/", "version"},
-    {"/", "wall_s"},
-    {"/provenance", "threads"},
-    {"/provenance", "wall_s"},
-    {"/provenance/switched_on/heat", "time_s"},
-    {"/provenance/switched_on/heat", "share"},
-    {"/provenance/switched_on/heat", "estimate"},
-    {"/frames/000000", "time_s"},
-    {"/frames/000001", "time_s"},
-    {"/frames/000001", "water_top_kg"},
-    {"/frames/000002", "water_bottom_kg"},
-};
-
-constexpr const char* texts[] = {
-    "/format",
-    "/design",
-    "/provenance/fabric",
-    "/provenance/experiment",
-    "/provenance/backend",
-    "/provenance/device",
-    "/provenance/all_devices",
-    "/provenance/plan",
-    "/provenance/date",
-    "/provenance/seed",
-    "/provenance/switched_on/heat/kept_off",
-};
-
-constexpr const char* sets[] = {
-    "/ledger",
-    "/frames/000000/saturation",
-    "/frames/000001/liquid",
-    "/frames/000001/temperature",
-    "/frames/000001/particle_position",
-    "/frames/000001/particle_velocity",
-    "/frames/000002/bound_water",
-    "/frames/000002/vapour_concentration",
-    "/frames/000002/liquid_between",
-    "/textile/length",
-};
-
-constexpr const char* groups[] = {"/frames", "/frames/000000", "/frames/000001", "/provenance", "/provenance/switched_on", "/textile"};
 
 constexpr double values[] = {0,     1,    -1,     2,      0.5,
                              1e300, 1e18, -1e300, 1e-310, std::numeric_limits<double>::quiet_NaN(),
@@ -200,11 +155,11 @@ std::vector<double> filled(hid_t space, hid_t type, double value)
     return std::vector<double>(static_cast<std::size_t>(count) * H5Tget_size(type) / sizeof(double) + 1, value);
 }
 
-template <std::size_t N> const char* one_of(const char* const (&names)[N], Choices& choices) { return names[choices.of(N)]; }
+template <typename Names> const char* one_of(const Names& names, Choices& choices) { return names[choices.of(std::size(names))]; }
 
-std::string change_number(hid_t file, Choices& choices)
+std::string change_number(hid_t file, const CraftTargets& targets, Choices& choices)
 {
-    const auto& [group_name, name] = numbers[choices.of(std::size(numbers))];
+    const auto& [group_name, name] = targets.numbers[choices.of(targets.numbers.size())];
     const Owned group(H5Gopen2(file, group_name, H5P_DEFAULT), H5Gclose);
     if (group < 0) return "nothing";
     H5Adelete(group, name);
@@ -219,9 +174,9 @@ std::string change_number(hid_t file, Choices& choices)
            std::to_string(how == 1 ? 0 : space_choice) + " of " + std::to_string(content[0]);
 }
 
-std::string change_text(hid_t file, Choices& choices)
+std::string change_text(hid_t file, const CraftTargets& targets, Choices& choices)
 {
-    const char* name = one_of(texts, choices);
+    const char* name = one_of(targets.texts, choices);
     const std::string word = one_of(words, choices);
     H5Ldelete(file, name, H5P_DEFAULT);
     const Owned type = text_type(word.size() + 1), space(H5Screate(H5S_SCALAR), H5Sclose);
@@ -230,9 +185,9 @@ std::string change_text(hid_t file, Choices& choices)
     return std::string("text ") + name + " is " + word;
 }
 
-std::string change_set(hid_t file, Choices& choices)
+std::string change_set(hid_t file, const CraftTargets& targets, Choices& choices)
 {
-    const char* name = choices.of(2) == 0 ? one_of(texts, choices) : one_of(sets, choices);
+    const char* name = choices.of(2) == 0 ? one_of(targets.texts, choices) : one_of(targets.sets, choices);
     H5Ldelete(file, name, H5P_DEFAULT);
     const std::size_t type_choice = choices.of(strange_types), space_choice = choices.of(strange_spaces),
                       layout_choice = choices.of(strange_layouts);
@@ -248,10 +203,12 @@ std::string change_set(hid_t file, Choices& choices)
            ", layout " + std::to_string(layout_choice);
 }
 
-std::string change_link(hid_t file, Choices& choices)
+std::string change_link(hid_t file, const CraftTargets& targets, Choices& choices)
 {
     const std::size_t kind = choices.of(3);
-    const char* name = kind == 0 ? one_of(texts, choices) : kind == 1 ? one_of(sets, choices) : one_of(groups, choices);
+    const char* name = kind == 0   ? one_of(targets.texts, choices)
+                       : kind == 1 ? one_of(targets.sets, choices)
+                                   : one_of(targets.groups, choices);
     H5Ldelete(file, name, H5P_DEFAULT);
     switch (choices.of(6)) {
     case 0: return std::string("no ") + name;
@@ -264,9 +221,9 @@ std::string change_link(hid_t file, Choices& choices)
 }
 
 /// In place, as a flipped bit would.
-std::string change_values(hid_t file, Choices& choices)
+std::string change_values(hid_t file, const CraftTargets& targets, Choices& choices)
 {
-    const char* name = one_of(sets, choices);
+    const char* name = one_of(targets.sets, choices);
     const Owned set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
     const Owned space(H5Dget_space(set), H5Sclose);
     const hssize_t count = set < 0 ? 0 : H5Sget_simple_extent_npoints(space);
@@ -279,13 +236,14 @@ std::string change_values(hid_t file, Choices& choices)
     return std::string("value ") + std::to_string(at) + " of " + name + " is " + std::to_string(content[at]);
 }
 
-/// A number in the plan or the design.
-std::string change_json(hid_t file, Choices& choices)
+/// A number in a text of JSON.
+std::string change_json(hid_t file, const CraftTargets& targets, Choices& choices)
 {
-    const char* name = choices.of(2) == 0 ? "/provenance/plan" : "/design";
+    const char* name = one_of(targets.jsons, choices);
     const Owned set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-    const Owned type(H5Dget_type(set), H5Tclose);
-    if (set < 0 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "nothing";
+    const Owned type(H5Dget_type(set), H5Tclose), extent(H5Dget_space(set), H5Sclose);
+    if (set < 0 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(extent) != 1)
+        return "nothing";
     std::string text(H5Tget_size(type), '\0');
     if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0 || text.empty()) return "nothing";
     const std::size_t from = (choices.of(256) * 256 + choices.of(256)) % text.size();
@@ -343,15 +301,39 @@ void write_small_recording(const std::string& path)
     writer.finish(1);
 }
 
-std::string craft(const std::string& path, Choices choices)
+const CraftTargets& targets_of_a_sample()
+{
+    static const CraftTargets targets{{{"/", "version"},
+                                       {"/", "wall_s"},
+                                       {"/provenance", "threads"},
+                                       {"/provenance", "wall_s"},
+                                       {"/provenance/switched_on/heat", "time_s"},
+                                       {"/provenance/switched_on/heat", "share"},
+                                       {"/provenance/switched_on/heat", "estimate"},
+                                       {"/frames/000000", "time_s"},
+                                       {"/frames/000001", "time_s"},
+                                       {"/frames/000001", "water_top_kg"},
+                                       {"/frames/000002", "water_bottom_kg"}},
+                                      {"/format", "/design", "/provenance/fabric", "/provenance/experiment", "/provenance/backend",
+                                       "/provenance/device", "/provenance/all_devices", "/provenance/plan", "/provenance/date",
+                                       "/provenance/seed", "/provenance/switched_on/heat/kept_off"},
+                                      {"/ledger", "/frames/000000/saturation", "/frames/000001/liquid", "/frames/000001/temperature",
+                                       "/frames/000001/particle_position", "/frames/000001/particle_velocity", "/frames/000002/bound_water",
+                                       "/frames/000002/vapour_concentration", "/frames/000002/liquid_between", "/textile/length"},
+                                      {"/frames", "/frames/000000", "/frames/000001", "/provenance", "/provenance/switched_on", "/textile"},
+                                      {"/provenance/plan", "/design"}};
+    return targets;
+}
+
+std::string craft(const std::string& path, Choices choices, const CraftTargets& targets)
 {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const Owned file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     if (file < 0) return "not opened";
-    using Change = std::string (*)(hid_t, Choices&);
+    using Change = std::string (*)(hid_t, const CraftTargets&, Choices&);
     constexpr Change changes[] = {change_number, change_text, change_set, change_set, change_link, change_values, change_json, change_json};
     std::string did;
-    do did += (did.empty() ? "" : "; ") + changes[choices.of(std::size(changes))](file, choices);
+    do did += (did.empty() ? "" : "; ") + changes[choices.of(std::size(changes))](file, targets, choices);
     while (choices.any_left());
     return did;
 }

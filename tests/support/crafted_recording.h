@@ -4,9 +4,11 @@
 
 #include "core/run/recording.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hygroloom {
 
@@ -35,7 +37,15 @@ Frame small_frame(const RunRecord& run, int number);
 /// A valid one of three frames, with a part that came on and some particles.
 void write_small_recording(const std::string& path);
 
+/// What a recording holds that can be changed.
+struct CraftTargets {
+    std::vector<std::array<const char*, 2>> numbers; ///< group and attribute
+    std::vector<const char*> texts, sets, groups;
+    std::vector<const char*> jsons; ///< texts that are JSON
+};
+const CraftTargets& targets_of_a_sample();
+
 /// Changes some of the objects of the recording at a path. Returns what it did, in words.
-std::string craft(const std::string& path, Choices choices);
+std::string craft(const std::string& path, Choices choices, const CraftTargets& targets = targets_of_a_sample());
 
 } // namespace hygroloom

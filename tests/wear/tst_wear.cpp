@@ -5,6 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
+#include "tests/support/vtp.h"
 #include "tests/wear/flat_garment.h"
 
 #include <QFile>
@@ -68,6 +69,28 @@ std::map<std::array<int, 2>, double> squares(const GarmentScene& garment, const 
 
 class TestWear : public QObject {
     Q_OBJECT
+
+    /// In space each is as large as its cell (the built-in tee does not stretch), but where the cloth bends.
+    static void check_quads(const Vtp& vtp, const std::vector<double>& area)
+    {
+        const auto points = vtp.values<float>("Points");
+        const auto corners = vtp.values<std::int32_t>("connectivity"), ends = vtp.values<std::int32_t>("offsets");
+        QVERIFY(corners.size() == 4 * area.size() && ends.size() == area.size());
+        QVERIFY(points.size() == 3 * static_cast<std::size_t>(vtp.count.at("NumberOfPoints")));
+        QVERIFY(points.size() / 3 < 2 * area.size()); // shared
+        double drawn = 0, all = 0;
+        for (std::size_t i = 0; i < area.size(); ++i) {
+            QCOMPARE(ends[i], static_cast<std::int32_t>(4 * (i + 1)));
+            const auto at = [&](std::size_t k) {
+                const auto p = 3 * static_cast<std::size_t>(corners[4 * i + k]);
+                return Vec3d{static_cast<double>(points[p]), static_cast<double>(points[p + 1]), static_cast<double>(points[p + 2])};
+            };
+            drawn += 0.5 * length(cross(at(2) - at(0), at(3) - at(1)));
+            all += area[i];
+        }
+        qInfo("quadrilaterals of %.4g mm2 for cells of %.4g mm2", drawn, all);
+        QVERIFY(std::abs(drawn - all) < 0.02 * all);
+    }
 
 private Q_SLOTS:
     void panels_and_zones_add_up()
@@ -283,6 +306,47 @@ private Q_SLOTS:
         }
         const std::string csv = wear_csv(run.layout, run.frames.back());
         QCOMPARE(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), run.layout.cells.size() + 1);
+    }
+
+    /// As the table of cells says, to all its digits; and cells of a panel hang together.
+    void cells_open_in_paraview()
+    {
+        Tee tee(60);
+        const GarmentScene garment = tee.scene(20e-3, true, true);
+        Finished run;
+        go(tee, garment, run);
+        QTemporaryDir folder;
+        const std::filesystem::path path = std::filesystem::path(folder.path().toStdString()) / "cells.vtp";
+        write_cells_vtk(run.layout, run.frames.back(), path);
+        const Vtp vtp(QString::fromStdString(path.string()));
+        QVERIFY(vtp.well_formed);
+        const std::size_t cells = run.layout.cells.size();
+        QCOMPARE(static_cast<std::size_t>(vtp.count.at("NumberOfPolys")), cells);
+
+        const QStringList lines = QString::fromStdString(wear_csv(run.layout, run.frames.back())).split('\n', Qt::SkipEmptyParts);
+        const QStringList names = lines[0].split(',');
+        const auto area = vtp.values<double>("area_mm2");
+        for (const char* name : {"water_g_m2", "inside_g_m2", "outside_g_m2", "share_of_capacity", "temperature_c", "evaporated_g_m2",
+                                 "on_skin_g_m2", "area_mm2"}) {
+            const auto values = vtp.values<double>(name);
+            QCOMPARE(values.size(), cells);
+            double printed = 0, written = 0;
+            for (std::size_t i = 0; i < cells; ++i) {
+                const QString text = lines[static_cast<qsizetype>(i) + 1].split(',')[names.indexOf(name)];
+                const bool is_fixed = std::string(name) == "temperature_c" || std::string(name) == "area_mm2";
+                printed += text.toDouble() * area[i];
+                written += QString::number(values[i], is_fixed ? 'f' : 'g', is_fixed ? 4 : 6).toDouble() * area[i];
+            }
+            QVERIFY2(printed > 0 && std::abs(written - printed) <= 1e-9 * printed, name);
+        }
+        double water = 0;
+        const auto per_area = vtp.values<double>("water_g_m2");
+        for (std::size_t i = 0; i < cells; ++i) water += 1e-9 * area[i] * per_area[i];
+        QVERIFY(std::abs(water - run.metrics->all().course.back().water) <= 1e-9 * water);
+
+        const auto panel = vtp.values<std::int32_t>("panel"), zone = vtp.values<std::int32_t>("zone");
+        for (std::size_t i = 0; i < cells; ++i) QVERIFY(panel[i] == run.layout.cells[i].panel && zone[i] == run.layout.cells[i].zone);
+        check_quads(vtp, area);
     }
 
     void projects_keep_wear()

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/wear_report.h"
+
+#include "core/analysis/line_chart.h"
+#include "core/analysis/svg.h"
+#include "core/base/units.h"
+#include "core/project/project_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hygroloom {
+namespace {
+
+constexpr std::size_t most_curves = 8; ///< in one chart
+
+std::string grams(double kg) { return fmt::format("{:.4g}", 1e3 * kg); }
+
+std::string results(const WearMetrics& metrics)
+{
+    const WearPart& all = metrics.all();
+    const WearNow& end = all.course.back();
+    const auto time = [](const std::optional<double>& seconds) { return seconds ? fmt::format("{:.4g}", *seconds) : std::string("–"); };
+    std::string rows = row("cloth", fmt::format("{:.3f}", all.area), "m²") + row("it can hold", grams(all.capacity), "g") +
+                       row("water in it at the end", grams(end.water), "g", fmt::format("{:.1f} g/m²", 1e3 * end.water / all.area)) +
+                       row("most water in it", grams(all.most_water()), "g") +
+                       row("wet area at the end", fmt::format("{:.3f}", end.wet_area), "m²") +
+                       row("largest wet area", fmt::format("{:.3f}", all.largest_wet_area()), "m²") +
+                       row("time until full", time(all.time_to_full()), "s", fmt::format("{:.0f} % of what it can hold", 100 * full_share));
+    if (metrics.stops())
+        rows += row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
+                    fmt::format("to {:.0f} % of the most, after the activity last falls at {:.4g} s", 100 * dry_share, *metrics.stops()));
+    rows += row("the skin gave to the cloth", fmt::format("{:.4g}", 1e-3 * metrics.heat_from_skin()), "kJ") +
+            row("evaporating took", fmt::format("{:.4g}", 1e-3 * metrics.heat_of_evaporation()), "kJ");
+    return table(rows) + fmt::format("<p>Cloth is wet with more than {:.0f} % of what it can hold.</p>\n", 100 * wet_share);
+}
+
+/// A row for each part, at the end.
+std::string parts_table(const char* title, const std::vector<WearPart>& parts)
+{
+    std::string rows =
+        fmt::format("<tr><th>{}</th><th>area, m²</th><th>water, g</th><th>water, g/m²</th><th>share of capacity</th><th>wet, m²"
+                    "</th><th>largest wet, m²</th><th>on the skin, g</th><th>evaporated, g</th><th>cloth, °C</th></tr>\n",
+                    title);
+    for (const WearPart& part : parts) {
+        const WearNow& end = part.course.back();
+        rows += "<tr><th>" + escaped_markup(part.name) + "</th>";
+        for (const std::string& cell :
+             {fmt::format("{:.3f}", part.area), grams(end.water), fmt::format("{:.1f}", 1e3 * end.water / part.area),
+              fmt::format("{:.0f} %", 100 * end.water / part.capacity), fmt::format("{:.3f}", end.wet_area),
+              fmt::format("{:.3f}", part.largest_wet_area()), grams(end.on_skin), grams(end.evaporated),
+              fmt::format("{:.1f}", celsius_from_kelvin(end.temperature))})
+            rows += "<td class=\"number\">" + cell + "</td>";
+        rows += "</tr>\n";
+    }
+    return table(rows);
+}
+
+/// The largest parts, in their own order.
+std::vector<const WearPart*> for_curves(const std::vector<WearPart>& parts)
+{
+    std::vector<const WearPart*> by_area, kept;
+    for (const WearPart& part : parts) by_area.push_back(&part);
+    std::stable_sort(by_area.begin(), by_area.end(), [](const WearPart* a, const WearPart* b) { return a->area > b->area; });
+    by_area.resize(std::min(by_area.size(), most_curves));
+    for (const WearPart& part : parts)
+        if (std::find(by_area.begin(), by_area.end(), &part) != by_area.end()) kept.push_back(&part);
+    return kept;
+}
+
+std::string curves(const WearMetrics& metrics)
+{
+    const WearPart& all = metrics.all();
+    if (all.course.size() < 2) return {};
+    std::vector<double> time;
+    for (const WearNow& now : all.course) time.push_back(now.time);
+    std::string figures;
+    const auto add = [&](const char* title, const char* unit, const std::vector<std::pair<std::string, std::vector<double>>>& lines) {
+        LineChart chart{title, "time, s", unit, time, {}};
+        for (const auto& [name, values] : lines) chart.curves.push_back({name, values});
+        figures += "<figure>" + svg_of(chart) + "</figure>\n";
+    };
+    const auto values = [](const WearPart& part, double factor, double WearNow::*of) {
+        std::vector<double> list;
+        for (const WearNow& now : part.course) list.push_back(factor * (now.*of));
+        return list;
+    };
+    add("Wet area", "m²", {{"all", values(all, 1, &WearNow::wet_area)}});
+    add("Water", "g",
+        {{"in the cloth", values(all, 1e3, &WearNow::water)},
+         {"of it at the skin's face", values(all, 1e3, &WearNow::inside)},
+         {"evaporated", values(all, 1e3, &WearNow::evaporated)},
+         {"on the skin", values(all, 1e3, &WearNow::on_skin)}});
+    for (const auto& [title, parts] : {std::pair{"Water by panel", &metrics.panels()}, {"Water by zone of the body", &metrics.zones()}}) {
+        std::vector<std::pair<std::string, std::vector<double>>> lines;
+        for (const WearPart* part : for_curves(*parts)) lines.emplace_back(part->name, values(*part, 1e3 / part->area, &WearNow::water));
+        add(title, "g/m²", lines);
+    }
+    const bool some = metrics.panels().size() > most_curves || metrics.zones().size() > most_curves;
+    return figures + (some ? fmt::format("<p>Of panels and zones the {} largest.</p>\n", most_curves) : "");
+}
+
+std::string balance(const WearMetrics& metrics)
+{
+    const Ledger& ledger = metrics.ledger();
+    const double evaporated = ledger.water_evaporated;
+    return table(row("sweat", grams(ledger.water_delivered), "g") +
+                 row("in the cloth, over the start", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres") +
+                 row("on the skin", grams(ledger.water_free), "g") +
+                 row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated)), "g") +
+                 row("dripped", grams(ledger.water_dripped), "g") +
+                 row("not accounted for", fmt::format("{:.2g}", 1e3 * ledger.water_imbalance()), "g"));
+}
+
+std::string assumed(const WearRecord& record)
+{
+    std::vector<std::string> sentences{
+        fmt::format("The skin holds a film of up to {:.0f} g/m² under the cloth; more drips.", 1e6 * skin_film),
+        fmt::format("Where cloth lies on the skin, {:.1f} mm of still air are between them.", 1e3 * contact_gap),
+        "All sweat comes to the cloth, whether it touches or not; no vapour crosses the gap, and no air moves in it.",
+        "Zones are those of a standing body of 1.75 m.", "Computed in " + record.layout.cells_in_words + "; yarns are even."};
+    const Garment* garment = find_garment(record.design, record.layout.garment);
+    if (garment != nullptr)
+        sentences.push_back("Sweat by zones: " + garment->wearer.zones +
+                            fmt::format("; skin of {:g} °C at the start.", celsius_from_kelvin(record.layout.skin_temperature)));
+    const WearExperiment* wear = find_wear(record.design, record.layout.experiment);
+    if (wear != nullptr && !wear->activity_file.empty())
+        sentences.push_back("Rates over time, of the zones that it names: " + wear->activity_file + ".");
+    return list(sentences) +
+           "<p>No interval stands beside these numbers: their error has not been measured on garments. The guide's page on "
+           "limits names what is left out.</p>\n";
+}
+
+/// The garment, its experiment and its fabrics, as the project has them.
+std::string input(const WearRecord& record)
+{
+    Design used;
+    if (const Garment* garment = find_garment(record.design, record.layout.garment)) used.garments.push_back(*garment);
+    if (const WearExperiment* wear = find_wear(record.design, record.layout.experiment)) used.wears.push_back(*wear);
+    std::set<std::string> names;
+    for (const WearPanel& panel : record.layout.panels) names.insert(panel.fabric);
+    for (const std::string& name : names)
+        if (const Fabric* fabric = find_fabric(record.design, name)) used.fabrics.push_back(*fabric);
+    const ProjectJson project = json_from_design(used);
+    std::string body;
+    for (const auto& [key, name] : {std::pair{"garments", "Garment"}, {"experiments", "Experiment"}, {"fabrics", "Fabric"}})
+        for (const ProjectJson& value : project.value(key, ProjectJson::array()))
+            body +=
+                fmt::format("<details open><summary>{}</summary><pre>{}</pre></details>\n", name, escaped_markup(text_from_json(value)));
+    return body;
+}
+
+std::string origin(const WearRecord& record, const WearMetrics& metrics)
+{
+    return table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, "") +
+                 row("garment", record.layout.garment, "") + row("experiment", record.layout.experiment, "") +
+                 row("cells", std::to_string(record.layout.cells.size()), "", record.layout.cells_in_words) +
+                 row("fidelity", record.fidelity, "") + row("backend", record.backend, "") + row("device", record.device, "") +
+                 row("simulated time", fmt::format("{:.4g}", metrics.all().course.back().time), "s") + row("started", record.date, ""));
+}
+
+} // namespace
+
+std::vector<int> frames_for_report(const WearRecording& recording, const std::vector<double>& times)
+{
+    const int last = recording.frames() - 1;
+    std::vector<double> wanted = times;
+    for (int quarter = 1; wanted.size() < 4 && times.empty(); ++quarter) wanted.push_back(0.25 * quarter * recording.time_of(last));
+    std::set<int> frames;
+    for (const double time : wanted) {
+        int nearest = last;
+        for (int k = last; k >= 0; --k)
+            if (std::abs(recording.time_of(k) - time) < std::abs(recording.time_of(nearest) - time)) nearest = k;
+        frames.insert(nearest);
+    }
+    return {frames.begin(), frames.end()};
+}
+
+std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames, const WearMapOptions& options)
+{
+    const WearLayout& layout = recording.record().layout;
+    std::vector<std::pair<double, WearMap>> maps;
+    double most = 0;
+    for (const int number : frames) {
+        const WearFrame frame = recording.frame(number);
+        maps.emplace_back(frame.time, wear_map(layout, frame, options));
+        most = std::max(most, maps.back().second.most);
+    }
+    std::vector<ReportPicture> pictures;
+    for (auto& [time, map] : maps) {
+        map.most = most;
+        for (std::size_t panel = 0; panel < layout.panels.size(); ++panel)
+            pictures.push_back({fmt::format("{}, at {:.4g} s", layout.panels[panel].name, time), panel_picture(layout, map, panel, time)});
+    }
+    return pictures;
+}
+
+std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
+                             bool finished)
+{
+    const std::string origin_of_all =
+        "Simulated, not measured." +
+        (finished ? std::string() : fmt::format(" The run was stopped at {:.4g} s.", metrics.all().course.back().time));
+    return page(record.layout.garment + ", " + record.layout.experiment,
+                "<p>" + origin_of_all + "</p>\n" + section("Results", results(metrics)) +
+                    section("Panels", parts_table("panel", metrics.panels())) +
+                    section("Zones of the body", parts_table("zone", metrics.zones())) + section("Maps", figures_of(pictures)) +
+                    section("Over time", curves(metrics)) + section("Balance", balance(metrics)) + section("Assumed", assumed(record)) +
+                    section("Inputs", input(record)) + section("Computation", origin(record, metrics)));
+}
+
+} // namespace hygroloom

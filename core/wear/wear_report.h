@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What wearing a garment came to, on one page that needs nothing else: numbers, maps, curves, where the water is, what went in.
+#pragma once
+
+#include "core/analysis/report_parts.h"
+#include "core/wear/wear_map.h"
+#include "core/wear/wear_metrics.h"
+
+namespace hygroloom {
+
+/// Frames at a quarter, half, three quarters and the end of a recording; or those nearest to the times (s). Each once, in order.
+std::vector<int> frames_for_report(const WearRecording& recording, const std::vector<double>& times);
+
+/// Every panel at each of the frames, on one scale. Throws FileError.
+std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames,
+                                              const WearMapOptions& options);
+
+/// HTML of one file, as report_html() is. finished: the run came to its end.
+std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
+                             bool finished);
+
+} // namespace hygroloom

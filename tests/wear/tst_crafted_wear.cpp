@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Recordings of garments from strangers: whatever their objects are, they are refused with a sentence that names file and field, or summed
+// up and drawn.
+#include "core/base/error.h"
+#include "core/wear/wear_map.h"
+#include "tests/support/crafted_wear.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <hdf5.h>
+
+#include <random>
+
+using namespace hygroloom;
+
+namespace {
+
+/// Of a number in the layout, or of a value of a set.
+struct Change {
+    const char* what;
+    const char* from; ///< in the layout
+    const char* to;
+    const char* sentence;
+};
+const Change in_layout[] = {
+    {"a skin of 0 K", "\"skin_temperature\":307.15", "\"skin_temperature\":0", "skin_temperature is from 200 to 400 K; given is 0."},
+    {"cells without a width", "\"across\":[0.008,0.0]", "\"across\":[0,0]", "a cell's sides, across and along, are from 1e-06 to 1 m long"},
+    {"cells without an area", "\"across\":[0.008,0.0]", "\"across\":[0,0.008]",
+     "a cell's sides, across and along, are from 1e-06 to 1 m long"},
+    {"a panel larger than any", "\"ends\":4,\"picks\":3", "\"ends\":100000,\"picks\":100000",
+     "panels[0]: a panel has at most 100000000 cells; given are 100000 x 100000."},
+    {"an outline far off", "\"outline\":[[0.0,0.0]", "\"outline\":[[1e300,0.0]", "a place lies within 100 m; given is 1e+300, 0."},
+    {"a grain that is no angle", "\"grain\":0.0", "\"grain\":1e300", "panels[0].grain: 1e+300 is no angle."},
+    {"cells beyond their panel", "\"ends\":4,\"picks\":3", "\"ends\":1,\"picks\":3", "a cell lies outside its panel; it is damaged."},
+};
+
+struct SetChange {
+    const char* set;
+    float value;
+    const char* sentence;
+};
+const SetChange in_sets[] = {
+    {"/cells/panel", 2, "a cell is of no panel or no zone, or holds nothing; it is damaged."},
+    {"/cells/zone", 13, "a cell is of no panel or no zone, or holds nothing; it is damaged."},
+    {"/cells/area", 0, "a cell is of no panel or no zone, or holds nothing; it is damaged."},
+    {"/cells/capacity", 1e-30F, "a cell is of no panel or no zone, or holds nothing; it is damaged."},
+    {"/shape/places", 3e38F, "its shape reaches farther than 1000 m; it is damaged."},
+    {"/shape/flat", -2000, "its shape reaches farther than 1000 m; it is damaged."},
+    {"/shape/corners", 8, "a triangle of its shape names what does not exist; it is damaged."},
+};
+
+struct OpenFile {
+    explicit OpenFile(const std::string& path) : id(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)) {}
+    ~OpenFile() { H5Fclose(id); }
+    hid_t id;
+};
+
+void put_text(const std::string& path, const char* name, const std::string& from, const std::string& to)
+{
+    const OpenFile file(path);
+    const hid_t set = H5Dopen2(file.id, name, H5P_DEFAULT), type = H5Dget_type(set);
+    std::string text(H5Tget_size(type), '\0');
+    H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
+    H5Tclose(type);
+    H5Dclose(set);
+    const std::size_t at = text.find(from);
+    QVERIFY2(at != std::string::npos, text.c_str());
+    text.replace(at, from.size(), to);
+    H5Ldelete(file.id, name, H5P_DEFAULT);
+    const hid_t changed = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(changed, text.size());
+    const hid_t again = H5Dcreate2(file.id, name, changed, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(again, changed, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
+    H5Dclose(again);
+    H5Sclose(space);
+    H5Tclose(changed);
+}
+
+void put_value(const std::string& path, const char* name, float value)
+{
+    const OpenFile file(path);
+    const hid_t set = H5Dopen2(file.id, name, H5P_DEFAULT), space = H5Dget_space(set);
+    std::vector<float> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    values[0] = value;
+    H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Sclose(space);
+    H5Dclose(set);
+}
+
+} // namespace
+
+class TestCraftedWear : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    std::string valid_, crafted_;
+
+    void restore() const
+    {
+        QFile::remove(QString::fromStdString(crafted_));
+        QVERIFY(QFile::copy(QString::fromStdString(valid_), QString::fromStdString(crafted_)));
+    }
+    /// The sentence of the refusal; empty: all was read.
+    std::string refusal() const
+    {
+        try {
+            use_wear_recording(crafted_, folder_.path().toStdString());
+            return {};
+        } catch (const FileError& error) {
+            return error.what();
+        }
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        valid_ = folder_.filePath("valid.hygrorec").toStdString();
+        crafted_ = folder_.filePath("crafted.hygrorec").toStdString();
+        write_small_wear_recording(valid_);
+        restore();
+        QCOMPARE(refusal(), std::string());
+        QVERIFY(QFile::exists(folder_.filePath("cells.vtp")));
+    }
+    void eachIsRefusedByNameOrUsed()
+    {
+        int refused = 0;
+        for (unsigned seed = 0; seed < 300; ++seed) {
+            std::mt19937 random(seed);
+            std::vector<std::uint8_t> bytes(3 + random() % 5);
+            for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+            restore();
+            const std::string did = craft(crafted_, {bytes.data(), bytes.size()}, targets_of_a_garment());
+            const std::string sentence = refusal();
+            refused += sentence.empty() ? 0 : 1;
+            QVERIFY2(sentence.empty() || sentence.starts_with(crafted_ + ": "), (did + " -> " + sentence).c_str());
+        }
+        qInfo("%d of 300 are refused", refused);
+        QVERIFY(refused > 100 && refused < 295); // and what only changes a number is used
+    }
+    void numbersOfTheLayoutHaveBounds()
+    {
+        for (const Change& change : in_layout) {
+            restore();
+            put_text(crafted_, "/layout", change.from, change.to);
+            const std::string sentence = refusal();
+            QVERIFY2(sentence.starts_with(crafted_ + ": ") && sentence.find(change.sentence) != std::string::npos,
+                     (std::string(change.what) + ": " + sentence).c_str());
+        }
+    }
+    void numbersOfCellsAndShapeHaveBounds()
+    {
+        for (const SetChange& change : in_sets) {
+            restore();
+            put_value(crafted_, change.set, change.value);
+            QCOMPARE(refusal(), crafted_ + ": " + change.sentence);
+        }
+    }
+    void namesDoNotBreakTheTable()
+    {
+        WearRecord record = small_wear();
+        record.layout.panels[0].name = "front, \"left\"";
+        const std::string csv = wear_csv(record.layout, small_wear_frame(record.layout, 1));
+        QVERIFY(csv.find("\n\"front, \"\"left\"\"\",0,0,") != std::string::npos);
+        QVERIFY(csv.find("\nsleeve,0,0,") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCraftedWear)
+#include "tst_crafted_wear.moc"

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The page that a worn garment's recording becomes.
+#include "core/wear/wear_report.h"
+#include "tests/support/crafted_wear.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestWearReport : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+private Q_SLOTS:
+    void initTestCase() { write_small_wear_recording(folder_.filePath("small.hygrorec").toStdString()); }
+
+    void maps_are_at_the_times_asked_for()
+    {
+        const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
+        QCOMPARE(frames_for_report(recording, {}), (std::vector{1, 2})); // 0.5, 1, 1.5 and 2 s of frames at 0, 1 and 2 s
+        QCOMPARE(frames_for_report(recording, {1.9, 0.1, 2.2}), (std::vector{0, 2}));
+    }
+
+    /// A dry picture and a wet one share the scale: the wet one's cells reach its end, the dry ones do not.
+    void maps_share_a_scale()
+    {
+        const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
+        WearMapOptions how;
+        const WearMap last = wear_map(recording.record().layout, recording.frame(2), how);
+        const std::vector<ReportPicture> alone = pictures_of_panels(recording, {1}, how), both = pictures_of_panels(recording, {1, 2}, how);
+        QCOMPARE(alone.size(), std::size_t(2));
+        QCOMPARE(both.size(), std::size_t(4));
+        QVERIFY(alone[0].image.rgb != both[0].image.rgb);
+        how.most = last.most;
+        QVERIFY(pictures_of_panels(recording, {1}, how)[0].image.rgb == both[0].image.rgb);
+    }
+
+    void the_page_holds_it_all()
+    {
+        const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
+        WearMetrics metrics(recording.record().layout);
+        for (int k = 0; k < recording.frames(); ++k) metrics.add(recording.frame(k));
+        const QString html = QString::fromStdString(
+            wear_report_html(recording.record(), metrics, pictures_of_panels(recording, {1, 2}, {}), recording.finished()));
+        QCOMPARE(html.count("<img "), 4);
+        QVERIFY(html.count("<svg ") >= 4);
+        for (const char* words : {"tee, run", "<th>front</th>", "<th>sleeve</th>", "front, at 1 s", "sleeve, at 2 s", "35 g/m²", "0.3 mm",
+                                  "cells of 8 x 8 mm, 2 x 2 crossings", "Zones of the body", "not accounted for", "a device"})
+            QVERIFY2(html.contains(words), words);
+        const double water = 1e3 * metrics.all().course.back().water;
+        QVERIFY(html.contains(QString("<th>water in it at the end</th><td class=\"number\">%1</td>").arg(QString::number(water, 'g', 4))));
+        for (const char* tag : {"table", "tr", "td", "th", "figure", "svg", "details", "ul", "li", "p"})
+            QCOMPARE(html.count(QRegularExpression(QString("<%1[ >]").arg(tag))), html.count(QString("</%1>").arg(tag)));
+        QVERIFY(!html.contains("The run was stopped"));
+        QVERIFY(wear_report_html(recording.record(), metrics, {}, false).find("The run was stopped at 2 s.") != std::string::npos);
+    }
+
+    void names_of_strangers_are_text()
+    {
+        WearRecord record = small_wear();
+        record.layout.panels[0].name = "<script>";
+        WearMetrics metrics(record.layout);
+        for (int k = 0; k < 2; ++k) metrics.add(small_wear_frame(record.layout, k));
+        const std::string html = wear_report_html(record, metrics, {}, true);
+        QVERIFY(html.find("<script>") == std::string::npos);
+        QVERIFY(html.find("&lt;script&gt;") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWearReport)
+#include "tst_wear_report.moc"
