@@ -32,7 +32,7 @@ private Q_SLOTS:
     void init()
     {
         document_ = std::make_unique<Document>();
-        QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("laboratory.hygro")));
+        QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
         window_ = std::make_unique<QMainWindow>();
         workspace_ = std::make_unique<GarmentWorkspace>(*document_, *window_);
         window_->setCentralWidget(&workspace_->view());

@@ -38,7 +38,7 @@ FlatView::FlatView(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
-    setMinimumSize(160, 140);
+    setMinimumSize(100, 80);
     setAccessibleName(tr("Flat panels of the garment"));
     setAccessibleDescription(tr("Drag to move, wheel to zoom, click to pin a place. Plus and minus zoom, Home shows all panels."));
 }
@@ -160,8 +160,10 @@ void FlatView::paintLabel(QPainter& painter, std::size_t panel, const QTransform
     drawGrain(painter, box.center() + QPointF(0, 0.12 * box.height()), std::min(40.0, 0.2 * std::min(box.width(), box.height())),
               label.grain);
     const QFontMetricsF metrics(painter.font());
-    double y = box.center().y() - 0.22 * box.height();
-    for (const QString& text : {label.name, label.fabric}) {
+    if (box.width() < 6 * metrics.height()) { return; } // names would hide the panel; the line below the pictures says them
+    const bool low = box.height() < 7 * metrics.height();
+    double y = low ? box.top() + 4 : box.center().y() - 0.22 * box.height();
+    for (const QString& text : {label.name, low ? QString() : label.fabric}) {
         const QString shown = metrics.elidedText(text, Qt::ElideMiddle, 0.8 * box.width());
         const QRectF behind(box.center().x() - 0.5 * metrics.horizontalAdvance(shown) - 4, y, metrics.horizontalAdvance(shown) + 8,
                             metrics.height());

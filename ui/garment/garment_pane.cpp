@@ -63,6 +63,8 @@ void GarmentPane::setSides(Sides sides)
     flat_->setVisible(sides != Sides::shape);
 }
 
+void GarmentPane::setStacked(bool stacked) { sides_->setOrientation(stacked ? Qt::Vertical : Qt::Horizontal); }
+
 void GarmentPane::setPin(const GarmentSpot& spot)
 {
     flat_->setPin(spot);

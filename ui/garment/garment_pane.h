@@ -26,6 +26,8 @@ public:
     void show(const std::shared_ptr<const GarmentDrawing>& drawing, const std::shared_ptr<const GarmentPaint>& paint);
     const std::shared_ptr<const GarmentDrawing>& drawing() const { return drawing_; }
     void setSides(Sides sides);
+    /// 3D over flat, in a narrow pane.
+    void setStacked(bool stacked);
     void setPin(const GarmentSpot& spot);
     FlatView& flat() { return *flat_; }
     /// nullptr: this display has no OpenGL.

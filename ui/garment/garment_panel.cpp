@@ -15,6 +15,8 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hygroloom {
 
 namespace {
@@ -78,6 +80,8 @@ GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
     });
     connect(&choice_, &GarmentChoice::changed, this, &GarmentPanel::refresh);
     refresh();
+    constexpr int readable = 310; // names of panels and fabrics
+    setMinimumWidth(std::max(readable, all->minimumSizeHint().width() + 4));
 }
 
 QWidget* GarmentPanel::makeHead()

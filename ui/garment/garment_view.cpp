@@ -160,7 +160,7 @@ void GarmentView::refresh()
     pages_->setCurrentIndex(garment_page);
     kept_->hide();
     difference_->hide();
-    newest_->setVisible(true);
+    newest_->setStacked(false);
     newest_->setCaption(tr("%1 in its fabrics").arg(QString::fromStdString(choice_.garment()->name)));
     newest_->show(choice_.drawing(),
                   std::make_shared<GarmentPaint>(fabricPaint(*choice_.document().design(), *choice_.garment(), *choice_.drawing())));
@@ -211,6 +211,7 @@ void GarmentView::refreshRun()
         difference_->show(run.drawing, differencePaint(run, playback_.difference(), playback_.mostDifference()));
         difference_->setCaption(tr("Difference B − A"));
     }
+    for (GarmentPane* pane : panes()) { pane->setStacked(both); }
     kept_->setVisible(both);
     difference_->setVisible(differs);
     for (GarmentPane* pane : panes()) { pane->setPin(playback_.pin()); }
@@ -266,7 +267,7 @@ QString GarmentView::spotText(const GarmentSpot& spot) const
         const int there = found == panels.end() ? -1 : playback_.kept()->lookup->at({static_cast<int>(found - panels.begin()), spot.flat});
         text = tr("A: %1; B: %2").arg(there < 0 ? QStringLiteral("–") : values(*playback_.kept(), *playback_.keptFrame(), there), text);
     }
-    return tr("%1, %2: %3; %4")
+    return tr("%1, zone %2: %3; %4")
         .arg(name, QString::fromStdString(body_zones()[static_cast<std::size_t>(here.zone)]), text, directionWords(run, cell));
 }
 

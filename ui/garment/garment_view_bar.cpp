@@ -32,6 +32,7 @@ QWidget* GarmentView::makeBar()
     most_share_ = new QuantityEdit(Quantity::percent(0.001, 100));
     for (QuantityEdit* edit : {most_water_, most_share_}) {
         edit->setOptional(true);
+        edit->setFixedWidth(edit->fontMetrics().horizontalAdvance("auto 10000 g/m²") + 16);
         edit->setAccessibleName(tr("End of the scale"));
         edit->setHelp(tr("Where the eight steps of the colours end. Empty: at the most that the runs hold, or at the whole capacity."));
         connect(edit, &QuantityEdit::edited, this,

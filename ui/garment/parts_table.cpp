@@ -121,7 +121,7 @@ void PartsTable::refresh()
     const bool anew = columnCount() != titles.size() || rowCount() != static_cast<int>(lines.size());
     setColumnCount(static_cast<int>(titles.size()));
     setRowCount(static_cast<int>(lines.size()));
-    setHorizontalHeaderLabels(titles);
+    if (anew) { setHorizontalHeaderLabels(titles); }
     const auto put = [this](int row, int column, const QString& text, const std::optional<double>& value = std::nullopt) {
         QTableWidgetItem* cell = item(row, column);
         if (!cell) {

@@ -52,7 +52,7 @@ ShapeView::ShapeView(QWidget* parent) : QOpenGLWidget(parent)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 140);
+    setMinimumSize(100, 80);
     setAccessibleName(tr("The garment in 3D"));
     setAccessibleDescription(
         tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to pin a place. Home shows the "
@@ -340,10 +340,14 @@ void ShapeView::drawPin()
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QPointF pixel = camera_.project(places_[at], QSizeF(size()));
+    const GarmentSpot seen_there = spotAt(pixel);
+    constexpr double close = 0.03; // m: what is seen there is the pinned place; else cloth hides it
+    const bool hidden =
+        seen_there.panel != pin_.panel || std::hypot(seen_there.flat[0] - pin_.flat[0], seen_there.flat[1] - pin_.flat[1]) > close;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(Qt::white, 4));
     painter.drawEllipse(pixel, 6, 6);
-    painter.setPen(QPen(QColor("#c41e3a"), 2));
+    painter.setPen(QPen(QColor("#c41e3a"), 2, hidden ? Qt::DotLine : Qt::SolidLine));
     painter.drawEllipse(pixel, 6, 6);
 }
 

@@ -54,7 +54,11 @@ QStringList StepLegend::texts() const
 {
     const double end = percent_ ? 100 * most_ : most_;
     const double width = (difference_ ? 2 : 1) * end / steps;
-    const int decimals = width >= 10 ? 0 : width >= 1 ? 1 : width >= 0.1 ? 2 : 3;
+    int decimals = width >= 10 ? 0 : width >= 1 ? 1 : 2; // more where a step is no such number: 12.5
+    for (double scale = std::pow(10, decimals); decimals < 4 && std::abs(std::round(width * scale) - width * scale) > 1e-3 * width * scale;
+         scale *= 10) {
+        ++decimals;
+    }
     const auto number = [&](double value) {
         const QString sign = difference_ && value > 0 ? "+" : value < 0 ? QString(QChar(0x2212)) : QString();
         return sign + shownNumber(std::abs(value), decimals);

@@ -50,6 +50,7 @@ WearForm::WearForm(GarmentChoice& choice, QWidget* parent) : QScrollArea(parent)
     layout->addLayout(form);
     layout->addWidget(makeActivity(), 1);
     setWidget(all);
+    setMinimumWidth(all->minimumSizeHint().width() + 16);
     connect(&choice_, &GarmentChoice::changed, this, &WearForm::refresh);
     refresh();
 }

@@ -86,7 +86,7 @@ void MainWindow::buildFileMenu()
     menu->addSeparator();
     simulate_->fillFileMenu(menu);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"),
-                             tr("Save the fabric as it is seen, or in Compare the maps side by side, as a PNG file."));
+                             tr("Save the fabric or garment as it is seen, or in Compare the maps side by side, as a PNG file."));
     connect(screenshot_, &QAction::triggered, this, &MainWindow::saveScreenshot);
     menu->addSeparator();
     connect(addCommand(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the window.")), &QAction::triggered, this, &QWidget::close);

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
+#include "ui/garment/flat_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/shape_view.h"
+#include "ui/garment/wear_form.h"
+#include "window_test.h"
+
+#include <QDockWidget>
+
+using namespace hygroloom;
+
+class TestGarmentWindow : public WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { useOwnSettings(); }
+    void init()
+    {
+        openWindow({1280, 800});
+        QVERIFY(window_->document().openExample(example("three-candidates")));
+    }
+    void cleanup()
+    {
+        window_->document().history()->setClean();
+        window_.reset();
+    }
+
+    void aKeyLeadsToTheWorkspaceAndItsCommands()
+    {
+        QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
+        QTRY_COMPARE(window_->workspace(), Workspace::garment);
+        QVERIFY(window_->garment().actions().start->isVisible() && !window_->simulate().actions().start->isVisible());
+        window_->setWorkspace(Workspace::simulate);
+        QVERIFY(!window_->garment().actions().start->isVisible() && window_->simulate().actions().start->isVisible());
+    }
+
+    void everythingFitsAt1280By800()
+    {
+        showTee();
+        auto& garment = window_->garment();
+        QVERIFY(garment.panel().width() >= 300);
+        QVERIFY(garment.view().flat().width() >= 150);
+        run();
+        garment.playback().keepAsA();
+        cutAllFrom(window_->document(), 0, window_->document().design()->fabrics[1].name);
+        run();
+        garment.view().setCompared(GarmentView::Compared::difference);
+        QTest::qWait(200);
+        QCOMPARE(window_->width(), 1280);
+        QVERIFY(garment.view().difference().isVisible());
+    }
+
+    void thePlaceUnderThePointerIsThatOfTheFlatPanel()
+    {
+        showTee();
+        ShapeView* shape = window_->garment().view().newest().shape();
+        QVERIFY(shape);
+        QVERIFY2(shape->problem().isEmpty(), qPrintable(shape->problem()));
+        shape->lookFrom(0);
+        QTest::qWait(100);
+        const QPointF middle(0.5 * shape->width(), 0.5 * shape->height());
+        const GarmentSpot spot = shape->spotAt(middle);
+        const auto& drawing = window_->garment().choice().drawing();
+        QVERIFY(spot.panel >= 0);
+        QCOMPARE(drawing->panels[static_cast<std::size_t>(spot.panel)].name, std::string("front"));
+        QVERIFY(drawing->panels[static_cast<std::size_t>(spot.panel)].path.contains(
+            QPointF(spot.flat[0] + drawing->panels[static_cast<std::size_t>(spot.panel)].on_sheet[0],
+                    spot.flat[1] + drawing->panels[static_cast<std::size_t>(spot.panel)].on_sheet[1])));
+        // Its colour, which light dims a little.
+        const QImage picture = shape->picture();
+        const QColor drawn = picture.pixelColor((middle * picture.devicePixelRatio()).toPoint()), own = fabricColor(0);
+        QVERIFY2(std::abs(drawn.red() - own.red()) < 40 && std::abs(drawn.green() - own.green()) < 40 &&
+                     std::abs(drawn.hue() - own.hue()) < 12,
+                 qPrintable(drawn.name()));
+        shape->lookFrom(180);
+        QTest::qWait(100);
+        QCOMPARE(drawing->panels[static_cast<std::size_t>(shape->spotAt(middle).panel)].name, std::string("back"));
+    }
+
+    void anIssueOfAGarmentLeadsToIt()
+    {
+        showTee();
+        window_->setWorkspace(Workspace::design);
+        editGarment(window_->document(), "too warm", 0, {}, [](Garment& garment) { garment.wearer.skin_temperature_c = 90; });
+        QVERIFY(window_->document().hasError());
+        QVERIFY(!window_->garment().runForm().canRun());
+        window_->garment().showIssue("garments", 0);
+        QVERIFY(window_->garment().docks().garment->isVisible());
+    }
+
+private:
+    void showTee()
+    {
+        window_->setWorkspace(Workspace::garment);
+        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTest::qWait(200);
+    }
+    void run()
+    {
+        QTRY_VERIFY(window_->garment().runForm().canRun());
+        window_->garment().runForm().start();
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 120000);
+        QVERIFY(window_->garment().playback().frames() > 1);
+    }
+};
+
+QTEST_MAIN(TestGarmentWindow)
+#include "tst_garment_window.moc"
