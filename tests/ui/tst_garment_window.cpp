@@ -45,6 +45,11 @@ private Q_SLOTS:
         QVERIFY(garment.panel().width() >= 300);
         QVERIFY(garment.view().flat().width() >= 150);
         run();
+        garment.view().setColors(GarmentView::Colors::share);
+        QTest::qWait(50);
+        garment.view().setColors(GarmentView::Colors::water);
+        QTest::qWait(50);
+        QCOMPARE(window_->width(), 1280);
         garment.playback().keepAsA();
         cutAllFrom(window_->document(), 0, window_->document().design()->fabrics[1].name);
         run();

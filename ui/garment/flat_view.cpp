@@ -38,7 +38,7 @@ FlatView::FlatView(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
-    setMinimumSize(100, 80);
+    setMinimumSize(60, 60);
     setAccessibleName(tr("Flat panels of the garment"));
     setAccessibleDescription(tr("Drag to move, wheel to zoom, click to pin a place. Plus and minus zoom, Home shows all panels."));
 }

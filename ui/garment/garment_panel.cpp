@@ -80,8 +80,14 @@ GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
     });
     connect(&choice_, &GarmentChoice::changed, this, &GarmentPanel::refresh);
     refresh();
-    constexpr int readable = 310; // names of panels and fabrics
-    setMinimumWidth(std::max(readable, all->minimumSizeHint().width() + 4));
+}
+
+/// All of its width: it scrolls up and down only.
+QSize GarmentPanel::minimumSizeHint() const
+{
+    constexpr int readable = 300; // names of panels and fabrics
+    const int own = widget() ? widget()->minimumSizeHint().width() : 0;
+    return {std::max(readable, own + 2), QScrollArea::minimumSizeHint().height()};
 }
 
 QWidget* GarmentPanel::makeHead()

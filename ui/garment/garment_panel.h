@@ -26,6 +26,7 @@ public:
     /// Asks for a pattern or a mesh, and adds it.
     void addFile();
     void removeChosen();
+    QSize minimumSizeHint() const override;
 
 private:
     QWidget* makeHead();

@@ -73,6 +73,7 @@ private:
     QComboBox* colors_box_ = nullptr;
     QComboBox* sides_box_ = nullptr;
     QComboBox* compared_box_ = nullptr;
+    QStackedWidget* most_ = nullptr;
     QuantityEdit* most_water_ = nullptr;
     QuantityEdit* most_share_ = nullptr;
     QPushButton* keep_ = nullptr;

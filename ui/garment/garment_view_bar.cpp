@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 
 namespace hygroloom {
 
@@ -27,12 +28,12 @@ QWidget* GarmentView::makeBar()
 {
     sides_box_ = choiceOf(tr("What is drawn"), {tr("3D and flat"), tr("3D"), tr("Flat")});
     colors_box_ = choiceOf(tr("What the colours show"), {tr("Fabrics"), tr("Water, g/m²"), tr("Share of capacity")});
-    compared_box_ = choiceOf(tr("Which runs are drawn"), {tr("Newest run"), tr("A | B"), tr("A | B and difference")});
+    compared_box_ = choiceOf(tr("Which runs are drawn"), {tr("Newest run"), tr("A | B"), tr("A | B | B − A")});
     most_water_ = new QuantityEdit(Quantity::arealDensity(100000));
     most_share_ = new QuantityEdit(Quantity::percent(0.001, 100));
     for (QuantityEdit* edit : {most_water_, most_share_}) {
         edit->setOptional(true);
-        edit->setFixedWidth(edit->fontMetrics().horizontalAdvance("auto 10000 g/m²") + 16);
+        edit->setFixedWidth(edit->fontMetrics().horizontalAdvance("auto 1000 g/m²") + 12);
         edit->setAccessibleName(tr("End of the scale"));
         edit->setHelp(tr("Where the eight steps of the colours end. Empty: at the most that the runs hold, or at the whole capacity."));
         connect(edit, &QuantityEdit::edited, this,
@@ -49,15 +50,18 @@ QWidget* GarmentView::makeBar()
     auto* fit = new QPushButton(tr("Fit"));
     fit->setToolTip(tr("Show the whole garment (Home)."));
     connect(fit, &QPushButton::clicked, this, &GarmentView::fit);
+    most_ = new QStackedWidget; // in one place, so that nothing moves
+    most_->addWidget(most_water_);
+    most_->addWidget(most_share_);
+    most_->setFixedSize(most_water_->minimumWidth(), most_water_->sizeHint().height());
     auto* bar = new QWidget;
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(6, 4, 6, 4);
     layout->setSpacing(6);
     for (QWidget* part : {static_cast<QWidget*>(sides_box_), static_cast<QWidget*>(fit), static_cast<QWidget*>(colors_box_),
-                          static_cast<QWidget*>(most_water_), static_cast<QWidget*>(most_share_)}) {
+                          static_cast<QWidget*>(most_)}) {
         layout->addWidget(part);
     }
-    most_share_->hide();
     layout->addStretch();
     layout->addWidget(keep_);
     layout->addWidget(compared_box_);
@@ -91,10 +95,8 @@ void GarmentView::refreshBar()
     compared_box_->setEnabled(playback_.kept() != nullptr);
     keep_->setEnabled(any && !playback_.run()->live && playback_.frames() > 0);
     const bool share = playback_.value() == WearValue::share;
-    most_water_->setVisible(!share);
-    most_share_->setVisible(share);
-    most_water_->setEnabled(showsRun());
-    most_share_->setEnabled(showsRun());
+    most_->setCurrentIndex(share ? 1 : 0);
+    most_->setEnabled(showsRun());
     QuantityEdit* edit = share ? most_share_ : most_water_;
     edit->setValue(playback_.setMost());
     edit->setDerived(playback_.most());

@@ -52,7 +52,7 @@ ShapeView::ShapeView(QWidget* parent) : QOpenGLWidget(parent)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(100, 80);
+    setMinimumSize(60, 60);
     setAccessibleName(tr("The garment in 3D"));
     setAccessibleDescription(
         tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to pin a place. Home shows the "
