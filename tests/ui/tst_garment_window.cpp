@@ -43,6 +43,8 @@ private Q_SLOTS:
         showTee();
         auto& garment = window_->garment();
         QVERIFY(garment.panel().width() >= 300);
+        QVERIFY(garment.panel().widget()->width() <= garment.panel().viewport()->width());
+        QVERIFY(garment.wear().widget()->width() <= garment.wear().viewport()->width());
         QVERIFY(garment.view().flat().width() >= 150);
         run();
         garment.view().setColors(GarmentView::Colors::share);

@@ -183,6 +183,21 @@ private Q_SLOTS:
         QVERIFY(!document_->hasError());
     }
 
+    void experimentsFollowTheNameOfTheirGarment()
+    {
+        addTee();
+        renameGarment(*document_, 0, " running shirt ");
+        QCOMPARE(garment().name, std::string("running shirt"));
+        QCOMPARE(document_->design()->wears[0].garment, std::string("running shirt"));
+        QVERIFY(!document_->hasError());
+        QVERIFY(workspace_->choice().wear());
+        addBuiltInGarment(*document_, "tee");
+        renameGarment(*document_, 1, "running shirt"); // taken
+        QCOMPARE(document_->design()->garments[1].name, std::string("tee"));
+        renameWear(*document_, 0, "race");
+        QCOMPARE(document_->design()->wears[0].name, std::string("race"));
+    }
+
 private:
     const Garment& garment() const { return document_->design()->garments.front(); }
     void addTee()

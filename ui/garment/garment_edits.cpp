@@ -72,6 +72,27 @@ void removeGarment(Document& document, int garment)
     document.endStroke();
 }
 
+void renameGarment(Document& document, int garment, const QString& name)
+{
+    const std::string wish = name.trimmed().toStdString();
+    if (wish.empty() || find_garment(*document.design(), wish)) { return; }
+    document.edit(tr("rename garment"), {}, [&](Design& design) {
+        std::string& own = design.garments[static_cast<std::size_t>(garment)].name;
+        for (WearExperiment& wear : design.wears) {
+            if (wear.garment == own) { wear.garment = wish; }
+        }
+        own = wish;
+    });
+    document.endStroke();
+}
+
+void renameWear(Document& document, int wear, const QString& name)
+{
+    const std::string wish = name.trimmed().toStdString();
+    if (wish.empty() || find_wear(*document.design(), wish) || find_experiment(*document.design(), wish)) { return; }
+    editWear(document, tr("rename wear experiment"), wear, {}, [&](WearExperiment& edited) { edited.name = wish; });
+}
+
 void editGarment(Document& document, const QString& text, int garment, const std::string& field,
                  const std::function<void(Garment&)>& change)
 {

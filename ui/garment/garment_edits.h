@@ -15,6 +15,10 @@ int addGarmentFile(Document& document, const QString& path);
 /// With the experiments on it.
 void removeGarment(Document& document, int garment);
 
+/// Nothing where the name is empty or taken. Experiments follow a garment's name.
+void renameGarment(Document& document, int garment, const QString& name);
+void renameWear(Document& document, int wear, const QString& name);
+
 /// Steps with the same field merge until the stroke ends.
 void editGarment(Document& document, const QString& text, int garment, const std::string& field,
                  const std::function<void(Garment&)>& change);

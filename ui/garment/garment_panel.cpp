@@ -9,6 +9,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -107,6 +108,13 @@ QWidget* GarmentPanel::makeHead()
     connect(kinds->addAction(tr("Pattern or Mesh from a File…")), &QAction::triggered, this, &GarmentPanel::addFile);
     add->setMenu(kinds);
     add->setPopupMode(QToolButton::InstantPopup);
+    rename_ = iconButton("rename", tr("Rename the garment"));
+    connect(rename_, &QToolButton::clicked, this, [this] {
+        if (!choice_.garment()) { return; }
+        const QString now = QString::fromStdString(choice_.garment()->name);
+        const QString name = QInputDialog::getText(this, tr("Rename the Garment"), tr("Name"), QLineEdit::Normal, now);
+        renameGarment(choice_.document(), choice_.garmentIndex(), name);
+    });
     remove_ = iconButton("delete", tr("Remove the garment and its experiments"));
     connect(remove_, &QToolButton::clicked, this, &GarmentPanel::removeChosen);
     auto* row = new QWidget;
@@ -115,6 +123,7 @@ QWidget* GarmentPanel::makeHead()
     layout->setSpacing(4);
     layout->addWidget(garments_, 1);
     layout->addWidget(add);
+    layout->addWidget(rename_);
     layout->addWidget(remove_);
     return row;
 }
@@ -140,6 +149,7 @@ void GarmentPanel::addSize(QGridLayout* grid, const QString& name, const char* k
         editGarment(choice_.document(), tr("change %1").arg(name.toLower()), choice_.garmentIndex(), key,
                     [&](Garment& garment) { garment.built_in.*value = typed; });
     });
+    edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance("1000 mm") + 24);
     auto* label = new QLabel(name);
     label->setBuddy(edit);
     grid->addWidget(label, place / 2, 2 * (place % 2));
@@ -215,6 +225,7 @@ void GarmentPanel::refresh()
     for (const Garment& garment : design.garments) { names << QString::fromStdString(garment.name); }
     const Garment* garment = choice_.garment();
     setChoices(garments_, names, garment ? choice_.garmentIndex() : -1);
+    rename_->setEnabled(garment != nullptr);
     remove_->setEnabled(garment != nullptr);
     for (QWidget* part : {static_cast<QWidget*>(skin_), static_cast<QWidget*>(gap_), static_cast<QWidget*>(sweat_),
                           static_cast<QWidget*>(panels_), static_cast<QWidget*>(garments_)}) {
@@ -249,6 +260,7 @@ void GarmentPanel::refresh()
     const int current = static_cast<int>(tables.indexOf(zones));
     setChoices(sweat_, tables << tr("From a CSV File…"), current);
     sweat_->setToolTip(zones);
+    updateGeometry(); // what is shown may need more width
 }
 
 } // namespace hygroloom

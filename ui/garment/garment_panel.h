@@ -38,6 +38,7 @@ private:
 
     GarmentChoice& choice_;
     QComboBox* garments_;
+    QToolButton* rename_;
     QToolButton* remove_;
     QWidget* size_;
     PanelTable* panels_;

@@ -7,6 +7,7 @@
 
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -69,6 +70,13 @@ QWidget* WearForm::makeHead()
     connect(add_, &QToolButton::clicked, this, [this] {
         if (choice_.garment()) { choice_.setWearIndex(addWear(choice_.document(), choice_.garment()->name)); }
     });
+    rename_ = iconButton("rename", tr("Rename the experiment"));
+    connect(rename_, &QToolButton::clicked, this, [this] {
+        if (!choice_.wear()) { return; }
+        const QString now = QString::fromStdString(choice_.wear()->name);
+        const QString name = QInputDialog::getText(this, tr("Rename the Experiment"), tr("Name"), QLineEdit::Normal, now);
+        renameWear(choice_.document(), choice_.wearIndex(), name);
+    });
     remove_ = iconButton("delete", tr("Remove the experiment"));
     connect(remove_, &QToolButton::clicked, this, [this] {
         if (choice_.wear()) { removeWear(choice_.document(), choice_.wearIndex()); }
@@ -79,6 +87,7 @@ QWidget* WearForm::makeHead()
     layout->setSpacing(4);
     layout->addWidget(wears_, 1);
     layout->addWidget(add_);
+    layout->addWidget(rename_);
     layout->addWidget(remove_);
     return row;
 }
@@ -165,7 +174,8 @@ void WearForm::refresh()
     const WearExperiment* wear = choice_.wear();
     wears_->setEnabled(!names.isEmpty());
     add_->setEnabled(choice_.garment() != nullptr);
-    for (QWidget* part : {static_cast<QWidget*>(remove_), static_cast<QWidget*>(activity_), static_cast<QWidget*>(add_activity_)}) {
+    for (QWidget* part : {static_cast<QWidget*>(rename_), static_cast<QWidget*>(remove_), static_cast<QWidget*>(activity_),
+                          static_cast<QWidget*>(add_activity_)}) {
         part->setEnabled(wear != nullptr);
     }
     const std::string where =

@@ -35,6 +35,7 @@ private:
     GarmentChoice& choice_;
     QComboBox* wears_;
     QToolButton* add_;
+    QToolButton* rename_;
     QToolButton* remove_;
     struct Field {
         QuantityEdit* edit;
