@@ -9,7 +9,10 @@
 #include "ui/garment/wear_form.h"
 #include "window_test.h"
 
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
 
 using namespace hygroloom;
 
@@ -59,6 +62,45 @@ private Q_SLOTS:
         QTest::qWait(200);
         QCOMPARE(window_->width(), 1280);
         QVERIFY(garment.view().difference().isVisible());
+    }
+
+    void mapsAndPicturesAreSaved()
+    {
+        showTee();
+        run();
+        const QString folder = folder_.filePath("map");
+        QVERIFY(QDir().mkpath(folder));
+        chooseFile(folder);
+        trigger("Save Map…");
+        for (const char* file : {"front.png", "front_texture.png", "cells.csv", "garment.obj", "garment.glb"}) {
+            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/" + file).size() > 0, file, 20000);
+        }
+        const QString picture = folder_.filePath("worn.png");
+        chooseFile(picture);
+        trigger("Save Picture…");
+        QTRY_VERIFY(QFileInfo::exists(picture));
+        const QImage saved(picture);
+        QCOMPARE(saved.size(), window_->garment().view().size() * window_->garment().view().devicePixelRatioF());
+        // The garment in 3D is in it.
+        ShapeView* shape = window_->garment().view().newest().shape();
+        const QPoint middle = shape->mapTo(&window_->garment().view(), shape->rect().center());
+        QCOMPARE(saved.pixelColor(middle), shape->picture().pixelColor(shape->rect().center()));
+    }
+
+    void aRunOfAChangedDesignIsOutOfDate()
+    {
+        showTee();
+        run();
+        const auto captions = [this] {
+            QStringList texts;
+            for (const QLabel* label : window_->garment().view().newest().findChildren<QLabel*>()) { texts << label->text(); }
+            return texts.join(' ');
+        };
+        QVERIFY(!captions().contains("Out of date"));
+        editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 30; });
+        QVERIFY2(captions().contains("Out of date"), qPrintable(captions()));
+        window_->document().history()->undo();
+        QVERIFY(!captions().contains("Out of date"));
     }
 
     void thePlaceUnderThePointerIsThatOfTheFlatPanel()

@@ -171,14 +171,17 @@ void GarmentView::refresh()
     showProbe(hovered_);
 }
 
-bool GarmentView::isStale() const
+/// What is to be said of the run on screen and the project as it is now; empty where they agree.
+QString GarmentView::whyStale() const
 {
     const Design &now = *choice_.document().design(), &then = playback_.run()->record->design;
     const WearLayout& layout = playback_.run()->layout();
     const Garment *garment = find_garment(now, layout.garment), *before = find_garment(then, layout.garment);
     const WearExperiment *wear = find_wear(now, layout.experiment), *wear_before = find_wear(then, layout.experiment);
-    return !garment || !before || !wear || !wear_before || !(*garment == *before) || !(*wear == *wear_before) ||
-           now.fabrics != then.fabrics || now.materials != then.materials || now.liquids != then.liquids;
+    if (!garment || !wear) { return tr(". Not an experiment of this project."); }
+    const bool same = before && wear_before && *garment == *before && *wear == *wear_before && now.fabrics == then.fabrics &&
+                      now.materials == then.materials && now.liquids == then.liquids;
+    return same ? QString() : tr(". Out of date: the design has changed. Run again.");
 }
 
 void GarmentView::refreshRun()
@@ -198,8 +201,7 @@ void GarmentView::refreshRun()
     } else {
         newest_->show(run.drawing, nullptr);
     }
-    newest_->setCaption((both ? "B: " : QString()) + captionOf(run) +
-                        (isStale() ? tr(". Out of date: the design has changed. Run again.") : QString()));
+    newest_->setCaption((both ? "B: " : QString()) + captionOf(run) + whyStale());
     if (both && kept_frame) {
         const WornRun& kept = *playback_.kept();
         kept_values = cellValues(kept.layout(), *kept_frame, what);

@@ -56,7 +56,7 @@ private:
     void refreshLegend(bool exceeded, double differenceMost);
     void showProbe(const GarmentSpot& spot);
     QString spotText(const GarmentSpot& spot) const;
-    bool isStale() const;
+    QString whyStale() const;
     bool showsRun() const { return colors_ != Colors::fabrics && playback_.run(); }
 
     GarmentChoice& choice_;

@@ -15,13 +15,14 @@ PanelTable::PanelTable(GarmentChoice& choice, QWidget* parent) : QTableWidget(0,
     setHorizontalHeaderLabels({tr("Panel"), tr("Fabric"), tr("Grain"), tr("Top face")});
     horizontalHeaderItem(2)->setToolTip(tr("Angle of the warp from the pattern's upward direction, counter-clockwise seen from outside."));
     horizontalHeaderItem(3)->setToolTip(tr("Where the fabric's top face lies."));
-    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
+    horizontalHeader()->resizeSection(0, fontMetrics().horizontalAdvance(tr("left sleeve")) + 8);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(3, QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(40);
-    horizontalHeader()->resizeSection(2, fontMetrics().horizontalAdvance("−360 °") + 26);
-    horizontalHeader()->resizeSection(3, fontMetrics().horizontalAdvance(tr("outside")) + 38);
+    horizontalHeader()->resizeSection(2, fontMetrics().horizontalAdvance("−360 °") + 12);
+    horizontalHeader()->resizeSection(3, fontMetrics().horizontalAdvance(tr("outside")) + 30);
     verticalHeader()->hide();
     setEditTriggers(NoEditTriggers);
     setSelectionBehavior(SelectRows);
