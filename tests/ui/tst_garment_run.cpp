@@ -142,6 +142,12 @@ private Q_SLOTS:
         QVERIFY(workspace_->pressKey(Qt::Key_Right));
         QCOMPARE(playback.current(), last);
         QVERIFY(!workspace_->pressKey(Qt::Key_Q));
+        workspace_->view().flat().zoomBy(4); // a panel lies in the middle
+        const bool panel = workspace_->view().flat().spotAt(workspace_->view().flat().rect().center()).panel >= 0;
+        QVERIFY(workspace_->pressKey(Qt::Key_Return));
+        QCOMPARE(playback.pin().panel >= 0, panel);
+        QVERIFY(workspace_->pressKey(Qt::Key_Escape));
+        QCOMPARE(playback.pin().panel, -1);
     }
 
     void panelsAddUpToTheGarment()

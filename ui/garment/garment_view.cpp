@@ -283,6 +283,16 @@ void GarmentView::fit()
     }
 }
 
+/// What lies in the middle of the picture: for the keyboard.
+void GarmentView::pinMiddle()
+{
+    if (!showsRun()) { return; }
+    ShapeView* shape = newest_->shape();
+    const QWidget* seen = shape && shape->isVisible() ? static_cast<QWidget*>(shape) : &newest_->flat();
+    const QPointF middle(0.5 * seen->width(), 0.5 * seen->height());
+    playback_.setPin(seen == shape ? shape->spotAt(middle) : newest_->flat().spotAt(middle));
+}
+
 bool GarmentView::pressKey(int key)
 {
     const auto look = [this](double turn) {
@@ -301,6 +311,8 @@ bool GarmentView::pressKey(int key)
     case Qt::Key_Plus:
     case Qt::Key_Equal: zoom(1.25); return true;
     case Qt::Key_Minus: zoom(0.8); return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: pinMiddle(); return true;
     case Qt::Key_Escape: playback_.setPin({}); return true;
     default: return false;
     }

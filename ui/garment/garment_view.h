@@ -55,6 +55,7 @@ private:
     void refreshBar();
     void refreshLegend(bool exceeded, double differenceMost);
     void showProbe(const GarmentSpot& spot);
+    void pinMiddle();
     QString spotText(const GarmentSpot& spot) const;
     QString whyStale() const;
     bool showsRun() const { return colors_ != Colors::fabrics && playback_.run(); }
