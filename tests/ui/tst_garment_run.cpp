@@ -40,6 +40,10 @@ private Q_SLOTS:
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
         workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "singlet"));
+        editGarment(*document_, "a child's", 0, {}, [](Garment& garment) { // few cells
+            garment.built_in.chest_mm = 600;
+            garment.built_in.length_mm = 350;
+        });
         editWear(*document_, "shorter", 0, {}, [](WearExperiment& wear) {
             wear.duration_s = 60;
             wear.activity = {{0, 10}};

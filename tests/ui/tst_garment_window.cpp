@@ -146,6 +146,11 @@ private:
     {
         window_->setWorkspace(Workspace::garment);
         window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
+            garment.built_in.chest_mm = 600;
+            garment.built_in.length_mm = 400;
+            garment.built_in.sleeve_mm = 120;
+        });
         editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
         QTRY_VERIFY(window_->garment().choice().drawing());
         QTest::qWait(200);
