@@ -12,6 +12,7 @@
 #include <QScrollBar>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -75,12 +76,13 @@ std::vector<Line> linesOf(const WearMetrics& newest, const WearMetrics* kept)
     return lines;
 }
 
-std::optional<double> valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
+/// NaN: there is none.
+double valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
 {
-    if (!part || part->course.empty()) { return std::nullopt; }
+    if (!part || part->course.empty()) { return nan(""); }
     const auto after =
         std::upper_bound(part->course.begin(), part->course.end(), time + 1e-9, [](double t, const WearNow& now) { return t < now.time; });
-    return column.of(*part, after == part->course.begin() ? *after : *(after - 1), stops);
+    return column.of(*part, after == part->course.begin() ? *after : *(after - 1), stops).value_or(nan(""));
 }
 
 } // namespace
@@ -122,27 +124,25 @@ void PartsTable::refresh()
     setColumnCount(static_cast<int>(titles.size()));
     setRowCount(static_cast<int>(lines.size()));
     if (anew) { setHorizontalHeaderLabels(titles); }
-    const auto put = [this](int row, int column, const QString& text, const std::optional<double>& value = std::nullopt) {
+    const auto put = [this](int row, int column, const QString& text, double value = nan("")) {
         QTableWidgetItem* cell = item(row, column);
         if (!cell) {
             setItem(row, column, cell = new QTableWidgetItem);
             if (column > 0) { cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter); }
         }
         cell->setText(text);
-        cell->setData(Qt::UserRole, value ? QVariant(*value) : QVariant());
+        cell->setData(Qt::UserRole, std::isnan(value) ? QVariant() : QVariant(value));
     };
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const int row = static_cast<int>(k);
         put(row, 0, lines[k].name);
         int at = 1;
         for (const Column& column : columns) {
-            const auto text = [&](const std::optional<double>& value) {
-                return value ? shownNumber(*value, column.decimals) : QStringLiteral("–");
-            };
-            const auto newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
+            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : shownNumber(value, column.decimals); };
+            const double newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
             if (compares && column.compared) {
-                const auto kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
-                const auto less = kept && newest ? std::optional(*newest - *kept) : std::nullopt;
+                const double kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
+                const double less = newest - kept; // NaN where one of them is
                 put(row, at++, text(kept), kept);
                 put(row, at++, text(newest), newest);
                 put(row, at++, text(less), less);
