@@ -5,6 +5,7 @@
 #include "ui/basics/wheel_guard.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/study_runs.h"
+#include "ui/garment/garment_view.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/results/simulation_panel.h"
@@ -65,6 +66,7 @@ MainWindow::~MainWindow()
     hide(); // the field that has the focus commits its value while there is a document
     // The parts report their end, when this window is half gone.
     simulate_->disconnect(this);
+    garment_->disconnect(this);
     document_.disconnect(this);
 }
 
@@ -74,6 +76,7 @@ void MainWindow::buildPanels()
     design_ = std::make_unique<DesignWorkspace>(document_, *viewport_, *this);
     compare_ = std::make_unique<CompareWorkspace>(document_, recovery_);
     simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), *viewport_, *this);
+    garment_ = std::make_unique<GarmentWorkspace>(document_, *this);
     issues_ = new IssuesPanel(document_);
     issues_dock_ = makeDock(*this, "issues", tr("Issues"), issues_);
 
@@ -87,7 +90,9 @@ void MainWindow::buildPanels()
     middle_ = new QStackedWidget;
     middle_->addWidget(fabric);
     middle_->addWidget(&compare_->view());
+    middle_->addWidget(&garment_->view());
     takeRoom(compare_->view(), false);
+    takeRoom(garment_->view(), false);
     setCentralWidget(middle_);
 
     issue_count_ = new QToolButton;
@@ -105,7 +110,7 @@ void MainWindow::restoreLayout()
     // With its frame the window fits the screen it opens on.
     const QSize room = screen()->availableSize() - QSize(16, 48);
     resize(QSize(1360, 860).boundedTo(room));
-    for (const Workspace workspace : {Workspace::compare, Workspace::simulate, Workspace::design}) {
+    for (const Workspace workspace : {Workspace::garment, Workspace::compare, Workspace::simulate, Workspace::design}) {
         arrange(workspace);
         first_states_[static_cast<int>(workspace)] = saveState(layout_version);
     }
@@ -114,15 +119,19 @@ void MainWindow::restoreLayout()
     states_[0] = settings.value("window/design").toByteArray();
     states_[1] = settings.value("window/simulate").toByteArray();
     states_[2] = settings.value("window/compare").toByteArray();
+    states_[3] = settings.value("window/garment").toByteArray();
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
     simulate_->maps().setVisible(false);
+    showRunCommands();
 }
 
 std::vector<QDockWidget*> MainWindow::docks() const
 {
     const auto& d = design_->docks();
     const auto& s = simulate_->docks();
-    return {d.candidates, d.weave, d.draft, d.fabric, s.experiment, s.simulation, s.timeline, s.results, issues_dock_};
+    const auto& g = garment_->docks();
+    return {d.candidates, d.weave,   d.draft, d.fabric, s.experiment, s.simulation, s.timeline,
+            s.results,    g.garment, g.wear,  g.run,    g.time,       g.parts,      issues_dock_};
 }
 
 void MainWindow::arrange(Workspace workspace)
@@ -131,6 +140,7 @@ void MainWindow::arrange(Workspace workspace)
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const auto& d = design_->docks();
     const auto& s = simulate_->docks();
+    const auto& g = garment_->docks();
     for (QDockWidget* dock : docks()) { dock->setFloating(false); }
     addDockWidget(Qt::LeftDockWidgetArea, d.candidates);
     addDockWidget(Qt::LeftDockWidgetArea, d.weave);
@@ -139,6 +149,11 @@ void MainWindow::arrange(Workspace workspace)
     addDockWidget(Qt::RightDockWidgetArea, s.experiment);
     splitDockWidget(d.fabric, s.experiment, Qt::Vertical);
     splitDockWidget(s.experiment, s.simulation, Qt::Vertical);
+    addDockWidget(Qt::LeftDockWidgetArea, g.garment);
+    addDockWidget(Qt::RightDockWidgetArea, g.wear);
+    splitDockWidget(g.wear, g.run, Qt::Vertical);
+    addDockWidget(Qt::BottomDockWidgetArea, g.time);
+    splitDockWidget(g.time, g.parts, Qt::Horizontal);
     addDockWidget(Qt::BottomDockWidgetArea, s.timeline);
     addDockWidget(Qt::BottomDockWidgetArea, d.draft);
     splitDockWidget(s.timeline, d.draft, Qt::Vertical);
@@ -153,6 +168,7 @@ void MainWindow::arrange(Workspace workspace)
     s.simulation->setVisible(simulate);
     s.timeline->setVisible(simulate);
     s.results->setVisible(simulate);
+    for (QDockWidget* dock : {g.garment, g.wear, g.run, g.time, g.parts}) { dock->setVisible(workspace == Workspace::garment); }
     d.draft->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
@@ -163,6 +179,11 @@ void MainWindow::arrange(Workspace workspace)
         resizeDocks({s.experiment}, {310}, Qt::Horizontal);
         resizeDocks({s.timeline, s.results}, {530, 420}, Qt::Horizontal); // so that results fit without scrolling sideways
         resizeDocks({s.timeline}, {200}, Qt::Vertical);
+    } else if (workspace == Workspace::garment) {
+        resizeDocks({g.wear, g.run}, {330, 270}, Qt::Vertical);
+        resizeDocks({g.garment, g.wear}, {330, 250}, Qt::Horizontal);
+        resizeDocks({g.time, g.parts}, {560, 640}, Qt::Horizontal);
+        resizeDocks({g.time}, {190}, Qt::Vertical);
     }
 }
 
@@ -172,17 +193,30 @@ void MainWindow::setWorkspace(Workspace workspace)
     states_[static_cast<int>(workspace_)] = saveState(layout_version);
     workspace_ = workspace;
     if (workspace != Workspace::compare) { takeRoom(compare_->view(), false); }
+    if (workspace != Workspace::garment) { takeRoom(garment_->view(), false); }
     const QByteArray& state = states_[static_cast<int>(workspace)];
     restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
     simulate_->maps().setVisible(workspace == Workspace::simulate);
     simulate_->setShown(workspace == Workspace::simulate);
+    showRunCommands();
     compare_->project().setCompared(workspace == Workspace::compare);
-    middle_->setCurrentIndex(workspace == Workspace::compare ? 1 : 0);
+    middle_->setCurrentIndex(workspace == Workspace::garment ? 2 : workspace == Workspace::compare ? 1 : 0);
     if (workspace == Workspace::compare) { takeRoom(compare_->view(), true); }
+    if (workspace == Workspace::garment) { takeRoom(garment_->view(), true); }
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
         if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
     refreshPicture();
+}
+
+/// Run and Stop are those of the workspace.
+void MainWindow::showRunCommands()
+{
+    const bool worn = workspace_ == Workspace::garment;
+    for (QAction* action : {simulate_->actions().start, simulate_->actions().pause, simulate_->actions().stop}) {
+        action->setVisible(!worn);
+    }
+    garment_->setShown(worn);
 }
 
 void MainWindow::resetLayout()
@@ -206,6 +240,9 @@ void MainWindow::connectParts()
     connect(design_.get(), &DesignWorkspace::messageShown, this, &MainWindow::showMessage);
     connect(simulate_.get(), &SimulateWorkspace::problemFound, this, &MainWindow::showProblem);
     connect(simulate_.get(), &SimulateWorkspace::messageShown, this, &MainWindow::showMessage);
+    connect(garment_.get(), &GarmentWorkspace::problemFound, this, &MainWindow::showProblem);
+    connect(garment_.get(), &GarmentWorkspace::messageShown, this, &MainWindow::showMessage);
+    connect(garment_.get(), &GarmentWorkspace::wanted, this, [this] { setWorkspace(Workspace::garment); });
     connect(simulate_.get(), &SimulateWorkspace::pictureChanged, this, &MainWindow::refreshPicture);
     connect(simulate_.get(), &SimulateWorkspace::wanted, this, [this] { setWorkspace(Workspace::simulate); });
     connect(simulate_.get(), &SimulateWorkspace::recordingUsed, recent_, &RecentFiles::add);
@@ -277,7 +314,7 @@ void MainWindow::refreshIssueCount()
 /// Selects the fabric or experiment of the issue, and focuses its field.
 void MainWindow::showIssue(const QString& where)
 {
-    static const QRegularExpression form("^(fabrics|experiments|materials|liquids)\\[(\\d+)\\]\\.?(.*)$");
+    static const QRegularExpression form("^(fabrics|experiments|materials|liquids|garments)\\[(\\d+)\\]\\.?(.*)$");
     const auto match = form.match(where);
     const QString list = match.captured(1);
     const int index = match.captured(2).toInt();
@@ -286,6 +323,10 @@ void MainWindow::showIssue(const QString& where)
         design_->showFabricIssue(where, match.captured(3));
     } else if (list == "materials") {
         design_->showMaterialIssue(index);
+    } else if (const int before = static_cast<int>(document_.design()->experiments.size());
+               list == "garments" || (list == "experiments" && index >= before)) {
+        setWorkspace(Workspace::garment);
+        garment_->showIssue(list, list == "garments" ? index : index - before);
     } else if (match.hasMatch()) {
         if (list == "experiments") { document_.setExperimentIndex(index); }
         simulate_->showIssue(where);
@@ -311,7 +352,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (event->key() == Qt::Key_Space) {
+    if (workspace_ == Workspace::garment) {
+        if (!garment_->pressKey(event->key())) { QMainWindow::keyPressEvent(event); }
+    } else if (event->key() == Qt::Key_Space) {
         simulate_->timeline().togglePlaying();
     } else if (!viewport_->pressKey(event->key())) {
         QMainWindow::keyPressEvent(event);

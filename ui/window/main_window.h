@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The window: the document, the three workspaces round one picture, menus and files.
+// The window: the document, the four workspaces round one picture, menus and files.
 #pragma once
 
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/picture/viewport.h"
 #include "ui/window/compare_workspace.h"
+#include "ui/window/garment_workspace.h"
 #include "ui/window/simulate_workspace.h"
 
 #include <QMainWindow>
@@ -23,7 +24,7 @@ class HelpWindow;
 class IssuesPanel;
 class RecentFiles;
 
-enum class Workspace { design, simulate, compare };
+enum class Workspace { design, simulate, compare, garment };
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -45,6 +46,7 @@ public:
     DesignWorkspace& design() { return *design_; }
     SimulateWorkspace& simulate() { return *simulate_; }
     CompareWorkspace& compare() { return *compare_; }
+    GarmentWorkspace& garment() { return *garment_; }
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
     Workspace workspace() const { return workspace_; }
@@ -60,13 +62,14 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int layout_version = 3;
+    static constexpr int layout_version = 4;
     // main_window.cpp
     void buildPanels();
     void connectParts();
     void restoreLayout();
     std::vector<QDockWidget*> docks() const;
     void arrange(Workspace workspace);
+    void showRunCommands();
     void refreshTitle();
     void refreshPicture();
     void refreshIssueCount();
@@ -114,13 +117,14 @@ private:
     std::unique_ptr<DesignWorkspace> design_;
     std::unique_ptr<CompareWorkspace> compare_;
     std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_
+    std::unique_ptr<GarmentWorkspace> garment_;
     Workspace workspace_ = Workspace::design;
-    QByteArray states_[3]; ///< by workspace
-    QByteArray first_states_[3];
+    QByteArray states_[4]; ///< by workspace
+    QByteArray first_states_[4];
     bool closing_ = false; ///< a question is open, or an export is ending
 
     Viewport* viewport_ = nullptr;
-    QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, or runs side by side
+    QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, runs side by side, or a garment
     IssuesPanel* issues_ = nullptr;
     QDockWidget* issues_dock_ = nullptr;
     QToolButton* issue_count_ = nullptr;

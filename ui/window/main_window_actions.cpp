@@ -54,6 +54,7 @@ void MainWindow::buildActions()
     buildViewMenu();
     menuBar()->addMenu(tr("F&abric"))->addActions(design_->candidates().fabricActions());
     simulate_->fillExperimentMenu(menuBar()->addMenu(tr("E&xperiment")));
+    garment_->fillMenu(menuBar()->addMenu(tr("&Garment")));
     buildHelpMenu();
     buildToolBar();
 }
@@ -85,7 +86,7 @@ void MainWindow::buildFileMenu()
     menu->addSeparator();
     simulate_->fillFileMenu(menu);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"),
-                             tr("Save the fabric as it is seen, or in Compare the maps side by side, as a PNG file."));
+                             tr("Save the fabric or garment as it is seen, or in Compare the maps side by side, as a PNG file."));
     connect(screenshot_, &QAction::triggered, this, &MainWindow::saveScreenshot);
     menu->addSeparator();
     connect(addCommand(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the window.")), &QAction::triggered, this, &QWidget::close);
@@ -155,7 +156,8 @@ void MainWindow::addWorkspaces(QMenu* menu)
     QAction* simulate = addCommand(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
     QAction* compare =
         addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment side by side."));
-    for (QAction* action : {design, simulate, compare}) {
+    QAction* garment = addCommand(menu, {}, tr("&Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."));
+    for (QAction* action : {design, simulate, compare, garment}) {
         action->setCheckable(true);
         workspaces_->addAction(action);
     }
@@ -163,6 +165,7 @@ void MainWindow::addWorkspaces(QMenu* menu)
     connect(design, &QAction::triggered, this, [this] { setWorkspace(Workspace::design); });
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
     connect(compare, &QAction::triggered, this, [this] { setWorkspace(Workspace::compare); });
+    connect(garment, &QAction::triggered, this, [this] { setWorkspace(Workspace::garment); });
 }
 
 void MainWindow::addAppearances(QMenu* menu)
@@ -211,7 +214,7 @@ void MainWindow::buildToolBar()
     bar->addActions({viewport_->bar().fitAction(), screenshot_});
     bar->addSeparator();
     const auto& run = simulate_->actions();
-    bar->addActions({run.start, run.pause, run.stop});
+    bar->addActions({run.start, run.pause, run.stop, garment_->actions().start, garment_->actions().stop});
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(gap);
@@ -253,7 +256,7 @@ QString MainWindow::guidePage() const
     const QWidget* focus = QApplication::focusWidget() ? QApplication::focusWidget() : focusWidget();
     const Experiment* experiment = document_.experiment();
     if (experiment && focus && simulate_->experiment().isAncestorOf(focus)) { return name_of(experiment->type); }
-    const char* pages[] = {"design", "simulate", "compare"};
+    const char* pages[] = {"design", "simulate", "compare", "garment"};
     return pages[static_cast<int>(workspace_)];
 }
 

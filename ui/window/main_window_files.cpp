@@ -5,6 +5,7 @@
 #include "ui/compare/compare_view.h"
 #include "ui/document/run_folder.h"
 #include "ui/export/export_dialog.h"
+#include "ui/garment/garment_view.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/confirm.h"
@@ -52,6 +53,10 @@ QString readablePath(const QMimeData* data)
 bool MainWindow::openFile(const QString& path)
 {
     if (isDraft(path)) { return importDraft(path); }
+    if (isRecording(path) && isGarmentRecording(path)) {
+        garment_->openRecording(path);
+        return true;
+    }
     if (isRecording(path)) { return simulate_->openRecording(path); }
     if (!mayLeave() || !document_.open(path)) {
         compare_->project().stay();
@@ -140,16 +145,17 @@ bool MainWindow::saveAs()
 
 void MainWindow::saveScreenshot()
 {
-    const bool compares = workspace_ == Workspace::compare;
-    const QImage picture = compares ? compare_->view().picture() : viewport_->picture();
+    const bool compares = workspace_ == Workspace::compare, worn = workspace_ == Workspace::garment;
+    const QImage picture = compares ? compare_->view().picture() : worn ? garment_->view().picture() : viewport_->picture();
     if (picture.isNull()) {
-        showProblem(compares ? tr("No runs are compared, so there is no picture to save. Tick the runs in the list.")
-                             : tr("This display cannot draw the fabric, so there is no picture to save."));
+        showProblem(worn       ? tr("There is no garment to save a picture of. Add one.")
+                    : compares ? tr("No runs are compared, so there is no picture to save. Tick the runs in the list.")
+                               : tr("This display cannot draw the fabric, so there is no picture to save."));
         return;
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     const QString fabric = document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric");
-    const QString name = (compares ? tr("comparison") : fabric) + ".png";
+    const QString name = (compares ? tr("comparison") : worn ? tr("garment") : fabric) + ".png";
     const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Picture"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
     if (chosen.isEmpty()) { return; }
     const QString path = withEnding(chosen, ".png");
@@ -220,6 +226,7 @@ bool MainWindow::mayLeave()
 {
     if (!agreesToLeave()) { return false; }
     simulate_->stopRun();
+    garment_->stopRun();
     compare_->stopRuns();
     return copiesAreDone();
 }
@@ -228,7 +235,8 @@ bool MainWindow::mayLeave()
 bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
-    return copiesAreDone() && simulate_->agreesToStopRun() && compare_->agreesToStopRuns(this) && mayDiscard() && mayDropRuns();
+    return copiesAreDone() && simulate_->agreesToStopRun() && garment_->agreesToStopRun() && compare_->agreesToStopRuns(this) &&
+           mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -318,6 +326,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     stopExport();
     simulate_->stopRun();
+    garment_->stopRun();
     compare_->stopRuns();
     if (!copiesAreDone()) {
         compare_->project().stay();
@@ -334,6 +343,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     settings.setValue("window/design", states_[0]);
     settings.setValue("window/simulate", states_[1]);
     settings.setValue("window/compare", states_[2]);
+    settings.setValue("window/garment", states_[3]);
     event->accept();
 }
 

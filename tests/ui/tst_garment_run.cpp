@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
+#include "core/wear/wear_map.h"
+#include "ui/basics/color_map.h"
+#include "ui/document/document.h"
+#include "ui/garment/flat_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/parts_table.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/step_legend.h"
+#include "ui/garment/wear_chart.h"
+#include "ui/window/examples.h"
+#include "ui/window/garment_workspace.h"
+
+#include <QDir>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+using namespace hygroloom;
+
+class TestGarmentRun : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { qRegisterMetaType<GarmentRun::Outcome>(); }
+    void init()
+    {
+        document_ = std::make_unique<Document>();
+        QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
+        window_ = std::make_unique<QMainWindow>();
+        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *window_);
+        window_->setCentralWidget(&workspace_->view());
+        window_->resize(1000, 700);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "singlet"));
+        editGarment(*document_, "a child's", 0, {}, [](Garment& garment) { // few cells
+            garment.built_in.chest_mm = 600;
+            garment.built_in.length_mm = 350;
+        });
+        editWear(*document_, "shorter", 0, {}, [](WearExperiment& wear) {
+            wear.duration_s = 60;
+            wear.activity = {{0, 10}};
+        });
+        QTRY_VERIFY(workspace_->choice().drawing());
+    }
+    void cleanup()
+    {
+        workspace_.reset();
+        window_.reset();
+        document_.reset();
+    }
+
+    void framesAreShownAsTheyCome()
+    {
+        QSignalSpy frames(&workspace_->run(), &GarmentRun::frameArrived);
+        run();
+        QCOMPARE(workspace_->playback().frames(), static_cast<int>(frames.count()));
+        QCOMPARE(workspace_->playback().time(), 60.0);
+        QCOMPARE(workspace_->chart().points().size(), frames.count());
+        const WornRun& run = *workspace_->playback().run();
+        QVERIFY(run.most_water > 0);
+        // The same as the map that the command line writes, cell by cell.
+        WearMapOptions options;
+        options.crossings = 1;
+        const WearMap map = wear_map(run.layout(), *workspace_->playback().frame(), options);
+        const std::vector<double> values = cellValues(run.layout(), *workspace_->playback().frame(), WearValue::water);
+        QCOMPARE(values.size(), map.values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) { QVERIFY(std::abs(values[i] - map.values[i]) <= 1e-12 * run.most_water); }
+    }
+
+    void aCellHasTheColourOfItsStep()
+    {
+        run();
+        WearPlayback& playback = workspace_->playback();
+        const WornRun& run = *playback.run();
+        const std::vector<double> values = cellValues(run.layout(), *playback.frame(), WearValue::water);
+        const QImage picture = workspace_->view().flat().picture();
+        int seen = 0;
+        for (std::size_t i = 0; i < run.layout().cells.size(); i += 97) {
+            const GarmentCell& cell = run.layout().cells[i];
+            const GarmentSpot spot{cell.panel, run.layout().panels[static_cast<std::size_t>(cell.panel)].grid.middle(cell.end, cell.pick)};
+            QCOMPARE(run.lookup->at(spot), static_cast<int>(i));
+            const auto step = step_colour(values[i] / playback.most());
+            const QColor drawn = picture.pixelColor(workspace_->view().flat().pixelOf(spot).toPoint());
+            seen += drawn == QColor(step[0], step[1], step[2]) ? 1 : 0;
+        }
+        // Names, arrows, outlines and pixels on a border between cells are in the way of few.
+        QVERIFY2(seen > 0.8 * static_cast<double>(run.layout().cells.size() / 97), qPrintable(QString::number(seen)));
+    }
+
+    void theLegendNamesEightStepsUpToTheEnd()
+    {
+        run();
+        StepLegend& legend = workspace_->view().legend();
+        QCOMPARE(legend.texts().size(), 8);
+        workspace_->playback().setMost(400.0);
+        QCOMPARE(legend.texts().back(), QString("0 to 50"));
+        QCOMPARE(legend.texts().front(), QString("350 to 400"));
+        workspace_->playback().setMost(0.5 * workspace_->playback().run()->most_water);
+        QVERIFY2(legend.texts().front().endsWith("and more"), qPrintable(legend.texts().front()));
+        workspace_->view().setColors(GarmentView::Colors::share);
+        QCOMPARE(workspace_->playback().most(), 1.0);
+        QCOMPARE(legend.texts().back(), QString("0 to 12.5"));
+    }
+
+    void aClickPinsACellWithItsHistory()
+    {
+        run();
+        FlatView& flat = workspace_->view().flat();
+        const WornRun& run = *workspace_->playback().run();
+        const std::size_t i = run.layout().cells.size() / 2;
+        const GarmentCell& cell = run.layout().cells[i];
+        const GarmentSpot spot{cell.panel, run.layout().panels[static_cast<std::size_t>(cell.panel)].grid.middle(cell.end, cell.pick)};
+        const QPoint at = flat.pixelOf(spot).toPoint();
+        const int there = run.lookup->at(flat.spotAt(at));
+        QVERIFY(there >= 0);
+        QTest::mouseClick(&flat, Qt::LeftButton, Qt::NoModifier, at);
+        QVERIFY(workspace_->playback().pin().panel >= 0);
+        QVERIFY(workspace_->chart().title().contains("pin"));
+        const WearFrame& last = *run.frames.back();
+        const double expected =
+            1e3 * last.water(static_cast<std::size_t>(there)) / run.layout().cells[static_cast<std::size_t>(there)].area;
+        QCOMPARE(workspace_->chart().points().back().y(), expected);
+        const QString zone =
+            QString::fromStdString(body_zones()[static_cast<std::size_t>(run.layout().cells[static_cast<std::size_t>(there)].zone)]);
+        QVERIFY2(workspace_->view().probeText().contains(zone), qPrintable(workspace_->view().probeText()));
+        QVERIFY(workspace_->view().probeText().contains("g/m²"));
+        workspace_->pressKey(Qt::Key_Escape);
+        QVERIFY(workspace_->chart().title().contains("garment"));
+    }
+
+    void keysStepThroughTime()
+    {
+        run();
+        WearPlayback& playback = workspace_->playback();
+        const int last = playback.current();
+        QVERIFY(workspace_->pressKey(Qt::Key_Left));
+        QCOMPARE(playback.current(), last - 1);
+        QVERIFY(workspace_->pressKey(Qt::Key_Right));
+        QCOMPARE(playback.current(), last);
+        QVERIFY(!workspace_->pressKey(Qt::Key_Q));
+        workspace_->view().flat().zoomBy(4); // a panel lies in the middle
+        const bool panel = workspace_->view().flat().spotAt(workspace_->view().flat().rect().center()).panel >= 0;
+        QVERIFY(workspace_->pressKey(Qt::Key_Return));
+        QCOMPARE(playback.pin().panel >= 0, panel);
+        QVERIFY(workspace_->pressKey(Qt::Key_Escape));
+        QCOMPARE(playback.pin().panel, -1);
+    }
+
+    void panelsAddUpToTheGarment()
+    {
+        run();
+        const PartsTable& table = workspace_->parts();
+        double panels = 0, zones = 0;
+        for (int row = 1; row < table.rowCount(); ++row) {
+            (table.item(row, 0)->text().startsWith("Panel") ? panels : zones) += table.item(row, 2)->data(Qt::UserRole).toDouble();
+        }
+        const double all = table.item(0, 2)->data(Qt::UserRole).toDouble();
+        QVERIFY(all > 0);
+        QVERIFY(std::abs(panels - all) <= 1e-9 * all && std::abs(zones - all) <= 1e-9 * all);
+        const QStringList lines = table.csv().split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), table.rowCount() + 1);
+        QVERIFY(lines[1].startsWith("Garment,"));
+    }
+
+    void aKeptRunIsComparedAtTheSameTime()
+    {
+        run();
+        WearPlayback& playback = workspace_->playback();
+        playback.keepAsA();
+        const auto kept = playback.run();
+        editWear(*document_, "more sweat", 0, {}, [](WearExperiment& wear) { wear.activity = {{0, 5}}; });
+        run();
+        QVERIFY(playback.run() != kept && playback.kept() == kept);
+        workspace_->view().setCompared(GarmentView::Compared::difference);
+        playback.show(playback.frames() / 2);
+        QCOMPARE(playback.keptFrame()->time, playback.frame()->time);
+        const std::vector<double> b = cellValues(playback.run()->layout(), *playback.frame(), WearValue::water);
+        const std::vector<double> a = cellValues(kept->layout(), *playback.keptFrame(), WearValue::water);
+        const std::vector<double> less = playback.difference();
+        QCOMPARE(less.size(), b.size());
+        for (std::size_t i = 0; i < less.size(); ++i) { QCOMPARE(less[i], b[i] - a[i]); } // the same cells
+        QVERIFY(workspace_->view().kept().isVisible() && workspace_->view().difference().isVisible());
+        QVERIFY(workspace_->parts().columnCount() > 20);
+        playback.dropA();
+        QVERIFY(!workspace_->view().kept().isVisible());
+    }
+
+    void differencesAreSoughtAtTheSamePlaceOfOtherCells()
+    {
+        run();
+        WearPlayback& playback = workspace_->playback();
+        const auto kept = playback.run();
+        playback.keepAsA();
+        cutAllFrom(*document_, 0, document_->design()->fabrics[1].name);
+        run();
+        const std::vector<double> zero(kept->layout().cells.size(), 0), one(playback.run()->layout().cells.size(), 1);
+        const std::vector<double> less = differences(one, zero, samePlaces(*playback.run(), *kept));
+        const auto ones = std::count(less.begin(), less.end(), 1.0);
+        QVERIFY(static_cast<std::size_t>(ones) > 0.99 * static_cast<double>(less.size()));
+    }
+
+    void aRecordedRunOpensAgain()
+    {
+        QTemporaryDir folder;
+        workspace_->runForm().setRecording(folder.filePath("worn.hygrorec"));
+        run();
+        const std::vector<double> before =
+            cellValues(workspace_->playback().run()->layout(), *workspace_->playback().frame(), WearValue::water);
+        QVERIFY(isGarmentRecording(folder.filePath("worn.hygrorec")));
+        workspace_->clearResults();
+        QVERIFY(!workspace_->playback().run());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        workspace_->openRecording(folder.filePath("worn.hygrorec"));
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
+        QCOMPARE(ended[0][1].toString(), QString());
+        const std::vector<double> after =
+            cellValues(workspace_->playback().run()->layout(), *workspace_->playback().frame(), WearValue::water);
+        QCOMPARE(after.size(), before.size());
+        const double most = workspace_->playback().run()->most_water;
+        for (std::size_t i = 0; i < after.size(); ++i) { QVERIFY(std::abs(after[i] - before[i]) <= 1e-5 * most); } // written as floats
+    }
+
+    void aRunStopsAndKeepsItsFrames()
+    {
+        editWear(*document_, "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
+        QTRY_VERIFY(workspace_->runForm().canRun());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        workspace_->runForm().start();
+        QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > 0, 60000);
+        workspace_->run().cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+        QVERIFY(ended[0][0].value<GarmentRun::Outcome>() == GarmentRun::Outcome::cancelled);
+        QVERIFY(workspace_->playback().frames() > 0);
+        QVERIFY(workspace_->runForm().canRun());
+    }
+
+private:
+    void run()
+    {
+        QTRY_VERIFY(workspace_->runForm().canRun());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        workspace_->runForm().start();
+        QVERIFY(!workspace_->runForm().canRun());
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 120000);
+        QCOMPARE(ended[0][1].toString(), QString());
+    }
+
+    std::unique_ptr<Document> document_;
+    std::unique_ptr<QMainWindow> window_;
+    std::unique_ptr<GarmentWorkspace> workspace_;
+};
+
+QTEST_MAIN(TestGarmentRun)
+#include "tst_garment_run.moc"

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
+#include "ui/garment/flat_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/shape_view.h"
+#include "ui/garment/wear_form.h"
+#include "window_test.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+
+using namespace hygroloom;
+
+class TestGarmentWindow : public WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { useOwnSettings(); }
+    void init()
+    {
+        openWindow({1280, 800});
+        QVERIFY(window_->document().openExample(example("three-candidates")));
+    }
+    void cleanup()
+    {
+        window_->document().history()->setClean();
+        window_.reset();
+    }
+
+    void aKeyLeadsToTheWorkspaceAndItsCommands()
+    {
+        QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
+        QTRY_COMPARE(window_->workspace(), Workspace::garment);
+        QVERIFY(window_->garment().actions().start->isVisible() && !window_->simulate().actions().start->isVisible());
+        window_->setWorkspace(Workspace::simulate);
+        QVERIFY(!window_->garment().actions().start->isVisible() && window_->simulate().actions().start->isVisible());
+    }
+
+    void everythingFitsAt1280By800()
+    {
+        showTee();
+        auto& garment = window_->garment();
+        QVERIFY(garment.panel().width() >= 300);
+        QVERIFY(garment.panel().widget()->width() <= garment.panel().viewport()->width());
+        QVERIFY(garment.wear().widget()->width() <= garment.wear().viewport()->width());
+        QVERIFY(garment.view().flat().width() >= 150);
+        run();
+        garment.view().setColors(GarmentView::Colors::share);
+        QTest::qWait(50);
+        garment.view().setColors(GarmentView::Colors::water);
+        QTest::qWait(50);
+        QCOMPARE(window_->width(), 1280);
+        garment.playback().keepAsA();
+        cutAllFrom(window_->document(), 0, window_->document().design()->fabrics[1].name);
+        run();
+        garment.view().setCompared(GarmentView::Compared::difference);
+        QTest::qWait(200);
+        QCOMPARE(window_->width(), 1280);
+        QVERIFY(garment.view().difference().isVisible());
+    }
+
+    void mapsAndPicturesAreSaved()
+    {
+        showTee();
+        run();
+        const QString folder = folder_.filePath("map");
+        QVERIFY(QDir().mkpath(folder));
+        chooseFile(folder);
+        trigger("Save Map…");
+        for (const char* file : {"front.png", "front_texture.png", "cells.csv", "garment.obj", "garment.glb"}) {
+            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/" + file).size() > 0, file, 20000);
+        }
+        const QString picture = folder_.filePath("worn.png");
+        chooseFile(picture);
+        trigger("Save Picture…");
+        QTRY_VERIFY(QFileInfo::exists(picture));
+        const QImage saved(picture);
+        QCOMPARE(saved.size(), window_->garment().view().size() * window_->garment().view().devicePixelRatioF());
+        // The garment in 3D is in it.
+        ShapeView* shape = window_->garment().view().newest().shape();
+        const QPoint middle = shape->mapTo(&window_->garment().view(), shape->rect().center());
+        QCOMPARE(saved.pixelColor(middle), shape->picture().pixelColor(shape->rect().center()));
+    }
+
+    void aRunInNoFileIsAskedForAndCanBeSaved()
+    {
+        showTee();
+        run();
+        auto& garment = window_->garment();
+        const auto asked = answer(QMessageBox::Cancel);
+        QVERIFY(!garment.agreesToStopRun());
+        QVERIFY(*asked);
+        const QString file = folder_.filePath("afterwards.hygrorec");
+        chooseFile(file);
+        trigger("Save Run As…");
+        QTRY_COMPARE(garment.playback().run()->file, file);
+        QVERIFY(garment.agreesToStopRun());
+        const WearRecording saved(file.toStdString());
+        QVERIFY(saved.finished());
+        QCOMPARE(saved.frames(), garment.playback().frames());
+        const auto last = garment.playback().run()->frames.back();
+        QCOMPARE(saved.frame(saved.frames() - 1).inside.size(), last->inside.size());
+        QCOMPARE(saved.frame(saved.frames() - 1).ledger.water_liquid, last->ledger.water_liquid);
+    }
+
+    void aRunOfAChangedDesignIsOutOfDate()
+    {
+        showTee();
+        run();
+        const auto captions = [this] {
+            QStringList texts;
+            for (const QLabel* label : window_->garment().view().newest().findChildren<QLabel*>()) { texts << label->text(); }
+            return texts.join(' ');
+        };
+        QVERIFY(!captions().contains("Out of date"));
+        editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 30; });
+        QVERIFY2(captions().contains("Out of date"), qPrintable(captions()));
+        window_->document().history()->undo();
+        QVERIFY(!captions().contains("Out of date"));
+    }
+
+    void thePlaceUnderThePointerIsThatOfTheFlatPanel()
+    {
+        showTee();
+        ShapeView* shape = window_->garment().view().newest().shape();
+        QVERIFY(shape);
+        QVERIFY2(shape->problem().isEmpty(), qPrintable(shape->problem()));
+        shape->lookFrom(0);
+        QTest::qWait(100);
+        const QPointF middle(0.5 * shape->width(), 0.5 * shape->height());
+        const GarmentSpot spot = shape->spotAt(middle);
+        const auto& drawing = window_->garment().choice().drawing();
+        QVERIFY(spot.panel >= 0);
+        QCOMPARE(drawing->panels[static_cast<std::size_t>(spot.panel)].name, std::string("front"));
+        QVERIFY(drawing->panels[static_cast<std::size_t>(spot.panel)].path.contains(
+            QPointF(spot.flat[0] + drawing->panels[static_cast<std::size_t>(spot.panel)].on_sheet[0],
+                    spot.flat[1] + drawing->panels[static_cast<std::size_t>(spot.panel)].on_sheet[1])));
+        // Its colour, which light dims a little.
+        const QImage picture = shape->picture();
+        const QColor drawn = picture.pixelColor((middle * picture.devicePixelRatio()).toPoint()), own = fabricColor(0);
+        QVERIFY2(std::abs(drawn.red() - own.red()) < 40 && std::abs(drawn.green() - own.green()) < 40 &&
+                     std::abs(drawn.hue() - own.hue()) < 12,
+                 qPrintable(drawn.name()));
+        shape->lookFrom(180);
+        QTest::qWait(100);
+        QCOMPARE(drawing->panels[static_cast<std::size_t>(shape->spotAt(middle).panel)].name, std::string("back"));
+    }
+
+    void anIssueOfAGarmentLeadsToIt()
+    {
+        showTee();
+        window_->setWorkspace(Workspace::design);
+        editGarment(window_->document(), "too warm", 0, {}, [](Garment& garment) { garment.wearer.skin_temperature_c = 90; });
+        QVERIFY(window_->document().hasError());
+        QVERIFY(!window_->garment().runForm().canRun());
+        window_->garment().showIssue("garments", 0);
+        QVERIFY(window_->garment().docks().garment->isVisible());
+    }
+
+private:
+    void showTee()
+    {
+        window_->setWorkspace(Workspace::garment);
+        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
+            garment.built_in.chest_mm = 600;
+            garment.built_in.length_mm = 400;
+            garment.built_in.sleeve_mm = 120;
+        });
+        editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTest::qWait(200);
+    }
+    void run()
+    {
+        QTRY_VERIFY(window_->garment().runForm().canRun());
+        window_->garment().runForm().start();
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 120000);
+        QVERIFY(window_->garment().playback().frames() > 1);
+    }
+};
+
+QTEST_MAIN(TestGarmentWindow)
+#include "tst_garment_window.moc"

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The Garment workspace without its window: adding garments, cutting panels, the wearer, the experiment, the flat view.
+#include "core/project/project_file.h"
+#include "ui/basics/quantity_edit.h"
+#include "ui/document/document.h"
+#include "ui/garment/flat_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/panel_table.h"
+#include "ui/garment/wear_form.h"
+#include "ui/window/examples.h"
+#include "ui/window/garment_workspace.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestGarmentWorkspace : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        document_ = std::make_unique<Document>();
+        QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
+        window_ = std::make_unique<QMainWindow>();
+        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *window_);
+        window_->setCentralWidget(&workspace_->view());
+        window_->resize(1000, 700);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void cleanup()
+    {
+        workspace_.reset();
+        window_.reset();
+        document_.reset();
+    }
+
+    void anEmptyProjectOffersATee()
+    {
+        QPushButton* add = nullptr;
+        for (auto* button : workspace_->view().findChildren<QPushButton*>()) {
+            if (button->text().contains("tee")) { add = button; }
+        }
+        QVERIFY(add);
+        QVERIFY(add->isVisible());
+        add->click();
+        QCOMPARE(document_->design()->garments.size(), std::size_t{1});
+        QCOMPARE(document_->design()->wears.size(), std::size_t{1});
+        QVERIFY(!document_->hasError());
+        QTRY_VERIFY(workspace_->choice().drawing());
+        QVERIFY(!add->isVisible());
+        QCOMPARE(workspace_->panel().panels().rowCount(), static_cast<int>(workspace_->choice().drawing()->panels.size()));
+        document_->history()->undo();
+        QVERIFY(document_->design()->garments.empty() && document_->design()->wears.empty());
+        QVERIFY(add->isVisible());
+    }
+
+    void aPanelIsCutFromAnotherFabric()
+    {
+        addTee();
+        PanelTable& table = workspace_->panel().panels();
+        const std::string panel = workspace_->choice().drawing()->panels[1].name;
+        auto* fabric = qobject_cast<QComboBox*>(table.cellWidget(1, 1));
+        QVERIFY(fabric->count() > 1);
+        fabric->setCurrentIndex(1);
+        Q_EMIT fabric->activated(1);
+        QCOMPARE(garment().cut_of(panel)->fabric, document_->design()->fabrics[1].name);
+        QCOMPARE(garment().cut_of("*")->fabric, document_->design()->fabrics[0].name);
+        auto* grain = qobject_cast<QuantityEdit*>(table.cellWidget(1, 2));
+        Q_EMIT grain->edited(45.0, false);
+        QCOMPARE(garment().cut_of(panel)->grain_deg, 45.0);
+        QCOMPARE(garment().cut_of(panel)->fabric, document_->design()->fabrics[1].name);
+        document_->history()->undo();
+        QCOMPARE(garment().cut_of(panel)->grain_deg, 0.0);
+        document_->history()->undo();
+        QCOMPARE(garment().cut_of(panel)->fabric, document_->design()->fabrics[0].name);
+        QCOMPARE(fabric->currentIndex(), 0);
+    }
+
+    void aFabricIsDroppedOnAPanel()
+    {
+        addTee();
+        FlatView& flat = workspace_->view().flat();
+        const int panel = 0;
+        const QPointF at = flat.pixelOf(middleOf(panel));
+        QCOMPARE(flat.spotAt(at).panel, panel);
+        const QString fabric = QString::fromStdString(document_->design()->fabrics[1].name);
+        QMimeData data;
+        data.setData(fabric_mime, fabric.toUtf8());
+        QDragEnterEvent enter(at.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier); // without it no drop arrives
+        QCoreApplication::sendEvent(&flat, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&flat, &drop);
+        QCOMPARE(garment().cut_of(workspace_->choice().drawing()->panels[panel].name)->fabric, fabric.toStdString());
+        QCOMPARE(flat.picture().pixelColor((flat.pixelOf(cornerNear(panel))).toPoint()), fabricColor(1));
+        document_->history()->undo();
+        QCOMPARE(flat.picture().pixelColor((flat.pixelOf(cornerNear(panel))).toPoint()), fabricColor(0));
+    }
+
+    void panelsDoNotOverlapOnTheSheet()
+    {
+        addTee();
+        const auto& panels = workspace_->choice().drawing()->panels;
+        for (std::size_t a = 0; a < panels.size(); ++a) {
+            for (std::size_t b = a + 1; b < panels.size(); ++b) {
+                QVERIFY(!panels[a].path.boundingRect().intersects(panels[b].path.boundingRect()));
+            }
+        }
+    }
+
+    void zoomingKeepsThePlaceUnderThePointer()
+    {
+        addTee();
+        FlatView& flat = workspace_->view().flat();
+        const QPointF at = flat.pixelOf(middleOf(0));
+        const GarmentSpot before = flat.spotAt(at);
+        QWheelEvent wheel(at, flat.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&flat, &wheel);
+        const GarmentSpot after = flat.spotAt(at);
+        QCOMPARE(after.panel, before.panel);
+        QVERIFY(std::abs(after.flat[0] - before.flat[0]) < 1e-9 && std::abs(after.flat[1] - before.flat[1]) < 1e-9);
+        QVERIFY((flat.pixelOf(cornerNear(0)) - at).manhattanLength() > 5);
+    }
+
+    void aFileThatIsNotThereIsReported()
+    {
+        addGarmentFile(*document_, "/nowhere/none.json");
+        QTRY_VERIFY(!workspace_->choice().reading());
+        QVERIFY(workspace_->choice().problem().contains("none.json"));
+        bool shown = false;
+        for (const QLabel* label : workspace_->view().findChildren<QLabel*>()) {
+            shown = shown || (label->isVisible() && label->text() == workspace_->choice().problem());
+        }
+        QVERIFY(shown);
+    }
+
+    void theSizeOfATeeChangesItsPanels()
+    {
+        addTee();
+        const double before = workspace_->choice().drawing()->sheet.height();
+        editGarment(*document_, "length", 0, "length_mm", [](Garment& g) { g.built_in.length_mm = 900; });
+        QTRY_VERIFY(workspace_->choice().drawing()->sheet.height() > before + 0.1);
+    }
+
+    void activityIsAddedAndRemoved()
+    {
+        addTee();
+        WearForm& wear = workspace_->wear();
+        wear.addActivity();
+        QCOMPARE(document_->design()->wears[0].activity.size(), std::size_t{2});
+        QCOMPARE(document_->design()->wears[0].activity[1].time_s, 900.0);
+        QVERIFY(!document_->hasError());
+        auto* table = wear.findChild<QTableWidget*>();
+        Q_EMIT qobject_cast<QuantityEdit*>(table->cellWidget(1, 1))->edited(0.2, false);
+        QCOMPARE(document_->design()->wears[0].activity[1].factor, 0.2);
+        wear.removeActivity();
+        QCOMPARE(document_->design()->wears[0].activity.size(), std::size_t{1});
+        document_->history()->undo();
+        QCOMPARE(document_->design()->wears[0].activity[1].factor, 0.2);
+    }
+
+    void removingAGarmentRemovesItsExperiments()
+    {
+        addTee();
+        addBuiltInGarment(*document_, "leggings");
+        QCOMPARE(document_->design()->wears.size(), std::size_t{2});
+        workspace_->choice().setGarmentIndex(0);
+        workspace_->panel().removeChosen();
+        QCOMPARE(document_->design()->wears.size(), std::size_t{1});
+        QCOMPARE(document_->design()->wears[0].garment, std::string("leggings"));
+        QVERIFY(!document_->hasError());
+    }
+
+    void experimentsFollowTheNameOfTheirGarment()
+    {
+        addTee();
+        renameGarment(*document_, 0, " running shirt ");
+        QCOMPARE(garment().name, std::string("running shirt"));
+        QCOMPARE(document_->design()->wears[0].garment, std::string("running shirt"));
+        QVERIFY(!document_->hasError());
+        QVERIFY(workspace_->choice().wear());
+        addBuiltInGarment(*document_, "tee");
+        renameGarment(*document_, 1, "running shirt"); // taken
+        QCOMPARE(document_->design()->garments[1].name, std::string("tee"));
+        renameWear(*document_, 0, "race");
+        QCOMPARE(document_->design()->wears[0].name, std::string("race"));
+    }
+
+private:
+    const Garment& garment() const { return document_->design()->garments.front(); }
+    void addTee()
+    {
+        workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "tee"));
+        QTRY_VERIFY(workspace_->choice().drawing());
+        QCoreApplication::processEvents();
+    }
+    GarmentSpot spot(int panel, double up) const
+    {
+        const DrawnPanel& drawn = workspace_->choice().drawing()->panels[static_cast<std::size_t>(panel)];
+        const QRectF box = drawn.path.boundingRect();
+        return {panel, {box.center().x() - drawn.on_sheet[0], box.top() + up * box.height() - drawn.on_sheet[1]}};
+    }
+    GarmentSpot middleOf(int panel) const { return spot(panel, 0.5); }
+    /// Below the name and the arrow.
+    GarmentSpot cornerNear(int panel) const { return spot(panel, 0.06); }
+
+    std::unique_ptr<Document> document_;
+    std::unique_ptr<QMainWindow> window_;
+    std::unique_ptr<GarmentWorkspace> workspace_;
+};
+
+QTEST_MAIN(TestGarmentWorkspace)
+#include "tst_garment_workspace.moc"

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/garment/garment_edits.h"
+
+#include "core/base/words.h"
+#include "core/project/library.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
+
+void pushWear(Design& design, const std::string& garment, const Climate* climate)
+{
+    WearExperiment wear;
+    wear.garment = garment;
+    if (climate) { wear.climate = *climate; }
+    wear.name = free_name("wear", [&design](const std::string& name) {
+        return find_wear(design, name) != nullptr || find_experiment(design, name) != nullptr;
+    });
+    design.wears.push_back(std::move(wear));
+}
+
+int add(Document& document, Garment garment)
+{
+    const Experiment* experiment = document.experiment();
+    const std::optional<Climate> climate = experiment ? std::optional(experiment->climate) : std::nullopt;
+    document.edit(tr("add %1").arg(QString::fromStdString(garment.name)), {}, [&](Design& design) {
+        if (design.fabrics.empty()) { add_preset(design, shipped_presets().front()); }
+        garment.panels["*"].fabric = design.fabrics.front().name;
+        garment.name = free_name(garment.name, [&design](const std::string& name) { return find_garment(design, name) != nullptr; });
+        design.garments.push_back(garment);
+        pushWear(design, garment.name, climate ? &*climate : nullptr);
+    });
+    document.endStroke();
+    return static_cast<int>(document.design()->garments.size()) - 1;
+}
+
+} // namespace
+
+int addBuiltInGarment(Document& document, const std::string& kind)
+{
+    Garment garment;
+    garment.built_in = standard_garment(kind);
+    garment.name = kind;
+    return add(document, std::move(garment));
+}
+
+int addGarmentFile(Document& document, const QString& path)
+{
+    Garment garment;
+    const QFileInfo file(path);
+    const QString absolute = QDir::cleanPath(file.absoluteFilePath());
+    garment.source =
+        (document.path().isEmpty() ? absolute : QFileInfo(document.path()).absoluteDir().relativeFilePath(absolute)).toStdString();
+    garment.name = file.completeBaseName().toStdString();
+    return add(document, std::move(garment));
+}
+
+void removeGarment(Document& document, int garment)
+{
+    document.edit(tr("remove garment"), {}, [garment](Design& design) {
+        const auto at = design.garments.begin() + garment;
+        std::erase_if(design.wears, [name = at->name](const WearExperiment& wear) { return wear.garment == name; });
+        design.garments.erase(at);
+    });
+    document.endStroke();
+}
+
+void renameGarment(Document& document, int garment, const QString& name)
+{
+    const std::string wish = name.trimmed().toStdString();
+    if (wish.empty() || find_garment(*document.design(), wish)) { return; }
+    document.edit(tr("rename garment"), {}, [&](Design& design) {
+        std::string& own = design.garments[static_cast<std::size_t>(garment)].name;
+        for (WearExperiment& wear : design.wears) {
+            if (wear.garment == own) { wear.garment = wish; }
+        }
+        own = wish;
+    });
+    document.endStroke();
+}
+
+void renameWear(Document& document, int wear, const QString& name)
+{
+    const std::string wish = name.trimmed().toStdString();
+    if (wish.empty() || find_wear(*document.design(), wish) || find_experiment(*document.design(), wish)) { return; }
+    editWear(document, tr("rename wear experiment"), wear, {}, [&](WearExperiment& edited) { edited.name = wish; });
+}
+
+void editGarment(Document& document, const QString& text, int garment, const std::string& field,
+                 const std::function<void(Garment&)>& change)
+{
+    document.edit(text, field.empty() ? field : "garments[" + std::to_string(garment) + "]." + field,
+                  [&](Design& design) { change(design.garments[static_cast<std::size_t>(garment)]); });
+    if (field.empty()) { document.endStroke(); }
+}
+
+void editCut(Document& document, const QString& text, int garment, const std::string& panel, const std::string& field,
+             const std::function<void(PanelCut&)>& change)
+{
+    editGarment(document, text, garment, field.empty() ? field : "panels." + panel + "." + field, [&](Garment& edited) {
+        const PanelCut* before = edited.cut_of(panel);
+        PanelCut cut = before ? *before : PanelCut{};
+        change(cut);
+        edited.panels[panel] = cut;
+    });
+}
+
+void cutAllFrom(Document& document, int garment, const std::string& fabric)
+{
+    editGarment(document, tr("cut all panels from %1").arg(QString::fromStdString(fabric)), garment, {}, [&](Garment& edited) {
+        edited.panels["*"].fabric = fabric;
+        for (auto& [panel, cut] : edited.panels) { cut.fabric = fabric; }
+    });
+}
+
+int addWear(Document& document, const std::string& garment)
+{
+    const Experiment* experiment = document.experiment();
+    const std::optional<Climate> climate = experiment ? std::optional(experiment->climate) : std::nullopt;
+    document.edit(tr("add wear experiment"), {}, [&](Design& design) { pushWear(design, garment, climate ? &*climate : nullptr); });
+    document.endStroke();
+    return static_cast<int>(document.design()->wears.size()) - 1;
+}
+
+void removeWear(Document& document, int wear)
+{
+    document.edit(tr("remove wear experiment"), {}, [wear](Design& design) { design.wears.erase(design.wears.begin() + wear); });
+    document.endStroke();
+}
+
+void editWear(Document& document, const QString& text, int wear, const std::string& field,
+              const std::function<void(WearExperiment&)>& change)
+{
+    document.edit(text, field.empty() ? field : "wears[" + std::to_string(wear) + "]." + field,
+                  [&](Design& design) { change(design.wears[static_cast<std::size_t>(wear)]); });
+    if (field.empty()) { document.endStroke(); }
+}
+
+} // namespace hygroloom

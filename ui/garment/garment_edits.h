@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Changes of garments and of how they are worn, each as one step of the history.
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QCoreApplication>
+
+namespace hygroloom {
+
+/// Adds a garment with an experiment on it, and a fabric of the library where the project has none. Returns its place.
+int addBuiltInGarment(Document& document, const std::string& kind);
+/// The same of a file, by its path relative to the project where that has one.
+int addGarmentFile(Document& document, const QString& path);
+/// With the experiments on it.
+void removeGarment(Document& document, int garment);
+
+/// Nothing where the name is empty or taken. Experiments follow a garment's name.
+void renameGarment(Document& document, int garment, const QString& name);
+void renameWear(Document& document, int wear, const QString& name);
+
+/// Steps with the same field merge until the stroke ends.
+void editGarment(Document& document, const QString& text, int garment, const std::string& field,
+                 const std::function<void(Garment&)>& change);
+/// Of a panel that is not named yet the cut is first copied from that of all others.
+void editCut(Document& document, const QString& text, int garment, const std::string& panel, const std::string& field,
+             const std::function<void(PanelCut&)>& change);
+/// Cuts all panels from a fabric; their grain and faces stay.
+void cutAllFrom(Document& document, int garment, const std::string& fabric);
+
+/// An experiment on a garment, in the climate of the project's experiment. Returns its place.
+int addWear(Document& document, const std::string& garment);
+void removeWear(Document& document, int wear);
+void editWear(Document& document, const QString& text, int wear, const std::string& field,
+              const std::function<void(WearExperiment&)>& change);
+
+} // namespace hygroloom

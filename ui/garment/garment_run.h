@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A run of a worn garment on a thread of its own, and reading one; signals come in the thread of this object.
+#pragma once
+
+#include "core/wear/wear_run.h"
+#include "ui/garment/worn_run.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <thread>
+
+namespace hygroloom {
+
+class GarmentRun : public QObject {
+    Q_OBJECT
+public:
+    enum class Outcome { finished, cancelled, failed };
+
+    struct Request {
+        std::shared_ptr<const Design> design;
+        std::string garment, experiment;
+        std::filesystem::path base; ///< that the garment's source is relative to
+        WearOptions options;
+        std::string backend;
+        std::filesystem::path recording; ///< empty: none is written
+    };
+
+    explicit GarmentRun(QObject* parent = nullptr);
+    /// Cancels and waits, 0.2 s or so.
+    ~GarmentRun() override;
+
+    /// Precondition: not running(), and validate() found no error.
+    void start(const Request& request);
+    /// Reads a recording. Precondition: not running().
+    void open(const std::filesystem::path& recording);
+    bool running() const { return running_; }
+    void cancel();
+
+Q_SIGNALS:
+    /// The first frame follows.
+    void started(const std::shared_ptr<WornRun>& run);
+    /// metrics: of all frames up to this one. most: g/m2, of any cell in it.
+    void frameArrived(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most);
+    void progressed(const RunProgress& progress);
+    /// sentence: what went wrong, empty otherwise.
+    void ended(Outcome outcome, const QString& sentence);
+
+private:
+    void post(std::function<void()> work);
+    void begin(const std::function<void()>& work);
+    void compute(const Request& request);
+    void read(const std::filesystem::path& recording);
+
+    RunControl control_;
+    bool running_ = false;
+    std::jthread thread_;
+};
+
+/// Whether a file is the recording of a garment; false for whatever cannot be read.
+bool isGarmentRecording(const QString& path);
+
+} // namespace hygroloom

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The middle of the Garment workspace: the garment in its fabrics or with its water, a run kept as A beside it, and their difference.
+#pragma once
+
+#include "ui/garment/garment_choice.h"
+#include "ui/garment/garment_pane.h"
+#include "ui/garment/wear_playback.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace hygroloom {
+
+class QuantityEdit;
+class StepLegend;
+
+class GarmentView : public QWidget {
+    Q_OBJECT
+public:
+    enum class Colors { fabrics, water, share };
+    enum class Compared { newest, both, difference };
+
+    GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget* parent = nullptr);
+
+    FlatView& flat() { return newest_->flat(); }
+    GarmentPane& newest() { return *newest_; }
+    GarmentPane& kept() { return *kept_; }
+    GarmentPane& difference() { return *difference_; }
+    StepLegend& legend() { return *legend_; }
+    void setColors(Colors colors);
+    void setCompared(Compared compared);
+    void setChosenPanel(int panel);
+    void fit();
+    /// False: the key means nothing here.
+    bool pressKey(int key);
+    QImage picture();
+    /// What is said of the place under the pointer, or of the pin.
+    QString probeText() const;
+
+Q_SIGNALS:
+    void panelClicked(int panel);
+
+private:
+    QWidget* makeEmpty();
+    QWidget* makeBar();
+    QWidget* makePanes();
+    void connectPane(GarmentPane* pane);
+    std::vector<GarmentPane*> panes() const { return {kept_, newest_, difference_}; }
+    void refresh();
+    void refreshRun();
+    void refreshBar();
+    void refreshLegend(bool exceeded, double differenceMost);
+    void showProbe(const GarmentSpot& spot);
+    void pinMiddle();
+    QString spotText(const GarmentSpot& spot) const;
+    QString whyStale() const;
+    bool showsRun() const { return colors_ != Colors::fabrics && playback_.run(); }
+
+    GarmentChoice& choice_;
+    WearPlayback& playback_;
+    Colors colors_ = Colors::fabrics;
+    Compared compared_ = Compared::newest;
+    GarmentSpot hovered_;
+    QStackedWidget* pages_;
+    QLabel* problem_;
+    QWidget* garment_page_;
+    GarmentPane* kept_;
+    GarmentPane* newest_;
+    GarmentPane* difference_;
+    QComboBox* colors_box_ = nullptr;
+    QComboBox* sides_box_ = nullptr;
+    QComboBox* compared_box_ = nullptr;
+    QStackedWidget* most_ = nullptr;
+    QuantityEdit* most_water_ = nullptr;
+    QuantityEdit* most_share_ = nullptr;
+    QPushButton* keep_ = nullptr;
+    StepLegend* legend_;
+    StepLegend* difference_legend_;
+    QLabel* probe_;
+};
+
+} // namespace hygroloom

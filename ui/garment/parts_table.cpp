@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/garment/parts_table.h"
+
+#include "core/base/units.h"
+#include "ui/basics/quantity.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QScrollBar>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+/// A number of a part at one moment; none: never.
+struct Column {
+    const char* title;
+    int decimals;
+    std::optional<double> (*of)(const WearPart& part, const WearNow& now, const std::optional<double>& stops);
+    bool compared; ///< of A and B each, with the difference
+};
+
+constexpr Column columns[] = {
+    {QT_TRANSLATE_NOOP("hygroloom", "Area, m²"), 3,
+     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return std::optional(p.area); }, false},
+    {QT_TRANSLATE_NOOP("hygroloom", "Water, g"), 2,
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Water, g/m²"), 1,
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water / p.area); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Of capacity, %"), 1,
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.water / p.capacity); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Wet area, %"), 0,
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.wet_area / p.area); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "On skin, g"), 2,
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.on_skin); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Evaporated, g"), 2,
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.evaporated); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Cloth, °C"), 1,
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(n.temperature - zero_celsius); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Full after, s"), 0,
+     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return p.time_to_full(); }, true},
+    {QT_TRANSLATE_NOOP("hygroloom", "Dry after, s"), 0,
+     [](const WearPart& p, const WearNow&, const std::optional<double>& stops) { return stops ? p.time_to_dry(*stops) : std::nullopt; },
+     true},
+};
+
+QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
+
+struct Line {
+    QString name;
+    const WearPart* newest;
+    const WearPart* kept;
+};
+
+const WearPart* named(const std::vector<WearPart>& parts, const std::string& name)
+{
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const WearPart& part) { return part.name == name; });
+    return found == parts.end() ? nullptr : &*found;
+}
+
+std::vector<Line> linesOf(const WearMetrics& newest, const WearMetrics* kept)
+{
+    std::vector<Line> lines{{tr("Garment"), &newest.all(), kept ? &kept->all() : nullptr}};
+    for (const WearPart& part : newest.panels()) {
+        lines.push_back({tr("Panel: %1").arg(QString::fromStdString(part.name)), &part, kept ? named(kept->panels(), part.name) : nullptr});
+    }
+    for (const WearPart& part : newest.zones()) {
+        lines.push_back({tr("Zone: %1").arg(QString::fromStdString(part.name)), &part, kept ? named(kept->zones(), part.name) : nullptr});
+    }
+    return lines;
+}
+
+/// NaN: there is none.
+double valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
+{
+    if (!part || part->course.empty()) { return nan(""); }
+    const auto after =
+        std::upper_bound(part->course.begin(), part->course.end(), time + 1e-9, [](double t, const WearNow& now) { return t < now.time; });
+    return column.of(*part, after == part->course.begin() ? *after : *(after - 1), stops).value_or(nan(""));
+}
+
+} // namespace
+
+PartsTable::PartsTable(WearPlayback& playback, QWidget* parent) : QTableWidget(parent), playback_(playback)
+{
+    setEditTriggers(NoEditTriggers);
+    setSelectionBehavior(SelectRows);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(tr("Numbers per panel and zone"));
+    for (const auto signal : {&WearPlayback::runChanged, &WearPlayback::framesChanged, &WearPlayback::frameShown}) {
+        connect(&playback_, signal, this, &PartsTable::refresh);
+    }
+    refresh();
+}
+
+void PartsTable::refresh()
+{
+    const auto& run = playback_.run();
+    if (!run || !run->metrics) {
+        setRowCount(0);
+        setColumnCount(0);
+        return;
+    }
+    const bool compares = playback_.kept() && playback_.kept() != run && playback_.kept()->metrics;
+    QStringList titles{tr("Part")};
+    for (const Column& column : columns) {
+        const QString title = tr(column.title);
+        if (compares && column.compared) {
+            titles << "A " + title << "B " + title << QStringLiteral("B − A");
+        } else {
+            titles << title;
+        }
+    }
+    const std::vector<Line> lines = linesOf(*run->metrics, compares ? playback_.kept()->metrics.get() : nullptr);
+    const bool anew = columnCount() != titles.size() || rowCount() != static_cast<int>(lines.size());
+    setColumnCount(static_cast<int>(titles.size()));
+    setRowCount(static_cast<int>(lines.size()));
+    if (anew) { setHorizontalHeaderLabels(titles); }
+    const auto put = [this](int row, int column, const QString& text, double value = nan("")) {
+        QTableWidgetItem* cell = item(row, column);
+        if (!cell) {
+            setItem(row, column, cell = new QTableWidgetItem);
+            if (column > 0) { cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter); }
+        }
+        cell->setText(text);
+        cell->setData(Qt::UserRole, std::isnan(value) ? QVariant() : QVariant(value));
+    };
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const int row = static_cast<int>(k);
+        put(row, 0, lines[k].name);
+        int at = 1;
+        for (const Column& column : columns) {
+            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : shownNumber(value, column.decimals); };
+            const double newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
+            if (compares && column.compared) {
+                const double kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
+                const double less = newest - kept; // NaN where one of them is
+                put(row, at++, text(kept), kept);
+                put(row, at++, text(newest), newest);
+                put(row, at++, text(less), less);
+            } else {
+                put(row, at++, text(newest), newest);
+            }
+        }
+    }
+    if (anew) { resizeColumnsToContents(); }
+}
+
+QString PartsTable::csv() const
+{
+    const auto quoted = [](QString text) {
+        return text.contains(',') || text.contains('"') ? '"' + text.replace('"', "\"\"") + '"' : text;
+    };
+    QStringList rows, head;
+    for (int column = 0; column < columnCount(); ++column) { head << quoted(horizontalHeaderItem(column)->text()); }
+    if (!head.isEmpty()) { rows << head.join(','); }
+    for (int row = 0; row < rowCount(); ++row) {
+        QStringList cells{quoted(item(row, 0)->text())};
+        for (int column = 1; column < columnCount(); ++column) {
+            const QVariant value = item(row, column)->data(Qt::UserRole);
+            cells << (value.isValid() ? QString::number(value.toDouble(), 'g', 8) : QString());
+        }
+        rows << cells.join(',');
+    }
+    return rows.isEmpty() ? QString() : rows.join('\n') + '\n';
+}
+
+void PartsTable::copy() const { QApplication::clipboard()->setText(csv()); }
+
+void PartsTable::keyPressEvent(QKeyEvent* event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        copy();
+        return;
+    }
+    QTableWidget::keyPressEvent(event);
+}
+
+void PartsTable::contextMenuEvent(QContextMenuEvent* event)
+{
+    QMenu menu(this);
+    connect(menu.addAction(tr("Copy as CSV")), &QAction::triggered, this, &PartsTable::copy);
+    menu.exec(event->globalPos());
+}
+
+} // namespace hygroloom

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/garment/run_form.h"
+
+#include "core/base/text.h"
+#include "gpu/backends.h"
+#include "ui/basics/appearance.h"
+#include "ui/basics/quantity.h"
+#include "ui/results/plan_dialog.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::standard, Fidelity::reference};
+
+} // namespace
+
+RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
+    : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new QComboBox),
+      record_(new QCheckBox(tr("Record to a file…"))), start_(new QPushButton(themedIcon("run"), tr("Run"))),
+      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), bar_(new QProgressBar), state_(new QLabel)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    addFidelities();
+    addDevices();
+    record_->setToolTip(tr("Writes the next run to a file, which this workspace and the command line can open."));
+    connect(record_, &QCheckBox::clicked, this, &RunForm::chooseRecording);
+    layout->addWidget(record_);
+    auto* buttons = new QHBoxLayout; // each keeps its place
+    buttons->setSpacing(6);
+    QFont bold = start_->font();
+    bold.setBold(true);
+    start_->setFont(bold);
+    for (QPushButton* button : {start_, stop_}) {
+        button->setMinimumHeight(36);
+        button->setAccessibleName(button->text());
+        buttons->addWidget(button, button == start_ ? 2 : 1);
+    }
+    layout->addLayout(buttons);
+    bar_->setTextVisible(false);
+    bar_->setFixedHeight(8);
+    bar_->setRange(0, 1000);
+    QSizePolicy policy = bar_->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // nothing moves when a run begins
+    bar_->setSizePolicy(policy);
+    bar_->setAccessibleName(tr("Progress of the run"));
+    layout->addWidget(bar_);
+    state_->setWordWrap(true);
+    state_->setTextFormat(Qt::PlainText);
+    state_->setMinimumHeight(4 * state_->fontMetrics().lineSpacing());
+    state_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    state_->setAccessibleName(tr("State of the run"));
+    layout->addWidget(state_);
+    layout->addStretch();
+    connect(start_, &QPushButton::clicked, this, &RunForm::start);
+    connect(stop_, &QPushButton::clicked, &run_, &GarmentRun::cancel);
+    connect(&run_, &GarmentRun::progressed, this, &RunForm::showProgress);
+    connect(&run_, &GarmentRun::ended, this, &RunForm::showEnd);
+    connect(&choice_, &GarmentChoice::changed, this, &RunForm::estimate);
+    connect(&choice_, &GarmentChoice::drawingChanged, this, &RunForm::estimate);
+    estimate();
+}
+
+void RunForm::addFidelities()
+{
+    auto* row = new QHBoxLayout;
+    const QString tips[] = {tr("Cells about 6 mm wide."), tr("Cells about 3 mm wide."), tr("Cells about 1.5 mm wide.")};
+    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
+        auto* button = new QRadioButton(fidelityName(fidelity_order[i]));
+        button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));
+        button->setToolTip(tips[i]);
+        fidelities_->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+    }
+    row->addStretch();
+    fidelities_->button(0)->setChecked(true);
+    connect(fidelities_, &QButtonGroup::idClicked, this, &RunForm::estimate);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    expected_->setForegroundRole(QPalette::PlaceholderText);
+    expected_->setAccessibleName(tr("Expected"));
+    expected_->setWordWrap(true);
+    expected_->setMinimumHeight(2 * expected_->fontMetrics().lineSpacing());
+    expected_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    layout()->addWidget(expected_);
+}
+
+void RunForm::addDevices()
+{
+    for (const BackendInfo& info : find_backends()) {
+        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
+        device_->addItem(info.usable ? name : tr("%1 (not usable)").arg(name), QString::fromStdString(info.name));
+        const int row = device_->count() - 1;
+        device_->setItemData(row, info.usable ? name : QString::fromStdString(info.reason), Qt::ToolTipRole);
+        if (auto* model = qobject_cast<QStandardItemModel*>(device_->model()); model && !info.usable) {
+            model->item(row)->setEnabled(false);
+        }
+    }
+    device_->setAccessibleName(tr("Device"));
+    device_->setToolTip(tr("Processor that runs the experiment."));
+    device_->setMinimumContentsLength(8);
+    device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    layout()->addWidget(device_);
+}
+
+Fidelity RunForm::fidelity() const { return fidelity_order[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
+
+void RunForm::setFidelity(Fidelity fidelity)
+{
+    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
+        if (fidelity_order[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
+    }
+    estimate();
+}
+
+std::string RunForm::backend() const { return device_->count() > 0 ? device_->currentData().toString().toStdString() : "auto"; }
+
+void RunForm::setRecording(const QString& file)
+{
+    recording_ = file;
+    record_->setChecked(!file.isEmpty());
+    record_->setText(file.isEmpty() ? tr("Record to a file…") : tr("Record to %1").arg(QFileInfo(file).fileName()));
+    record_->setToolTip(file.isEmpty() ? tr("Writes the next run to a file, which this workspace and the command line can open.") : file);
+}
+
+void RunForm::chooseRecording(bool record)
+{
+    if (!record) {
+        setRecording({});
+        return;
+    }
+    const QString start = QDir(QString::fromStdString(choice_.base().string())).filePath("wear.hygrorec");
+    QString file = QFileDialog::getSaveFileName(this, tr("Record the Next Run"), start, tr("Recordings (*.hygrorec)"));
+    if (!file.isEmpty() && !file.endsWith(".hygrorec", Qt::CaseInsensitive)) { file += ".hygrorec"; }
+    setRecording(file);
+}
+
+bool RunForm::canRun(QString* reason) const
+{
+    QString why;
+    if (!choice_.garment()) {
+        why = tr("Add a garment.");
+    } else if (!choice_.wear()) {
+        why = tr("Add an experiment on this garment.");
+    } else if (!choice_.problem().isEmpty()) {
+        why = choice_.problem();
+    } else {
+        for (const Issue& issue : choice_.document().issues()) {
+            if (issue.severity == Severity::error) {
+                why = QString::fromStdString(issue.text);
+                break;
+            }
+        }
+    }
+    if (reason) { *reason = why; }
+    return why.isEmpty() && !run_.running() && choice_.drawing();
+}
+
+void RunForm::start()
+{
+    if (!canRun()) { return; }
+    GarmentRun::Request request;
+    request.design = choice_.document().design();
+    request.garment = choice_.garment()->name;
+    request.experiment = choice_.wear()->name;
+    request.base = choice_.base();
+    request.options.fidelity = fidelity();
+    request.backend = backend();
+    request.recording = recording_.toStdString();
+    run_.start(request);
+    setRecording({}); // only this run: the next one must not overwrite it
+    bar_->setValue(0);
+    state_->setText(tr("Cutting the garment into cells."));
+    showState();
+}
+
+/// What the run is expected to take: the garment is cut into cells for it, beside the window.
+void RunForm::estimate()
+{
+    expected_->clear();
+    showState();
+    QString reason;
+    canRun(&reason);
+    if (!reason.isEmpty() || !choice_.drawing()) {
+        planner_.drop();
+        return;
+    }
+    planner_.run([this, design = choice_.document().design(), wear = choice_.wear()->name, base = choice_.base(),
+                  fidelity = fidelity()](const NewestJob::Turn& turn) {
+        QString text;
+        try {
+            const GarmentParts parts = garment_parts(*design, *find_wear(*design, wear), base);
+            WearOptions options;
+            options.fidelity = fidelity;
+            if (turn.outdated()) { return; }
+            const GarmentScene scene = garment_scene(parts, resolution_of(options));
+            const WearPlan plan = plan_wear(scene, parts);
+            text = tr("%1 %2, %3; %4 on two cores.")
+                       .arg(plan.cells)
+                       .arg(QString::fromStdString(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes),
+                            roughDuration(plan.seconds));
+        } catch (const std::exception& error) {
+            text = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, design, text] {
+            if (design == choice_.document().design()) { expected_->setText(text); }
+        });
+    });
+}
+
+void RunForm::showState()
+{
+    QString reason;
+    const bool can = canRun(&reason);
+    start_->setEnabled(can);
+    stop_->setEnabled(run_.running());
+    record_->setEnabled(!run_.running());
+    bar_->setVisible(run_.running());
+    start_->setToolTip(can ? tr("Run the experiment on this garment (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
+    if (!run_.running() && !reason.isEmpty()) {
+        state_->setText(tr("Cannot run: %1").arg(reason));
+        blocked_ = true;
+    } else if (blocked_) {
+        state_->clear();
+        blocked_ = false;
+    }
+    Q_EMIT canRunChanged();
+}
+
+void RunForm::showProgress(const RunProgress& progress)
+{
+    if (!run_.running()) { return; }
+    const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
+    bar_->setValue(static_cast<int>(1000 * share));
+    QString text = tr("%1 of %2 simulated in %3 s")
+                       .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration),
+                            shownNumber(progress.wall, 0));
+    const auto left = time_left(share, progress.wall);
+    state_->setText(left ? text + tr(", %1 left.").arg(roughDuration(*left)) : text + ".");
+}
+
+void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)
+{
+    switch (outcome) {
+    case GarmentRun::Outcome::finished: state_->setText(tr("Finished.")); break;
+    case GarmentRun::Outcome::cancelled: state_->setText(tr("Stopped. What was computed up to here is shown.")); break;
+    case GarmentRun::Outcome::failed: state_->setText(sentence); break;
+    }
+    showState();
+}
+
+} // namespace hygroloom

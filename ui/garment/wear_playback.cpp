@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/garment/wear_playback.h"
+
+#include "ui/basics/color_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+void WearPlayback::begin(const std::shared_ptr<WornRun>& run)
+{
+    run_ = run;
+    current_ = -1;
+    follow_ = true;
+    if (pin_.panel >= static_cast<int>(run->layout().panels.size())) { pin_ = {}; }
+    pair();
+    Q_EMIT runChanged();
+    Q_EMIT framesChanged();
+}
+
+void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most)
+{
+    if (!run_) { return; }
+    const double before = this->most();
+    run_->frames.push_back(frame);
+    run_->metrics = metrics;
+    run_->most_water = std::max(run_->most_water, most);
+    if (!run_->live) { run_->duration = std::max(run_->duration, frame->time); }
+    if (this->most() != before) { Q_EMIT scaleChanged(); }
+    Q_EMIT framesChanged();
+    if (follow_) {
+        current_ = frames() - 1;
+        Q_EMIT frameShown();
+    }
+}
+
+void WearPlayback::end()
+{
+    if (!run_) { return; }
+    run_->live = false;
+    if (!run_->frames.empty()) { run_->duration = run_->frames.back()->time; }
+    Q_EMIT framesChanged();
+}
+
+void WearPlayback::clear()
+{
+    run_.reset();
+    kept_.reset();
+    pair();
+    current_ = -1;
+    pin_ = {};
+    Q_EMIT runChanged();
+    Q_EMIT framesChanged();
+}
+
+void WearPlayback::keepAsA()
+{
+    if (!run_ || run_->live || run_->frames.empty()) { return; }
+    kept_ = run_;
+    pair();
+    Q_EMIT runChanged();
+}
+
+void WearPlayback::dropA()
+{
+    kept_.reset();
+    pair();
+    Q_EMIT runChanged();
+}
+
+double WearPlayback::time() const
+{
+    const auto shown = frame();
+    return shown ? shown->time : 0;
+}
+
+double WearPlayback::duration() const { return run_ ? run_->duration : 0; }
+
+void WearPlayback::show(int frame)
+{
+    if (frame < 0 || frame >= frames()) { return; }
+    follow_ = run_->live && frame == frames() - 1;
+    current_ = frame;
+    Q_EMIT frameShown();
+}
+
+std::shared_ptr<const WearFrame> WearPlayback::frame() const
+{
+    return current_ >= 0 && current_ < frames() ? run_->frames[static_cast<std::size_t>(current_)] : nullptr;
+}
+
+std::shared_ptr<const WearFrame> WearPlayback::keptFrame() const
+{
+    const int at = kept_ ? kept_->frameAt(time()) : -1;
+    return at >= 0 ? kept_->frames[static_cast<std::size_t>(at)] : nullptr;
+}
+
+void WearPlayback::setValue(WearValue value)
+{
+    if (value == value_) { return; }
+    value_ = value;
+    Q_EMIT scaleChanged();
+}
+
+double WearPlayback::most() const
+{
+    if (const auto& set = most_[static_cast<std::size_t>(value_)]) { return *set; }
+    if (value_ == WearValue::share) { return 1; }
+    return roundedUp(std::max(run_ ? run_->most_water : 0, kept_ ? kept_->most_water : 0));
+}
+
+void WearPlayback::pair()
+{
+    places_ = run_ && kept_ ? samePlaces(*run_, *kept_) : std::vector<int>();
+    most_difference_ = {};
+    measured_ = 0;
+}
+
+std::vector<double> WearPlayback::difference() const
+{
+    const auto newest = frame(), kept = keptFrame();
+    if (!newest || !kept) { return {}; }
+    return differences(cellValues(run_->layout(), *newest, value_), cellValues(kept_->layout(), *kept, value_), places_);
+}
+
+/// Each frame once.
+void WearPlayback::measureDifference() const
+{
+    for (; run_ && kept_ && measured_ < frames(); ++measured_) {
+        const WearFrame& newest = *run_->frames[static_cast<std::size_t>(measured_)];
+        const int at = kept_->frameAt(newest.time);
+        if (at < 0) { continue; }
+        for (const WearValue value : {WearValue::water, WearValue::share}) {
+            double& most = most_difference_[static_cast<std::size_t>(value)];
+            for (const double less :
+                 differences(cellValues(run_->layout(), newest, value),
+                             cellValues(kept_->layout(), *kept_->frames[static_cast<std::size_t>(at)], value), places_)) {
+                if (std::abs(less) > most) { most = std::abs(less); }
+            }
+        }
+    }
+}
+
+double WearPlayback::mostDifference() const
+{
+    measureDifference();
+    return roundedUp(most_difference_[static_cast<std::size_t>(value_)]);
+}
+
+void WearPlayback::setMost(std::optional<double> most)
+{
+    most_[static_cast<std::size_t>(value_)] = most;
+    Q_EMIT scaleChanged();
+}
+
+void WearPlayback::setPin(const GarmentSpot& spot)
+{
+    pin_ = spot;
+    Q_EMIT pinChanged();
+}
+
+} // namespace hygroloom

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The runs of garments that are shown: the newest, and one kept as A beside it; the time shown; the scale of the colours.
+#pragma once
+
+#include "ui/garment/worn_run.h"
+
+#include <QObject>
+
+namespace hygroloom {
+
+class WearPlayback : public QObject {
+    Q_OBJECT
+public:
+    explicit WearPlayback(QObject* parent = nullptr) : QObject(parent) {}
+
+    /// nullptr: nothing has run. B while another is kept.
+    const std::shared_ptr<WornRun>& run() const { return run_; }
+    /// A; nullptr: none is kept.
+    const std::shared_ptr<WornRun>& kept() const { return kept_; }
+    void begin(const std::shared_ptr<WornRun>& run);
+    void append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most);
+    void end();
+    void clear();
+    void keepAsA();
+    void dropA();
+
+    int frames() const { return run_ ? static_cast<int>(run_->frames.size()) : 0; }
+    int current() const { return current_; }
+    /// s, that is shown; 0 without frames.
+    double time() const;
+    double duration() const;
+    void show(int frame);
+    /// nullptr: there is none. Of A at the time shown.
+    std::shared_ptr<const WearFrame> frame() const;
+    std::shared_ptr<const WearFrame> keptFrame() const;
+
+    /// Of each cell of B its value less that of A, at the time shown; empty: there is no pair. NaN where A has no cell.
+    std::vector<double> difference() const;
+    /// Where the colours of the difference end: the most that any cell differs at any time so far, rounded up.
+    double mostDifference() const;
+
+    WearValue value() const { return value_; }
+    void setValue(WearValue value);
+    /// Where the colours end: g/m2, or a share. Both runs have the same.
+    double most() const;
+    /// What the user has set; none: by the runs.
+    std::optional<double> setMost() const { return most_[static_cast<std::size_t>(value_)]; }
+    void setMost(std::optional<double> most);
+
+    const GarmentSpot& pin() const { return pin_; }
+    void setPin(const GarmentSpot& spot);
+
+Q_SIGNALS:
+    void runChanged();
+    void framesChanged();
+    void frameShown();
+    void scaleChanged();
+    void pinChanged();
+
+private:
+    void pair();
+    void measureDifference() const;
+
+    std::shared_ptr<WornRun> run_, kept_;
+    std::vector<int> places_; ///< of A, of each cell of B
+    /// The most difference in each value, g/m2 and a share, of so many frames of B.
+    mutable std::array<double, 2> most_difference_{};
+    mutable int measured_ = 0;
+    int current_ = -1;
+    bool follow_ = true;
+    WearValue value_ = WearValue::water;
+    std::array<std::optional<double>, 2> most_;
+    GarmentSpot pin_;
+};
+
+} // namespace hygroloom

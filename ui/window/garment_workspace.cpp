@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/window/garment_workspace.h"
+
+#include "ui/basics/typed_value.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/panel_table.h"
+#include "ui/garment/parts_table.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/wear_chart.h"
+#include "ui/garment/wear_form.h"
+#include "ui/garment/wear_timeline.h"
+#include "ui/window/command.h"
+#include "ui/window/confirm.h"
+#include "ui/window/docks.h"
+#include "ui/window/file_names.h"
+
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+
+GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
+    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), wear_(new WearForm(choice_)),
+      form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)), chart_(new WearChart(playback_)),
+      parts_(new PartsTable(playback_)), view_(new GarmentView(choice_, playback_))
+{
+    auto* time = new QWidget;
+    auto* layout = new QVBoxLayout(time);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(timeline_);
+    layout->addWidget(chart_, 1);
+    docks_.garment = makeDock(window, "garment", tr("Garment"), garment_);
+    docks_.wear = makeDock(window, "wear", tr("Wear"), wear_);
+    docks_.run = makeDock(window, "garment run", tr("Run"), form_);
+    docks_.time = makeDock(window, "garment time", tr("Time of Wear"), time);
+    docks_.parts = makeDock(window, "garment parts", tr("Panels and Zones"), parts_);
+    connect(view_, &GarmentView::panelClicked, this, [this](int panel) {
+        view_->setChosenPanel(panel);
+        garment_->panels().choosePanel(panel);
+    });
+    connect(&garment_->panels(), &PanelTable::panelChosen, view_, &GarmentView::setChosenPanel);
+    connect(&document_, &Document::replaced, this, &GarmentWorkspace::clearResults);
+    connectRun();
+}
+
+GarmentWorkspace::~GarmentWorkspace()
+{
+    run_.disconnect(this); // it reports its end when the panels are half gone
+    run_.disconnect(form_);
+    run_.cancel();
+}
+
+void GarmentWorkspace::connectRun()
+{
+    connect(&run_, &GarmentRun::started, &playback_, &WearPlayback::begin);
+    connect(&run_, &GarmentRun::frameArrived, &playback_, &WearPlayback::append);
+    connect(&run_, &GarmentRun::ended, this, [this](GarmentRun::Outcome outcome, const QString& sentence) {
+        playback_.end();
+        if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
+        opening_ = false;
+        refreshActions();
+    });
+    connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
+    connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
+    connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
+}
+
+void GarmentWorkspace::fillMenu(QMenu* menu)
+{
+    for (const std::string& kind : built_in_garments()) {
+        const QString name = QString::fromStdString(kind);
+        connect(
+            addCommand(menu, "add", tr("Add Built-in %1").arg(name), {}, tr("Add a %1 and an experiment in which it is worn.").arg(name)),
+            &QAction::triggered, this, [this, kind] { choice_.setGarmentIndex(addBuiltInGarment(document_, kind)); });
+    }
+    connect(addCommand(menu, {}, tr("Add Garment from a &File…"), {}, tr("Add a sewing pattern, or a mesh with flat coordinates.")),
+            &QAction::triggered, garment_, &GarmentPanel::addFile);
+    connect(addCommand(menu, "delete", tr("Remove &Garment"), {}, tr("Remove the chosen garment and its experiments.")),
+            &QAction::triggered, garment_, &GarmentPanel::removeChosen);
+    menu->addSeparator();
+    actions_.start =
+        addCommand(menu, "run", tr("&Run the Wear Experiment"), QKeySequence("Ctrl+R"), tr("Run the experiment on this garment."));
+    connect(actions_.start, &QAction::triggered, this, [this] {
+        commitTypedValue(window_);
+        form_->start();
+    });
+    actions_.stop = addCommand(menu, "stop", tr("S&top the Wear Experiment"), {}, tr("Stop the run. What was computed is kept."));
+    connect(actions_.stop, &QAction::triggered, &run_, &GarmentRun::cancel);
+    keep_ = addCommand(menu, {}, tr("&Keep This Run as A"), {}, tr("Compare the next runs with this one."));
+    connect(keep_, &QAction::triggered, &playback_, &WearPlayback::keepAsA);
+    drop_ = addCommand(menu, {}, tr("&Drop A"), {}, tr("Show the newest run alone."));
+    connect(drop_, &QAction::triggered, &playback_, &WearPlayback::dropA);
+    menu->addSeparator();
+    open_ = addCommand(menu, "open", tr("&Open Recording of a Garment…"), {}, tr("Show a recorded run of a garment."));
+    connect(open_, &QAction::triggered, this, &GarmentWorkspace::chooseRecording);
+    save_run_ = addCommand(menu, {}, tr("Save R&un As…"), {}, tr("Write the run that is shown to a recording."));
+    connect(save_run_, &QAction::triggered, this, &GarmentWorkspace::chooseRunFile);
+    save_map_ = addCommand(menu, {}, tr("Save &Map…"), {},
+                           tr("Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder."));
+    connect(save_map_, &QAction::triggered, this, &GarmentWorkspace::saveMap);
+    copy_ = addCommand(menu, "copy", tr("&Copy Numbers as CSV"), {}, tr("Copy the numbers per panel and zone."));
+    connect(copy_, &QAction::triggered, parts_, &PartsTable::copy);
+    refreshActions();
+}
+
+void GarmentWorkspace::setShown(bool shown)
+{
+    if (!actions_.start) { return; }
+    actions_.start->setVisible(shown);
+    actions_.stop->setVisible(shown);
+}
+
+void GarmentWorkspace::refreshActions()
+{
+    if (!actions_.start) { return; }
+    const bool running = run_.running(), any = playback_.frame() != nullptr;
+    actions_.start->setEnabled(form_->canRun());
+    actions_.stop->setEnabled(running);
+    open_->setEnabled(!running);
+    save_map_->setEnabled(any);
+    save_run_->setEnabled(any && !running && playback_.run()->file.isEmpty());
+    copy_->setEnabled(any);
+    keep_->setEnabled(any && !running);
+    drop_->setEnabled(playback_.kept() != nullptr);
+}
+
+bool GarmentWorkspace::pressKey(int key)
+{
+    switch (key) {
+    case Qt::Key_Space: timeline_->togglePlaying(); return true;
+    case Qt::Key_Left: timeline_->step(-1); return true;
+    case Qt::Key_Right: timeline_->step(1); return true;
+    default: return view_->pressKey(key);
+    }
+}
+
+void GarmentWorkspace::showIssue(const QString& list, int index)
+{
+    if (list == "garments") {
+        choice_.setGarmentIndex(index);
+        reveal(docks_.garment);
+        return;
+    }
+    const Design& design = *document_.design();
+    for (std::size_t k = 0; k < design.garments.size(); ++k) {
+        if (design.garments[k].name == design.wears[static_cast<std::size_t>(index)].garment) {
+            choice_.setGarmentIndex(static_cast<int>(k));
+        }
+    }
+    choice_.setWearIndex(index);
+    reveal(docks_.wear);
+}
+
+void GarmentWorkspace::chooseRecording()
+{
+    const QString file =
+        QFileDialog::getOpenFileName(&window_, tr("Open Recording of a Garment"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!file.isEmpty()) { openRecording(file); }
+}
+
+void GarmentWorkspace::openRecording(const QString& path)
+{
+    if (run_.running()) {
+        Q_EMIT problemFound(tr("A garment is being worn. Stop that run, then open the recording."));
+        return;
+    }
+    opening_ = true;
+    run_.open(path.toStdString());
+    refreshActions();
+    Q_EMIT wanted();
+}
+
+/// In the background: the files of a fine map are large.
+void GarmentWorkspace::saveMap()
+{
+    const auto frame = playback_.frame();
+    if (!frame) { return; }
+    const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Save Map to a Folder"), folderOf(document_));
+    if (folder.isEmpty()) { return; }
+    WearMapOptions options;
+    options.crossings = 1; // single cells, as on screen
+    options.scale = playback_.value() == WearValue::water ? WearScale::same : WearScale::capacity;
+    options.most = playback_.most();
+    saver_.run([this, run = playback_.run(), record = playback_.run()->record, frame, options, folder](const NewestJob::Turn& turn) {
+        QString why;
+        std::size_t files = 0;
+        try {
+            files = write_wear_map(record->layout, *frame, wear_map(record->layout, *frame, options), folder.toStdString()).size();
+        } catch (const std::exception& error) {
+            why = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, why, files, folder] {
+            if (why.isEmpty()) {
+                Q_EMIT messageShown(tr("Saved %1 files to %2.").arg(files).arg(folder), 4000);
+            } else {
+                Q_EMIT problemFound(why);
+            }
+        });
+    });
+}
+
+void GarmentWorkspace::chooseRunFile()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Save Run of a Garment"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!path.isEmpty()) { saveRun(withEnding(path, ".hygrorec")); }
+}
+
+void GarmentWorkspace::saveRun(const QString& path)
+{
+    const std::shared_ptr<WornRun> run = playback_.run();
+    if (!run || run_.running()) { return; }
+    recorder_.run([this, run, frames = run->frames, path](const NewestJob::Turn& turn) {
+        QString why;
+        try {
+            WearWriter writer(path.toStdString(), *run->record);
+            for (const auto& frame : frames) { writer.append(*frame); }
+            writer.finish(run->wall);
+        } catch (const std::exception& error) {
+            why = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, run, why, path] {
+            if (!why.isEmpty()) {
+                Q_EMIT problemFound(why);
+                return;
+            }
+            run->file = path;
+            refreshActions();
+            Q_EMIT messageShown(tr("Saved the run to %1.").arg(path), 4000);
+        });
+    });
+}
+
+QStringList GarmentWorkspace::unsavedRuns() const
+{
+    QStringList names;
+    for (const auto& run : {playback_.run(), playback_.kept()}) {
+        if (run && run->file.isEmpty() && !run->frames.empty()) {
+            names << tr("%1 in %2").arg(QString::fromStdString(run->layout().garment), QString::fromStdString(run->layout().experiment));
+        }
+    }
+    names.removeDuplicates();
+    return names;
+}
+
+bool GarmentWorkspace::agreesToStopRun()
+{
+    if (run_.running()) {
+        return confirm(&window_, tr("A garment is being worn"), tr("Stop the run of the garment?"),
+                       tr("What was computed is lost, unless it is recorded."), tr("Stop the Run"));
+    }
+    const QStringList names = unsavedRuns();
+    return names.isEmpty() ||
+           confirm(&window_, tr("A run of a garment lies in no file"), tr("Drop the run of %1?").arg(names.join(", ")),
+                   tr("Its numbers and maps are lost. Save Run As… in the menu Garment writes it to a file."), tr("Drop the Run"));
+}
+
+/// Until the run has ended the window is drawn, but takes no input.
+void GarmentWorkspace::stopRun()
+{
+    if (!run_.running()) { return; }
+    QEventLoop end;
+    connect(&run_, &GarmentRun::ended, &end, &QEventLoop::quit);
+    run_.cancel();
+    if (run_.running()) { end.exec(QEventLoop::ExcludeUserInputEvents); }
+}
+
+void GarmentWorkspace::clearResults()
+{
+    if (!run_.running()) { playback_.clear(); }
+}
+
+} // namespace hygroloom

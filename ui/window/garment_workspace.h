@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The workspace in which a garment is cut from fabrics and worn.
+#pragma once
+
+#include "ui/garment/garment_choice.h"
+#include "ui/garment/garment_run.h"
+#include "ui/garment/wear_playback.h"
+
+#include <QObject>
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace hygroloom {
+
+class GarmentPanel;
+class GarmentView;
+class PartsTable;
+class RunForm;
+class WearChart;
+class WearForm;
+class WearTimeline;
+
+class GarmentWorkspace : public QObject {
+    Q_OBJECT
+public:
+    struct Docks {
+        QDockWidget* garment = nullptr;
+        QDockWidget* wear = nullptr;
+        QDockWidget* run = nullptr;
+        QDockWidget* time = nullptr;
+        QDockWidget* parts = nullptr;
+    };
+    struct Actions {
+        QAction* start = nullptr;
+        QAction* stop = nullptr;
+    };
+
+    GarmentWorkspace(Document& document, QMainWindow& window);
+    ~GarmentWorkspace() override;
+
+    GarmentChoice& choice() { return choice_; }
+    GarmentPanel& panel() { return *garment_; }
+    WearForm& wear() { return *wear_; }
+    RunForm& runForm() { return *form_; }
+    GarmentRun& run() { return run_; }
+    WearPlayback& playback() { return playback_; }
+    WearChart& chart() { return *chart_; }
+    PartsTable& parts() { return *parts_; }
+    GarmentView& view() { return *view_; }
+    const Docks& docks() const { return docks_; }
+    const Actions& actions() const { return actions_; }
+    void fillMenu(QMenu* menu);
+    /// Its commands that stand in the tool bar are there while the workspace is on screen.
+    void setShown(bool shown);
+    bool pressKey(int key);
+    /// Chooses the garment or the experiment of an issue.
+    void showIssue(const QString& list, int index);
+    /// Reads a recording, unless a run is in progress.
+    void openRecording(const QString& path);
+    /// Asks before a run in progress is stopped, or one that lies in no file is lost. True when it may be, or there is none.
+    bool agreesToStopRun();
+    /// Waits until it has ended, 0.2 s or so.
+    void stopRun();
+    void clearResults();
+    /// Writes the run that is shown to a recording, in the background.
+    void saveRun(const QString& path);
+
+Q_SIGNALS:
+    void problemFound(const QString& sentence);
+    void messageShown(const QString& sentence, int ms);
+    /// There is something to see here.
+    void wanted();
+
+private:
+    void connectRun();
+    void chooseRecording();
+    void saveMap();
+    void chooseRunFile();
+    /// Of the runs shown, those whose frames lie in no file.
+    QStringList unsavedRuns() const;
+    void refreshActions();
+
+    Document& document_;
+    QMainWindow& window_;
+    GarmentChoice choice_;
+    WearPlayback playback_;
+    GarmentRun run_;
+    NewestJob saver_;
+    NewestJob recorder_;
+    GarmentPanel* garment_;
+    WearForm* wear_;
+    RunForm* form_;
+    WearTimeline* timeline_;
+    WearChart* chart_;
+    PartsTable* parts_;
+    GarmentView* view_;
+    Docks docks_;
+    Actions actions_;
+    QAction* open_ = nullptr;
+    QAction* save_run_ = nullptr;
+    QAction* save_map_ = nullptr;
+    QAction* copy_ = nullptr;
+    QAction* keep_ = nullptr;
+    QAction* drop_ = nullptr;
+    bool opening_ = false;
+};
+
+} // namespace hygroloom
