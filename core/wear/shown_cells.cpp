@@ -13,10 +13,11 @@ namespace {
 
 constexpr std::size_t most_unasked = 500'000; // cells
 
-int computed_per_cell(const GarmentScene& garment, std::size_t panel, double side)
+/// Near an asked side; at least the side where it is not asked for.
+int computed_per_cell(const GarmentScene& garment, std::size_t panel, double side, bool asked)
 {
-    const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[panel])];
-    return std::max(1, static_cast<int>(std::lround(side / std::sqrt(fabric.cell_area()))));
+    const double cells = side / std::sqrt(garment.fabrics[static_cast<std::size_t>(garment.fabric[panel])].cell_area());
+    return std::max(1, static_cast<int>(asked ? std::lround(cells) : std::ceil(cells)));
 }
 
 /// Of the computed grid, in squares of so many cells; the last ones may be smaller.
@@ -34,22 +35,22 @@ PanelGrid coarse(const PanelGrid& fine, int per_cell)
     return grid;
 }
 
-/// What computed cells come to, with the place of the middle one.
+/// What computed cells come to, with their mean place.
 GarmentCell sum_of(const std::vector<const GarmentCell*>& computed)
 {
-    GarmentCell sum = *computed[computed.size() / 2];
+    GarmentCell sum = *computed.front();
     sum.area = sum.capacity = sum.skin_contact = 0;
-    sum.flat = {};
+    sum.place = {};
     std::map<int, double> area_of_zone;
     for (const GarmentCell* cell : computed) {
         sum.area += cell->area;
         sum.capacity += cell->capacity;
         sum.skin_contact += cell->area * cell->skin_contact;
-        for (std::size_t k = 0; k < 2; ++k) sum.flat[k] += cell->area * cell->flat[k];
+        sum.place = sum.place + cell->area * cell->place;
         area_of_zone[cell->zone] += cell->area;
     }
     sum.skin_contact /= sum.area;
-    for (double& place : sum.flat) place /= sum.area;
+    sum.place = (1 / sum.area) * sum.place;
     sum.zone =
         std::max_element(area_of_zone.begin(), area_of_zone.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
     return sum;
@@ -101,7 +102,7 @@ ShownCells show_cells(GarmentScene& garment, const GarmentPattern& pattern, cons
     for (std::size_t panel = 0; panel < garment.grids.size(); ++panel) {
         const std::string& name = pattern.panels[panel].name;
         const bool whole = std::find(size.detail.begin(), size.detail.end(), name) != size.detail.end();
-        shown.computed_per_cell.push_back(whole ? 1 : computed_per_cell(garment, panel, side));
+        shown.computed_per_cell.push_back(whole ? 1 : computed_per_cell(garment, panel, side, size.side > 0));
         shown.grids.push_back(coarse(garment.grids[panel], shown.computed_per_cell.back()));
     }
     ClothPanels& panels = garment.scene.cloth.panels;
@@ -112,6 +113,7 @@ ShownCells show_cells(GarmentScene& garment, const GarmentPattern& pattern, cons
         const auto panel = static_cast<std::size_t>(cell.panel);
         cell.end /= shown.computed_per_cell[panel];
         cell.pick /= shown.computed_per_cell[panel];
+        cell.flat = shown.grids[panel].middle(cell.end, cell.pick);
         shown.grids[panel].there[shown.grids[panel].cell(cell.end, cell.pick)] = 1;
         shown.cells.push_back(cell);
     }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace hygroloom {
@@ -43,8 +44,8 @@ void take_course(const GarmentScene& garment, double duration, WearLayout& layou
     double before = sweat(0);
     layout.stops.reset();
     for (double time = skin.next_change(0); time < duration; time = skin.next_change(time)) {
-        const double now = sweat(time);
-        if (now < before) layout.stops = time;
+        const double now = sweat(time), just_before = sweat(std::nextafter(time, 0.0)); // it may jump then
+        if (now < (1 - 1e-9) * std::max(before, just_before)) layout.stops = time;
         before = now;
     }
     if (skin.airs.empty()) return;

@@ -129,6 +129,7 @@ void WearMetrics::add(const WearFrame& frame)
     keep(all_, all);
     for (std::size_t k = 0; k < panels.size(); ++k) keep(panels_[k], panels[k]);
     for (std::size_t k = 0; k < zones.size(); ++k) keep(zones_[k], zones[k]);
+    if (all_.course.size() == 1) at_start_ = frame.ledger.water_delivered;
     ledger_ = frame.ledger;
 }
 
@@ -143,7 +144,8 @@ std::string WearMetrics::json() const
     json["garment"] = all_.name;
     json["time_s"] = all_.course.back().time;
     json["metrics"] = numbers_of(all_, layout_.stops);
-    json["metrics"]["sweat_g"] = 1e3 * ledger_.water_delivered;
+    json["metrics"]["sweat_g"] = 1e3 * sweat();
+    json["metrics"]["initial_water_g"] = 1e3 * at_start_;
     json["metrics"]["dripped_g"] = 1e3 * ledger_.water_dripped;
     json["metrics"]["heat_from_skin_kj"] = 1e-3 * from_skin_;
     json["metrics"]["heat_of_evaporation_kj"] = 1e-3 * heat_of_evaporation();
@@ -170,9 +172,10 @@ std::string WearMetrics::text() const
     for (const WearPart& panel : panels_) add(panel);
     text += "By zone of the body\n";
     for (const WearPart& zone : zones_) add(zone);
-    text += fmt::format("Sweat {:.1f} g: {:.1f} g in the cloth, {:.1f} g evaporated, {:.1f} g on the skin, {:.1f} g dripped.\n",
-                        1e3 * ledger_.water_delivered, 1e3 * all_.course.back().water, 1e3 * ledger_.water_evaporated,
-                        1e3 * ledger_.water_free, 1e3 * ledger_.water_dripped);
+    if (at_start_ > 0) text += fmt::format("At the start {:.1f} g of water in the cloth.\n", 1e3 * at_start_);
+    text +=
+        fmt::format("Sweat {:.1f} g: {:.1f} g in the cloth, {:.1f} g evaporated, {:.1f} g on the skin, {:.1f} g dripped.\n", 1e3 * sweat(),
+                    1e3 * all_.course.back().water, 1e3 * ledger_.water_evaporated, 1e3 * ledger_.water_free, 1e3 * ledger_.water_dripped);
     text +=
         fmt::format("The skin gave {:.1f} kJ to the cloth; evaporating took {:.1f} kJ.\n", 1e-3 * from_skin_, 1e-3 * heat_of_evaporation());
     return text;

@@ -50,6 +50,9 @@ public:
     const std::vector<WearPart>& panels() const { return panels_; }
     const std::vector<WearPart>& zones() const { return zones_; } ///< those that the garment covers
     const Ledger& ledger() const { return ledger_; }
+    /// kg of liquid that the cloth held at the start, and that the skin gave since.
+    double at_start() const { return at_start_; }
+    double sweat() const { return ledger_.water_delivered - at_start_; }
     /// J that the skin has given to the cloth, by the trapezoidal rule over frames; and J that evaporating takes at the skin's temperature.
     double heat_from_skin() const { return from_skin_; }
     double heat_of_evaporation() const;
@@ -67,6 +70,7 @@ private:
     std::vector<WearPart> panels_, zones_;
     std::vector<int> zone_of_; ///< of each cell, its place in zones_
     Ledger ledger_;
+    double at_start_ = 0;                    ///< kg
     double skin_temperature_ = 0;            ///< K
     double from_skin_ = 0, flow_before_ = 0; ///< J, W
 };

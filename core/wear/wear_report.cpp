@@ -106,8 +106,8 @@ std::string balance(const WearMetrics& metrics)
 {
     const Ledger& ledger = metrics.ledger();
     const double evaporated = ledger.water_evaporated;
-    return table(row("sweat", grams(ledger.water_delivered), "g") +
-                 row("in the cloth, over the start", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres") +
+    return table(row("in the cloth at the start", grams(metrics.at_start()), "g") + row("sweat", grams(metrics.sweat()), "g") +
+                 row("in the cloth", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres") +
                  row("on the skin", grams(ledger.water_free), "g") +
                  row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated)), "g") +
                  row("dripped", grams(ledger.water_dripped), "g") +
@@ -123,8 +123,9 @@ std::string assumed(const WearRecord& record)
         "Zones are those of a standing body of 1.75 m.", "Computed in " + record.layout.cells_in_words + "; yarns are even."};
     const Garment* garment = find_garment(record.design, record.layout.garment);
     if (garment != nullptr)
-        sentences.push_back("Sweat by zones: " + garment->wearer.zones +
-                            fmt::format("; skin of {:g} °C at the start.", celsius_from_kelvin(record.layout.skin_temperature)));
+        sentences.push_back(
+            "Sweat by zones: " + garment->wearer.zones +
+            fmt::format("; skin of {:g} °C, where no file says otherwise.", celsius_from_kelvin(record.layout.skin_temperature)));
     const WearExperiment* wear = find_wear(record.design, record.layout.experiment);
     if (wear != nullptr && !wear->activity_file.empty())
         sentences.push_back("Rates over time, of the zones that it names: " + wear->activity_file + ".");

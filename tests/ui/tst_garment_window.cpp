@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
+#include "ui/basics/quantity_edit.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -13,6 +14,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
+#include <QToolButton>
 
 using namespace hygroloom;
 
@@ -73,7 +75,7 @@ private Q_SLOTS:
         chooseFile(folder);
         trigger("Save Map…");
         for (const char* file : {"front.png", "front_texture.png", "cells.csv", "garment.obj", "garment.glb"}) {
-            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/" + file).size() > 0, file, 20000);
+            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/tee at 20 s/" + file).size() > 0, file, 20000);
         }
         const QString picture = folder_.filePath("worn.png");
         chooseFile(picture);
@@ -149,6 +151,27 @@ private Q_SLOTS:
         shape->lookFrom(180);
         QTest::qWait(100);
         QCOMPARE(drawing->panels[static_cast<std::size_t>(shape->spotAt(middle).panel)].name, std::string("back"));
+    }
+
+    /// A value that is still being typed belongs to the experiment that goes.
+    void removingTakesATypedValueAlong()
+    {
+        showTee();
+        window_->activateWindow();
+        QuantityEdit* duration = nullptr;
+        for (QuantityEdit* edit : window_->garment().wear().findChildren<QuantityEdit*>()) {
+            if (edit->accessibleName() == "Duration") { duration = edit; }
+        }
+        QVERIFY(duration);
+        duration->setFocus();
+        duration->selectAll();
+        QTest::keyClicks(duration, "45");
+        for (QToolButton* button : window_->garment().wear().findChildren<QToolButton*>()) {
+            if (button->toolTip().startsWith("Remove the experiment")) { button->click(); }
+        }
+        QVERIFY(window_->document().design()->wears.empty());
+        window_->document().history()->undo();
+        QCOMPARE(window_->document().design()->wears.size(), std::size_t(1));
     }
 
     void anIssueOfAGarmentLeadsToIt()

@@ -142,6 +142,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(delivered(peak, duration) - grams(peak, 20)) < 1e-6 * grams(peak, 20));
         QCOMPARE(peak.layout.stops.value_or(-1), 40.0);
         QVERIFY(!slope.layout.stops);
+        const Finished jump = run_with("time_s,zone,g_m2_h\n0,default,0\n30,default,840\n30,default,0\n"); // up, then off at once
+        QCOMPARE(jump.layout.stops.value_or(-1), 30.0);
     }
 
     void warmer_skin_dries_more()

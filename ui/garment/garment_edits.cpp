@@ -64,6 +64,7 @@ int addGarmentFile(Document& document, const QString& path)
 
 void removeGarment(Document& document, int garment)
 {
+    if (garment < 0 || garment >= static_cast<int>(document.design()->garments.size())) { return; }
     document.edit(tr("remove garment"), {}, [garment](Design& design) {
         const auto at = design.garments.begin() + garment;
         std::erase_if(design.wears, [name = at->name](const WearExperiment& wear) { return wear.garment == name; });
@@ -96,6 +97,7 @@ void renameWear(Document& document, int wear, const QString& name)
 void editGarment(Document& document, const QString& text, int garment, const std::string& field,
                  const std::function<void(Garment&)>& change)
 {
+    if (garment < 0 || garment >= static_cast<int>(document.design()->garments.size())) { return; }
     document.edit(text, field.empty() ? field : "garments[" + std::to_string(garment) + "]." + field,
                   [&](Design& design) { change(design.garments[static_cast<std::size_t>(garment)]); });
     if (field.empty()) { document.endStroke(); }
@@ -131,6 +133,7 @@ int addWear(Document& document, const std::string& garment)
 
 void removeWear(Document& document, int wear)
 {
+    if (wear < 0 || wear >= static_cast<int>(document.design()->wears.size())) { return; }
     document.edit(tr("remove wear experiment"), {}, [wear](Design& design) { design.wears.erase(design.wears.begin() + wear); });
     document.endStroke();
 }
@@ -138,6 +141,7 @@ void removeWear(Document& document, int wear)
 void editWear(Document& document, const QString& text, int wear, const std::string& field,
               const std::function<void(WearExperiment&)>& change)
 {
+    if (wear < 0 || wear >= static_cast<int>(document.design()->wears.size())) { return; }
     document.edit(text, field.empty() ? field : "wears[" + std::to_string(wear) + "]." + field,
                   [&](Design& design) { change(design.wears[static_cast<std::size_t>(wear)]); });
     if (field.empty()) { document.endStroke(); }

@@ -2,6 +2,7 @@
 #include "ui/garment/garment_panel.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/panel_table.h"
@@ -215,6 +216,7 @@ void GarmentPanel::addFile()
 
 void GarmentPanel::removeChosen()
 {
+    commitTypedValue(*window());
     if (choice_.garment()) { removeGarment(choice_.document(), choice_.garmentIndex()); }
 }
 

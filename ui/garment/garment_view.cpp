@@ -122,15 +122,29 @@ QWidget* GarmentView::makePanes()
     return row;
 }
 
+/// A place in A as the place in B on the panel of the same name; nowhere where B has none.
+GarmentSpot GarmentView::spotOfNewest(const GarmentPane* pane, GarmentSpot spot) const
+{
+    if (pane != kept_ || spot.panel < 0 || !playback_.kept() || !playback_.run()) { return spot; }
+    const std::vector<WearPanel>&from = playback_.kept()->layout().panels, &to = playback_.run()->layout().panels;
+    if (spot.panel >= static_cast<int>(from.size())) { return {}; }
+    const std::string& name = from[static_cast<std::size_t>(spot.panel)].name;
+    const auto found = std::find_if(to.begin(), to.end(), [&](const WearPanel& panel) { return panel.name == name; });
+    if (found == to.end()) { return {}; }
+    spot.panel = static_cast<int>(found - to.begin());
+    return spot;
+}
+
 void GarmentView::connectPane(GarmentPane* pane)
 {
-    connect(pane, &GarmentPane::hovered, this, &GarmentView::showProbe);
-    connect(pane, &GarmentPane::clicked, this, [this](const GarmentSpot& spot) {
+    connect(pane, &GarmentPane::hovered, this, [this, pane](const GarmentSpot& spot) { showProbe(spotOfNewest(pane, spot)); });
+    connect(pane, &GarmentPane::clicked, this, [this, pane](const GarmentSpot& at) {
+        const GarmentSpot spot = spotOfNewest(pane, at);
         Q_EMIT panelClicked(spot.panel);
         if (showsRun()) { playback_.setPin(spot); }
     });
     connect(pane, &GarmentPane::fabricDropped, this, [this](const QString& panel, const QString& fabric) {
-        if (!choice_.garment()) { return; }
+        if (!choice_.garment() || (showsRun() && playback_.run()->layout().garment != choice_.garment()->name)) { return; }
         editCut(choice_.document(), tr("cut %1 from %2").arg(panel, fabric), choice_.garmentIndex(), panel.toStdString(), {},
                 [&](PanelCut& cut) { cut.fabric = fabric.toStdString(); });
     });
@@ -202,13 +216,15 @@ void GarmentView::refreshRun()
         newest_->show(run.drawing, nullptr);
     }
     newest_->setCaption((both ? "B: " : QString()) + captionOf(run) + whyStale());
+    if (both && !kept_frame) { kept_->show(playback_.kept()->drawing, nullptr); }
+    if (both) { kept_->setCaption("A: " + captionOf(*playback_.kept()) + whenOfA()); }
     if (both && kept_frame) {
         const WornRun& kept = *playback_.kept();
         kept_values = cellValues(kept.layout(), *kept_frame, what);
         exceeded = exceeded || anyAbove(kept_values, most);
         kept_->show(kept.drawing, waterPaint(kept, kept_values, most));
-        kept_->setCaption("A: " + captionOf(kept));
     }
+    if (differs && !(frame && kept_frame)) { difference_->show(run.drawing, nullptr); }
     if (differs && frame && kept_frame) {
         difference_->show(run.drawing, differencePaint(run, playback_.difference(), playback_.mostDifference()));
         difference_->setCaption(tr("Difference B − A"));
@@ -219,6 +235,14 @@ void GarmentView::refreshRun()
     for (GarmentPane* pane : panes()) { pane->setPin(playback_.pin()); }
     refreshLegend(exceeded, differs ? playback_.mostDifference() : 0);
     showProbe(hovered_);
+}
+
+/// Where A has no frame at the time shown: which one is shown instead.
+QString GarmentView::whenOfA() const
+{
+    const auto kept = playback_.keptFrame();
+    if (!kept) { return tr(", ended before this time"); }
+    return std::abs(kept->time - playback_.time()) < 1e-3 ? QString() : tr(", at %1").arg(momentText(kept->time, playback_.duration()));
 }
 
 void GarmentView::refreshLegend(bool exceeded, double differenceMost)

@@ -48,6 +48,8 @@ private:
     QWidget* makeEmpty();
     QWidget* makeBar();
     QWidget* makePanes();
+    QString whenOfA() const;
+    GarmentSpot spotOfNewest(const GarmentPane* pane, GarmentSpot spot) const;
     void connectPane(GarmentPane* pane);
     std::vector<GarmentPane*> panes() const { return {kept_, newest_, difference_}; }
     void refresh();

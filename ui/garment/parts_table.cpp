@@ -79,7 +79,7 @@ std::vector<Line> linesOf(const WearMetrics& newest, const WearMetrics* kept)
 /// NaN: there is none.
 double valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
 {
-    if (!part || part->course.empty()) { return nan(""); }
+    if (!part || part->course.empty() || time > part->course.back().time + 1e-3) { return nan(""); }
     const auto after =
         std::upper_bound(part->course.begin(), part->course.end(), time + 1e-9, [](double t, const WearNow& now) { return t < now.time; });
     return column.of(*part, after == part->course.begin() ? *after : *(after - 1), stops).value_or(nan(""));

@@ -43,7 +43,7 @@ WearChart::WearChart(WearPlayback& playback, QWidget* parent)
     layout->addWidget(legend_);
     setMinimumHeight(100);
     connect(view_, &TimeChartView::timeChosen, this, [this](double time) {
-        if (playback_.run()) { playback_.show(playback_.run()->frameAt(time)); }
+        if (playback_.frames() > 0) { playback_.show(playback_.run()->frameAt(std::min(time, playback_.run()->frames.back()->time))); }
     });
     for (const auto signal :
          {&WearPlayback::runChanged, &WearPlayback::framesChanged, &WearPlayback::scaleChanged, &WearPlayback::pinChanged}) {
@@ -66,7 +66,9 @@ QList<QPointF> WearChart::curveOf(const WornRun& run) const
     const bool share = playback_.value() == WearValue::share;
     GarmentSpot spot = playback_.pin();
     if (spot.panel >= 0 && playback_.run()) { // panels of A may stand in another order
-        const std::string& name = playback_.run()->layout().panels[static_cast<std::size_t>(spot.panel)].name;
+        const auto& own = playback_.run()->layout().panels;
+        if (spot.panel >= static_cast<int>(own.size())) { return points; }
+        const std::string& name = own[static_cast<std::size_t>(spot.panel)].name;
         const auto& panels = run.layout().panels;
         const auto found = std::find_if(panels.begin(), panels.end(), [&](const WearPanel& panel) { return panel.name == name; });
         spot.panel = found == panels.end() ? -1 : static_cast<int>(found - panels.begin());

@@ -2,6 +2,7 @@
 #include "ui/garment/wear_form.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 
@@ -80,6 +81,7 @@ QWidget* WearForm::makeHead()
     });
     remove_ = iconButton("delete", tr("Remove the experiment"));
     connect(remove_, &QToolButton::clicked, this, [this] {
+        commitTypedValue(*window());
         if (choice_.wear()) { removeWear(choice_.document(), choice_.wearIndex()); }
     });
     auto* row = new QWidget;
@@ -140,6 +142,7 @@ QWidget* WearForm::makeActivity()
 
 void WearForm::addActivity()
 {
+    commitTypedValue(*window());
     const WearExperiment* wear = choice_.wear();
     if (!wear || wear->activity.empty()) { return; }
     const int last = static_cast<int>(wear->activity.size()) - 1;
@@ -154,6 +157,7 @@ void WearForm::addActivity()
 
 void WearForm::removeActivity()
 {
+    commitTypedValue(*window());
     const int row = activity_->currentRow();
     const WearExperiment* wear = choice_.wear();
     if (!wear || row <= 0 || row >= static_cast<int>(wear->activity.size())) { return; }
@@ -205,12 +209,16 @@ void WearForm::refreshActivity()
         activity_->setCellWidget(
             row, 0, quantityField(choice_.document(), Quantity::time(0, 1e6), tr("Time %1").arg(row + 1), [this, at](double time) {
                 editWear(choice_.document(), tr("change time of activity"), choice_.wearIndex(),
-                         "activity[" + std::to_string(at) + "].time_s", [&](WearExperiment& edited) { edited.activity[at].time_s = time; });
+                         "activity[" + std::to_string(at) + "].time_s", [&](WearExperiment& edited) {
+                             if (at < edited.activity.size()) { edited.activity[at].time_s = time; }
+                         });
             }));
         activity_->setCellWidget(
             row, 1, quantityField(choice_.document(), factorQuantity(), tr("Factor %1").arg(row + 1), [this, at](double factor) {
                 editWear(choice_.document(), tr("change activity"), choice_.wearIndex(), "activity[" + std::to_string(at) + "].factor",
-                         [&](WearExperiment& edited) { edited.activity[at].factor = factor; });
+                         [&](WearExperiment& edited) {
+                             if (at < edited.activity.size()) { edited.activity[at].factor = factor; }
+                         });
             }));
     }
     const std::string where =

@@ -98,7 +98,7 @@ void WearTimeline::refresh()
     int expected = frames;
     if (playback_.run() && playback_.run()->live) { // the handle moves on evenly while frames come
         if (const WearExperiment* wear = find_wear(playback_.run()->record->design, playback_.run()->layout().experiment)) {
-            expected = static_cast<int>(wear_times(*wear, playback_.run()->layout().cells.size()).size());
+            expected = std::max(frames, static_cast<int>(wear_times(*wear).size()));
         }
     }
     slider_->setRange(0, std::max(0, expected - 1));

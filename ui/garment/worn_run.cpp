@@ -89,7 +89,8 @@ int WornRun::frameAt(double time) const
 {
     const auto after = std::upper_bound(frames.begin(), frames.end(), time + 1e-9,
                                         [](double t, const std::shared_ptr<const WearFrame>& frame) { return t < frame->time; });
-    return frames.empty() ? -1 : std::max(0, static_cast<int>(after - frames.begin()) - 1);
+    if (frames.empty() || time > frames.back()->time + 1e-3) { return -1; }
+    return std::max(0, static_cast<int>(after - frames.begin()) - 1);
 }
 
 std::shared_ptr<WornRun> newWornRun(std::shared_ptr<const WearRecord> record)

@@ -34,12 +34,12 @@ struct WornRun {
     std::shared_ptr<const WearMetrics> metrics; ///< of all frames so far; nullptr before the first
     double most_water = 0;                      ///< g/m2, of any cell in any frame
     double duration = 0;                        ///< s
-    double wall = 0;                            ///< s, that it took
+    double wall = 0;                            ///< s, that it took; 0: it did not come to its end
     bool live = false;
     QString file; ///< its recording; empty: there is none
 
     const WearLayout& layout() const { return record->layout; }
-    /// The last frame at or before a time; -1: none.
+    /// The last frame at or before a time; -1: none, or the run has ended before it.
     int frameAt(double time) const;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/window/garment_workspace.h"
 
+#include "core/base/words.h"
 #include "ui/basics/typed_value.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -16,11 +17,22 @@
 #include "ui/window/docks.h"
 #include "ui/window/file_names.h"
 
+#include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QVBoxLayout>
 
 namespace hygroloom {
+namespace {
+
+/// A folder of that name that is not there yet, so that no file is overwritten.
+QString mapFolder(const QString& above, const QString& wish)
+{
+    const auto path = [&](const std::string& name) { return QDir(above).filePath(QString::fromStdString(name)); };
+    return path(free_name(wish.toStdString(), [&](const std::string& name) { return QFileInfo::exists(path(name)); }));
+}
+
+} // namespace
 
 GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
     : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), wear_(new WearForm(choice_)),
@@ -165,7 +177,8 @@ void GarmentWorkspace::chooseRecording()
 void GarmentWorkspace::openRecording(const QString& path)
 {
     if (run_.running()) {
-        Q_EMIT problemFound(tr("A garment is being worn. Stop that run, then open the recording."));
+        Q_EMIT problemFound(opening_ ? tr("Another recording is being opened.")
+                                     : tr("A garment is being worn. Stop that run, then open the recording."));
         return;
     }
     opening_ = true;
@@ -179,8 +192,14 @@ void GarmentWorkspace::saveMap()
 {
     const auto frame = playback_.frame();
     if (!frame) { return; }
-    const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Save Map to a Folder"), folderOf(document_));
-    if (folder.isEmpty()) { return; }
+    const QString above = QFileDialog::getExistingDirectory(&window_, tr("Save Map in a Folder"), folderOf(document_));
+    if (above.isEmpty()) { return; }
+    const QString folder =
+        mapFolder(above, tr("%1 at %2 s").arg(QString::fromStdString(playback_.run()->layout().garment)).arg(frame->time));
+    if (!QDir().mkpath(folder)) {
+        Q_EMIT problemFound(tr("%1: The folder cannot be made.").arg(folder));
+        return;
+    }
     WearMapOptions options;
     options.crossings = 1; // single cells, as on screen
     options.scale = playback_.value() == WearValue::water ? WearScale::same : WearScale::capacity;
@@ -214,12 +233,12 @@ void GarmentWorkspace::saveRun(const QString& path)
 {
     const std::shared_ptr<WornRun> run = playback_.run();
     if (!run || run_.running()) { return; }
-    recorder_.run([this, run, frames = run->frames, path](const NewestJob::Turn& turn) {
+    recorder_.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
         QString why;
         try {
             WearWriter writer(path.toStdString(), *run->record);
             for (const auto& frame : frames) { writer.append(*frame); }
-            writer.finish(run->wall);
+            if (wall > 0) { writer.finish(wall); }
         } catch (const std::exception& error) {
             why = QString::fromUtf8(error.what());
         }
@@ -249,11 +268,14 @@ QStringList GarmentWorkspace::unsavedRuns() const
 
 bool GarmentWorkspace::agreesToStopRun()
 {
+    if (opening_) { return true; }
+    const QStringList names = unsavedRuns();
     if (run_.running()) {
         return confirm(&window_, tr("A garment is being worn"), tr("Stop the run of the garment?"),
-                       tr("What was computed is lost, unless it is recorded."), tr("Stop the Run"));
+                       names.isEmpty() ? tr("What was recorded of it stays.")
+                                       : tr("What lies in no file is lost: %1.").arg(names.join(", ")),
+                       tr("Stop the Run"));
     }
-    const QStringList names = unsavedRuns();
     return names.isEmpty() ||
            confirm(&window_, tr("A run of a garment lies in no file"), tr("Drop the run of %1?").arg(names.join(", ")),
                    tr("Its numbers and maps are lost. Save Run As… in the menu Garment writes it to a file."), tr("Drop the Run"));
