@@ -47,7 +47,7 @@ GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
     layout->addWidget(chart_, 1);
     docks_.garment = makeDock(window, "garment", tr("Garment"), garment_);
     docks_.wear = makeDock(window, "wear", tr("Wear"), wear_);
-    docks_.run = makeDock(window, "garment run", tr("Run"), form_);
+    docks_.run = makeDock(window, "garment run", tr("Wear Run"), form_);
     docks_.time = makeDock(window, "garment time", tr("Time of Wear"), time);
     docks_.parts = makeDock(window, "garment parts", tr("Panels and Zones"), parts_);
     connect(view_, &GarmentView::panelClicked, this, [this](int panel) {
