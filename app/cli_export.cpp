@@ -34,7 +34,7 @@ struct ExportVerbOptions : ProjectOptions {
     std::uint64_t seed = 1;
     bool textures = false;
     double dpi = TextureRequest{}.dpi;
-    double wet = TextureRequest{}.saturation;
+    double wet = TextureRequest{}.wet_share;
 };
 
 /// "AxB", each more than 0 and up to most.
@@ -264,7 +264,7 @@ void add_export(CLI::App& app, Verb& verb)
     CLI::Option* textures =
         export_verb.add_flag("--textures", options->textures, "Write a folder of pictures of one repeat, and materials, instead of a mesh");
     export_verb.add_option("--dpi", options->dpi, "With --textures: pixels per inch")->check(CLI::Range(10.0, 20000.0))->needs(textures);
-    export_verb.add_option("--wet", options->wet, "With --textures: share of the pores that water fills in the wet pictures")
+    export_verb.add_option("--wet", options->wet, "With --textures: share of the surface that water covers in the wet pictures")
         ->check(CLI::Range(0.0, 1.0))
         ->needs(textures);
     export_verb.add_flag("--estimate", options->estimate, "Print the size and write nothing");

@@ -402,7 +402,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     simulate_verb
         .add_option("--shown-mm", options->shown_mm,
                     "Of a worn garment: sides of the cells that are recorded, mm; as computed when left out, or larger so that there are "
-                    "500 000 at most")
+                    "about 500 000 at most")
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")

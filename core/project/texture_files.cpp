@@ -56,7 +56,7 @@ struct Colours {
 };
 
 /// One pixel, the mean of its points; writes to its own place in each picture. Returns how many points are open.
-int fill_pixel(const TopView& view, const Colours& colours, double saturation, int column, int row, TexturePixels& made)
+int fill_pixel(const TopView& view, const Colours& colours, double wet_share, int column, int row, TexturePixels& made)
 {
     Light light{};
     Vec3d normal;
@@ -77,7 +77,7 @@ int fill_pixel(const TopView& view, const Colours& colours, double saturation, i
     const std::array<double, 3> direction{normal.x, normal.y, normal.z};
     for (std::size_t k = 0; k < 3; ++k) {
         made.colour[4 * at + k] = encoded(light[k]);
-        made.wet[4 * at + k] = encoded(reflectance_at(light[k], saturation));
+        made.wet[4 * at + k] = encoded(reflectance_at(light[k], wet_share));
         made.normal[3 * at + k] = in_byte(0.5 + 0.5 * direction[k]);
     }
     return finer * finer - covered;
@@ -100,7 +100,7 @@ TextureSize texture_size(const Textile& textile, double dpi)
     return size;
 }
 
-TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const TextureSize& size, double saturation,
+TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const TextureSize& size, double wet_share,
                              const ExportProgress& progress)
 {
     const TopView view(textile, finer * size.columns, finer * size.rows);
@@ -114,14 +114,14 @@ TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const
     made.normal.resize(3 * pixels);
     made.opacity.resize(pixels);
     made.roughness.assign(pixels, in_byte(dry_roughness));
-    made.wet_roughness.assign(pixels, in_byte(roughness_at(saturation)));
+    made.wet_roughness.assign(pixels, in_byte(roughness_at(wet_share)));
     std::vector<std::int64_t> open(static_cast<std::size_t>(size.rows), 0);
     constexpr int rows_at_once = 64;
     for (int first = 0; first < size.rows; first += rows_at_once) {
         if (progress && !progress(static_cast<double>(first) / size.rows)) throw Cancelled();
         tbb::parallel_for(first, std::min(first + rows_at_once, size.rows), [&](int row) {
             for (int column = 0; column < size.columns; ++column)
-                open[static_cast<std::size_t>(row)] += fill_pixel(view, colours, saturation, column, row, made);
+                open[static_cast<std::size_t>(row)] += fill_pixel(view, colours, wet_share, column, row, made);
         });
     }
     for (const std::int64_t points : open) made.open_share += static_cast<double>(points) / (finer * finer * static_cast<double>(pixels));

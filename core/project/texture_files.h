@@ -14,7 +14,7 @@ constexpr int largest_texture = 8192; ///< pixels, a side
 struct TextureRequest {
     double dpi = 600;
     int across = 1, along = 1; ///< repeats, along the weft and along the warp
-    double saturation = 1;     ///< of the wet pictures: share of the pores that water fills
+    double wet_share = 1;      ///< of the wet pictures: share of the surface that a film of water covers
 };
 
 struct TextureSize {
@@ -34,7 +34,7 @@ struct TexturePixels {
     std::vector<std::uint8_t> roughness, wet_roughness;
 };
 /// textile: of whole repeats of the fabric, seen from its top face. Throws Cancelled.
-TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const TextureSize& size, double saturation,
+TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const TextureSize& size, double wet_share,
                              const ExportProgress& progress = {});
 
 /// Writes colour.png, normal.png, roughness.png, opacity.png, colour_wet.png, roughness_wet.png, material.json, material.mtl, plane.gltf

@@ -70,7 +70,7 @@ Json materials_json(const Fabric& fabric, const TextureSize& size, const Texture
     json["extras"] = {{"width_mm", size.width_mm},
                       {"height_mm", size.height_mm},
                       {"open_share", pixels.open_share},
-                      {"wet_saturation", request.saturation},
+                      {"wet_share", request.wet_share},
                       {"opacity", "opacity.png"}};
     return json;
 }
@@ -142,8 +142,8 @@ std::string readme_of(const Fabric& fabric, const TextureSize& size, const Textu
         "material.json      both as materials of glTF 2.0; plane.gltf shows them; material.mtl has them for OBJ\n\n"
         "Yarns are drawn as smooth tubes: fibres, loops and hairs are not in the pictures.\n",
         fabric.name, request.across, request.along, size.width_mm, size.height_mm, size.columns, size.rows, request.dpi,
-        100 * pixels.open_share, 100 * request.saturation, water_index, 100 * inner_reflection(water_index),
-        roughness_at(request.saturation), wet_roughness);
+        100 * pixels.open_share, 100 * request.wet_share, water_index, 100 * inner_reflection(water_index), roughness_at(request.wet_share),
+        wet_roughness);
 }
 
 } // namespace
@@ -152,7 +152,7 @@ std::vector<std::string> write_textures(const Textile& textile, const Fabric& fa
                                         const std::filesystem::path& folder, const ExportProgress& progress)
 {
     const TextureSize size = texture_size(textile, request.dpi);
-    const TexturePixels pixels = texture_pixels(textile, fabric, size, request.saturation, progress);
+    const TexturePixels pixels = texture_pixels(textile, fabric, size, request.wet_share, progress);
     std::vector<std::string> files;
     const auto write = [&](const char* name, const std::string& bytes) {
         write_file(folder / name, bytes);

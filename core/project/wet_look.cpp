@@ -27,7 +27,7 @@ double wet_reflectance(double dry)
     return (1 - at_once) * (1 - back) * dry / (1 - back * dry);
 }
 
-double roughness_at(double saturation) { return dry_roughness + saturation * (wet_roughness - dry_roughness); }
-double reflectance_at(double dry, double saturation) { return dry + saturation * (wet_reflectance(dry) - dry); }
+double roughness_at(double wet_share) { return dry_roughness + wet_share * (wet_roughness - dry_roughness); }
+double reflectance_at(double dry, double wet_share) { return dry + wet_share * (wet_reflectance(dry) - dry); }
 
 } // namespace hygroloom

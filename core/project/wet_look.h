@@ -18,8 +18,8 @@ double inner_reflection(double index);
 /// the surface's own reflectance unchanged by the water; the gloss of the film itself is left to the renderer.
 double wet_reflectance(double dry);
 
-/// saturation: share of the pores that water fills, taken as the share of the surface that is wet.
-double roughness_at(double saturation);
-double reflectance_at(double dry, double saturation);
+/// wet_share: of the surface that a film of water covers.
+double roughness_at(double wet_share);
+double reflectance_at(double dry, double wet_share);
 
 } // namespace hygroloom

@@ -42,7 +42,7 @@ struct GarmentCell {
 
 /// How finely frames, recordings and maps show a garment.
 struct ShownSize {
-    double side = 0;                 ///< m, of a shown cell, about; 0: as computed, or larger so that there are 500 000 at most
+    double side = 0;                 ///< m, of a shown cell, about; 0: as computed, or larger so that there are about 500 000 at most
     std::vector<std::string> detail; ///< panels of which every computed cell is shown
 };
 

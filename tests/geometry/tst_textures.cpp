@@ -39,9 +39,9 @@ struct Cloth {
         textile = build_textile(design, fabric(), region_of_repeats(fabric(), 1, 1));
     }
     const Fabric& fabric() const { return design.fabrics.at(0); }
-    TexturePixels pixels(double dpi, double saturation = 1) const
+    TexturePixels pixels(double dpi, double wet_share = 1) const
     {
-        return texture_pixels(textile, fabric(), texture_size(textile, dpi), saturation);
+        return texture_pixels(textile, fabric(), texture_size(textile, dpi), wet_share);
     }
 };
 

@@ -207,6 +207,24 @@ private Q_SLOTS:
         QVERIFY(static_cast<std::size_t>(ones) > 0.99 * static_cast<double>(less.size()));
     }
 
+    /// Panels of two runs may stand in another order, or be missing.
+    void placesAreFoundByThePanelsName()
+    {
+        WearLayout one, other;
+        one.panels.resize(3);
+        other.panels.resize(2);
+        one.panels[0].name = "front";
+        one.panels[1].name = "back";
+        one.panels[2].name = "sleeve";
+        other.panels[0].name = "back";
+        other.panels[1].name = "front";
+        QCOMPARE(sameSpot(one, other, {0, {0.1, 0.2}}), (GarmentSpot{1, {0.1, 0.2}}));
+        QCOMPARE(sameSpot(other, one, {0, {0.1, 0.2}}), (GarmentSpot{1, {0.1, 0.2}}));
+        QCOMPARE(sameSpot(one, other, {2, {0.1, 0.2}}).panel, -1);
+        QCOMPARE(sameSpot(one, other, {}).panel, -1);
+        QCOMPARE(sameSpot(one, other, {7, {}}).panel, -1);
+    }
+
     void aRecordedRunOpensAgain()
     {
         QTemporaryDir folder;

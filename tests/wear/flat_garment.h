@@ -64,6 +64,19 @@ struct Worn {
     }
 };
 
+/// The built-in tee of a textile, exercised in.
+struct Tee : Worn {
+    explicit Tee(double duration) : Worn("Textile F")
+    {
+        garment.name = "tee";
+        wear.garment = "tee";
+        wear.duration_s = duration;
+        wear.climate = {25, 0.5, 1};
+        parts.pattern = read_pattern(garment, {});
+        parts.sweat = sweat_table("taylor-2013 exercise", {});
+    }
+};
+
 /// Sweat (g/m2 h) under the cells that are within a radius (m) of a flat place, none elsewhere.
 inline void sweat_in_circle(GarmentScene& garment, const FlatPlace& middle, double radius, double g_m2_h)
 {

@@ -23,19 +23,6 @@ namespace {
 
 constexpr double rate = 40'000; // g/m2 h
 
-/// The built-in tee of a textile, exercised in.
-struct Tee : Worn {
-    explicit Tee(double duration = 600) : Worn("Textile F")
-    {
-        garment.name = "tee";
-        wear.garment = "tee";
-        wear.duration_s = duration;
-        wear.climate = {25, 0.5, 1};
-        parts.pattern = read_pattern(garment, {});
-        parts.sweat = sweat_table("taylor-2013 exercise", {});
-    }
-};
-
 struct Finished {
     WearLayout layout;
     std::vector<WearFrame> frames;
@@ -95,7 +82,7 @@ class TestWear : public QObject {
 private Q_SLOTS:
     void panels_and_zones_add_up()
     {
-        Tee tee;
+        Tee tee(600);
         Finished run;
         const GarmentScene garment = tee.scene(20e-3, true, true);
         go(tee, garment, run);

@@ -17,19 +17,6 @@ namespace {
 
 constexpr double duration = 60;
 
-/// The built-in tee, exercised in for a minute.
-struct Tee : Worn {
-    Tee() : Worn("Textile F")
-    {
-        garment.name = "tee";
-        wear.garment = "tee";
-        wear.duration_s = duration;
-        wear.climate = {25, 0.5, 1};
-        parts.pattern = read_pattern(garment, {});
-        parts.sweat = sweat_table("taylor-2013 exercise", {});
-    }
-};
-
 struct Finished {
     WearLayout layout;
     std::vector<WearFrame> frames;
@@ -84,7 +71,7 @@ class TestWearCourse : public QObject {
     }
     Finished run_with(const std::string& text)
     {
-        Tee tee;
+        Tee tee(duration);
         tee.wear.activity_file = "rates.csv";
         tee.parts.course = course(text);
         return run(tee);
@@ -103,7 +90,7 @@ class TestWearCourse : public QObject {
 private Q_SLOTS:
     void a_constant_file_is_the_table()
     {
-        Tee plain;
+        Tee plain(duration);
         const Finished by_table = run(plain);
         QVERIFY(by_table.frames.back().ledger.water_delivered > 0);
         QVERIFY(same_cells(by_table, run_with(as_table({0}, "time_s,zone,g_m2_h\n", ""))));
@@ -114,7 +101,7 @@ private Q_SLOTS:
 
     void zones_that_are_not_named_keep_the_table()
     {
-        Tee plain;
+        Tee plain(duration);
         const SweatTable table = plain.parts.sweat;
         const double by_table = delivered(run(plain), duration);
         const std::size_t chest =
@@ -173,7 +160,7 @@ private Q_SLOTS:
 
     void recordings_keep_the_skin()
     {
-        Tee tee;
+        Tee tee(duration);
         tee.parts.course = course("time_s,zone,g_m2_h,skin_temperature_c\n0,default,900,30\n60,default,900,36\n");
         const Finished finished = run(tee);
         const std::string path = folder_.filePath("skin.hygrorec").toStdString();
@@ -230,7 +217,7 @@ private Q_SLOTS:
 
     void projects_name_the_file()
     {
-        Tee tee;
+        Tee tee(duration);
         Design design = tee.design;
         design.garments.push_back(tee.garment);
         tee.wear.activity_file = "sub/rates.csv";
@@ -251,7 +238,7 @@ private Q_SLOTS:
 
     void a_file_that_was_not_read_is_not_passed_over()
     {
-        Tee tee;
+        Tee tee(duration);
         tee.wear.activity_file = "rates.csv";
         QVERIFY_EXCEPTION_THROWN(tee.scene(40e-3), Error);
         Design design = tee.design;

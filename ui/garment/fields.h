@@ -6,6 +6,7 @@
 #include "ui/document/document.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPainter>
 #include <QPixmap>
 #include <QSignalBlocker>
@@ -35,6 +36,15 @@ inline QIcon colorIcon(const QColor& color)
     painter.setPen(QColor(0, 0, 0, 120));
     painter.drawRect(0, 0, 13, 13);
     return QIcon(pixmap);
+}
+
+inline QLabel* heading(const QString& text)
+{
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
 }
 
 inline QStringList namesOf(const std::vector<Fabric>& fabrics)

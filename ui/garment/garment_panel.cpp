@@ -45,15 +45,6 @@ protected:
     }
 };
 
-QLabel* heading(const QString& text)
-{
-    auto* label = new QLabel(text);
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
-    return label;
-}
-
 } // namespace
 
 GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)

@@ -79,7 +79,7 @@ GarmentView::GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget*
     connect(&playback_, &WearPlayback::frameShown, this, &GarmentView::refreshRun);
     connect(&playback_, &WearPlayback::scaleChanged, this, &GarmentView::refresh);
     connect(&playback_, &WearPlayback::pinChanged, this, [this] {
-        for (GarmentPane* pane : panes()) { pane->setPin(playback_.pin()); }
+        showPin();
         showProbe(hovered_);
     });
     refresh();
@@ -122,17 +122,20 @@ QWidget* GarmentView::makePanes()
     return row;
 }
 
-/// A place in A as the place in B on the panel of the same name; nowhere where B has none.
-GarmentSpot GarmentView::spotOfNewest(const GarmentPane* pane, GarmentSpot spot) const
+/// A place in a pane as the place in the run that is compared with A.
+GarmentSpot GarmentView::spotOfNewest(const GarmentPane* pane, const GarmentSpot& spot) const
 {
-    if (pane != kept_ || spot.panel < 0 || !playback_.kept() || !playback_.run()) { return spot; }
-    const std::vector<WearPanel>&from = playback_.kept()->layout().panels, &to = playback_.run()->layout().panels;
-    if (spot.panel >= static_cast<int>(from.size())) { return {}; }
-    const std::string& name = from[static_cast<std::size_t>(spot.panel)].name;
-    const auto found = std::find_if(to.begin(), to.end(), [&](const WearPanel& panel) { return panel.name == name; });
-    if (found == to.end()) { return {}; }
-    spot.panel = static_cast<int>(found - to.begin());
-    return spot;
+    const bool of_kept = pane == kept_ && playback_.kept() && playback_.run();
+    return of_kept ? sameSpot(playback_.kept()->layout(), playback_.run()->layout(), spot) : spot;
+}
+
+/// In each pane on the panel of the same name.
+void GarmentView::showPin()
+{
+    newest_->setPin(playback_.pin());
+    difference_->setPin(playback_.pin());
+    const bool both = playback_.kept() && playback_.run();
+    kept_->setPin(both ? sameSpot(playback_.run()->layout(), playback_.kept()->layout(), playback_.pin()) : GarmentSpot{});
 }
 
 void GarmentView::connectPane(GarmentPane* pane)
@@ -232,7 +235,7 @@ void GarmentView::refreshRun()
     for (GarmentPane* pane : panes()) { pane->setStacked(both); }
     kept_->setVisible(both);
     difference_->setVisible(differs);
-    for (GarmentPane* pane : panes()) { pane->setPin(playback_.pin()); }
+    showPin();
     refreshLegend(exceeded, differs ? playback_.mostDifference() : 0);
     showProbe(hovered_);
 }
@@ -288,9 +291,7 @@ QString GarmentView::spotText(const GarmentSpot& spot) const
     const GarmentCell& here = run.layout().cells[static_cast<std::size_t>(cell)];
     QString text = values(run, *frame, cell);
     if (playback_.kept() && compared_ != Compared::newest && playback_.keptFrame()) {
-        const auto& panels = playback_.kept()->layout().panels;
-        const auto found = std::find_if(panels.begin(), panels.end(), [&](const WearPanel& other) { return other.name == panel; });
-        const int there = found == panels.end() ? -1 : playback_.kept()->lookup->at({static_cast<int>(found - panels.begin()), spot.flat});
+        const int there = playback_.kept()->lookup->at(sameSpot(run.layout(), playback_.kept()->layout(), spot));
         text = tr("A: %1; B: %2").arg(there < 0 ? QStringLiteral("–") : values(*playback_.kept(), *playback_.keptFrame(), there), text);
     }
     return tr("%1, zone %2: %3; %4")

@@ -49,7 +49,8 @@ private:
     QWidget* makeBar();
     QWidget* makePanes();
     QString whenOfA() const;
-    GarmentSpot spotOfNewest(const GarmentPane* pane, GarmentSpot spot) const;
+    GarmentSpot spotOfNewest(const GarmentPane* pane, const GarmentSpot& spot) const;
+    void showPin();
     void connectPane(GarmentPane* pane);
     std::vector<GarmentPane*> panes() const { return {kept_, newest_, difference_}; }
     void refresh();

@@ -247,11 +247,7 @@ void RunForm::showProgress(const RunProgress& progress)
     if (!run_.running()) { return; }
     const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     bar_->setValue(static_cast<int>(1000 * share));
-    QString text = tr("%1 of %2 simulated in %3 s")
-                       .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration),
-                            shownNumber(progress.wall, 0));
-    const auto left = time_left(share, progress.wall);
-    state_->setText(left ? text + tr(", %1 left.").arg(roughDuration(*left)) : text + ".");
+    state_->setText(progressText(progress));
 }
 
 void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)

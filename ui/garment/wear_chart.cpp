@@ -64,17 +64,9 @@ QList<QPointF> WearChart::curveOf(const WornRun& run) const
 {
     QList<QPointF> points;
     const bool share = playback_.value() == WearValue::share;
-    GarmentSpot spot = playback_.pin();
-    if (spot.panel >= 0 && playback_.run()) { // panels of A may stand in another order
-        const auto& own = playback_.run()->layout().panels;
-        if (spot.panel >= static_cast<int>(own.size())) { return points; }
-        const std::string& name = own[static_cast<std::size_t>(spot.panel)].name;
-        const auto& panels = run.layout().panels;
-        const auto found = std::find_if(panels.begin(), panels.end(), [&](const WearPanel& panel) { return panel.name == name; });
-        spot.panel = found == panels.end() ? -1 : static_cast<int>(found - panels.begin());
-    }
     if (playback_.pin().panel >= 0) {
-        const int cell = run.lookup->at(spot);
+        if (!playback_.run()) { return points; }
+        const int cell = run.lookup->at(sameSpot(playback_.run()->layout(), run.layout(), playback_.pin()));
         if (cell < 0) { return points; }
         const GarmentCell& at = run.layout().cells[static_cast<std::size_t>(cell)];
         for (const auto& frame : run.frames) {

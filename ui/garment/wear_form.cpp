@@ -29,7 +29,7 @@ Quantity factorQuantity()
 } // namespace
 
 WearForm::WearForm(GarmentChoice& choice, QWidget* parent)
-    : QScrollArea(parent), choice_(choice), activity_title_(new QLabel), activity_(new QTableWidget(0, 2))
+    : QScrollArea(parent), choice_(choice), activity_title_(heading(tr("Activity"))), activity_(new QTableWidget(0, 2))
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -129,9 +129,6 @@ QWidget* WearForm::makeActivity()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     auto* head = new QHBoxLayout;
-    QFont font = activity_title_->font();
-    font.setBold(true);
-    activity_title_->setFont(font);
     head->addWidget(activity_title_, 1);
     head->addWidget(add_activity_);
     head->addWidget(remove_activity_);

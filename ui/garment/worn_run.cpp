@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace hygroloom {
 
@@ -164,18 +163,24 @@ std::shared_ptr<const GarmentPaint> differencePaint(const WornRun& run, const st
     });
 }
 
+GarmentSpot sameSpot(const WearLayout& from, const WearLayout& to, const GarmentSpot& spot)
+{
+    if (spot.panel < 0 || spot.panel >= static_cast<int>(from.panels.size())) { return {}; }
+    const std::string& name = from.panels[static_cast<std::size_t>(spot.panel)].name;
+    const auto found = std::find_if(to.panels.begin(), to.panels.end(), [&](const WearPanel& panel) { return panel.name == name; });
+    return found == to.panels.end() ? GarmentSpot{} : GarmentSpot{static_cast<int>(found - to.panels.begin()), spot.flat};
+}
+
 std::vector<int> samePlaces(const WornRun& one, const WornRun& other)
 {
-    std::map<std::string, int> panels;
-    for (std::size_t k = 0; k < other.layout().panels.size(); ++k) { panels[other.layout().panels[k].name] = static_cast<int>(k); }
     const WearLayout& layout = one.layout();
+    std::vector<int> panels(layout.panels.size());
+    for (std::size_t k = 0; k < panels.size(); ++k) { panels[k] = sameSpot(layout, other.layout(), {static_cast<int>(k), {}}).panel; }
     std::vector<int> places(layout.cells.size(), -1);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const GarmentCell& cell = layout.cells[i];
-        const WearPanel& panel = layout.panels[static_cast<std::size_t>(cell.panel)];
-        if (const auto found = panels.find(panel.name); found != panels.end()) {
-            places[i] = other.lookup->at({found->second, panel.grid.middle(cell.end, cell.pick)});
-        }
+        const auto panel = static_cast<std::size_t>(cell.panel);
+        if (panels[panel] >= 0) { places[i] = other.lookup->at({panels[panel], layout.panels[panel].grid.middle(cell.end, cell.pick)}); }
     }
     return places;
 }

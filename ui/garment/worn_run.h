@@ -57,6 +57,8 @@ QString directionWords(const WornRun& run, int cell);
 std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, double most);
 /// Panels in colours of less and more.
 std::shared_ptr<const GarmentPaint> differencePaint(const WornRun& run, const std::vector<double>& values, double most);
+/// A place of one garment as the place on the panel of that name in another; nowhere where that has none.
+GarmentSpot sameSpot(const WearLayout& from, const WearLayout& to, const GarmentSpot& spot);
 /// Of each cell of one run the cell of the other at the same place of the panel of that name; -1: there is none.
 std::vector<int> samePlaces(const WornRun& one, const WornRun& other);
 /// Of each cell its value less that of the other run at the same place; NaN where that has no cell.

@@ -66,6 +66,16 @@ QString roughDuration(double seconds)
     return PlanDialog::tr("about %1 h").arg(shownNumber(seconds / 3600, 1));
 }
 
+QString progressText(const RunProgress& progress, bool paused)
+{
+    const QString text = PlanDialog::tr("%1 of %2 simulated in %3 s")
+                             .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration),
+                                  shownNumber(progress.wall, 0));
+    if (paused) { return text + PlanDialog::tr(", paused."); }
+    const auto left = time_left(progress.duration > 0 ? progress.simulated / progress.duration : 0, progress.wall);
+    return left ? text + PlanDialog::tr(", %1 left.").arg(roughDuration(*left)) : text + ".";
+}
+
 QString expectation(const ModelPlan& plan)
 {
     const QString error = !plan.expected_error                   ? PlanDialog::tr("numerical error not known")

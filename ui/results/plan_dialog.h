@@ -23,6 +23,8 @@ private:
 QString fidelityName(Fidelity fidelity);
 /// "about 40 s", "about 3 min".
 QString roughDuration(double seconds);
+/// "12 s of 60 s simulated in 3 s, 9 s left."
+QString progressText(const RunProgress& progress, bool paused = false);
 /// "about 20 s, 45 MB of memory, error 3 %" and where that comes from; safe as HTML.
 QString expectation(const ModelPlan& plan);
 /// The same in few words, to stand beside a choice: "about 57 s, 35 MB, error 0.7 %".

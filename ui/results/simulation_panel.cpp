@@ -250,17 +250,7 @@ void SimulationPanel::showProgress(const RunProgress& progress)
     if (!run_.running()) { return; }
     const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     bar_->setValue(static_cast<int>(1000 * share));
-    QString text = tr("%1 of %2 simulated in %3 s")
-                       .arg(momentText(progress.simulated, progress.duration), momentText(progress.duration, progress.duration),
-                            shownNumber(progress.wall, 0));
-    const auto left = time_left(share, progress.wall);
-    if (run_.paused()) {
-        text += tr(", paused.");
-    } else if (left) {
-        text += tr(", %1 left.").arg(roughDuration(*left));
-    } else {
-        text += ".";
-    }
+    QString text = progressText(progress, run_.paused());
     if (progress.particles > 0) { text += " " + tr("%1 particles of free liquid.").arg(progress.particles); }
     state_->setText(text);
 }
