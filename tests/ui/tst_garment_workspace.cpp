@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The Garment workspace without its window: adding garments, cutting panels, the wearer, the experiment, the flat view.
 #include "core/project/project_file.h"
+#include "ui/basics/name_dialog.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/garment/flat_view.h"
@@ -16,11 +17,14 @@
 #include <QDir>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 
 using namespace hygroloom;
 
@@ -196,6 +200,45 @@ private Q_SLOTS:
         QCOMPARE(document_->design()->garments[1].name, std::string("tee"));
         renameWear(*document_, 0, "race");
         QCOMPARE(document_->design()->wears[0].name, std::string("race"));
+    }
+
+    void aTakenNameStaysInItsFieldWithTheReason()
+    {
+        addTee();
+        addBuiltInGarment(*document_, "leggings"); // stands second; the tee is the chosen one
+        QToolButton* rename = nullptr;
+        for (auto* button : workspace_->panel().findChildren<QToolButton*>()) {
+            if (button->accessibleName() == "Rename the garment") { rename = button; }
+        }
+        QVERIFY(rename);
+        bool met = false;
+        QTimer::singleShot(0, this, [&met] {
+            auto* dialog = qobject_cast<NameDialog*>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            auto* field = dialog->findChild<QLineEdit*>();
+            QCOMPARE(field->text(), QString("tee"));
+            const QSize size = dialog->size();
+            QTest::keyClicks(field, " leggings");
+            QVERIFY2(dialog->complaint().contains("“leggings” already exists"), qPrintable(dialog->complaint()));
+            QTest::keyClick(field, Qt::Key_Return);
+            QVERIFY(dialog->isVisible());
+            QCOMPARE(field->text(), QString(" leggings"));
+            QCOMPARE(dialog->size(), size);
+            QTest::keyClick(field, Qt::Key_2);
+            QVERIFY(dialog->complaint().isEmpty());
+            QTest::keyClick(field, Qt::Key_Return);
+            QVERIFY(!dialog->isVisible());
+            met = true;
+        });
+        rename->click();
+        QVERIFY(met);
+        QCOMPARE(garment().name, std::string("leggings2"));
+        document_->history()->undo();
+        QCOMPARE(garment().name, std::string("tee"));
+        const QString other = QString::fromStdString(document_->design()->experiments[0].name);
+        QVERIFY(whyNotWearName(*document_->design(), 0, other).contains(other));
+        QVERIFY(whyNotWearName(*document_->design(), 0, "wear").isEmpty()); // its own
+        QVERIFY(!whyNotGarmentName(*document_->design(), 0, "  ").isEmpty());
     }
 
 private:

@@ -73,10 +73,32 @@ void removeGarment(Document& document, int garment)
     document.endStroke();
 }
 
+QString whyNotGarmentName(const Design& design, int garment, const QString& name)
+{
+    const QString wish = name.trimmed();
+    if (wish.isEmpty()) { return tr("A garment needs a name."); }
+    const Garment* other = find_garment(design, wish.toStdString());
+    const bool taken = other && other != &design.garments[static_cast<std::size_t>(garment)];
+    return taken ? tr("A garment “%1” already exists. Choose another name.").arg(wish) : QString();
+}
+
+QString whyNotWearName(const Design& design, int wear, const QString& name)
+{
+    const QString wish = name.trimmed();
+    if (wish.isEmpty()) { return tr("An experiment needs a name."); }
+    const WearExperiment* other = find_wear(design, wish.toStdString());
+    const bool taken = find_experiment(design, wish.toStdString()) || (other && other != &design.wears[static_cast<std::size_t>(wear)]);
+    return taken ? tr("An experiment “%1” already exists. Choose another name.").arg(wish) : QString();
+}
+
 void renameGarment(Document& document, int garment, const QString& name)
 {
     const std::string wish = name.trimmed().toStdString();
-    if (wish.empty() || find_garment(*document.design(), wish)) { return; }
+    const Design& now = *document.design();
+    if (garment < 0 || garment >= static_cast<int>(now.garments.size()) || !whyNotGarmentName(now, garment, name).isEmpty() ||
+        now.garments[static_cast<std::size_t>(garment)].name == wish) {
+        return;
+    }
     document.edit(tr("rename garment"), {}, [&](Design& design) {
         std::string& own = design.garments[static_cast<std::size_t>(garment)].name;
         for (WearExperiment& wear : design.wears) {
@@ -90,7 +112,11 @@ void renameGarment(Document& document, int garment, const QString& name)
 void renameWear(Document& document, int wear, const QString& name)
 {
     const std::string wish = name.trimmed().toStdString();
-    if (wish.empty() || find_wear(*document.design(), wish) || find_experiment(*document.design(), wish)) { return; }
+    const Design& now = *document.design();
+    if (wear < 0 || wear >= static_cast<int>(now.wears.size()) || !whyNotWearName(now, wear, name).isEmpty() ||
+        now.wears[static_cast<std::size_t>(wear)].name == wish) {
+        return;
+    }
     editWear(document, tr("rename wear experiment"), wear, {}, [&](WearExperiment& edited) { edited.name = wish; });
 }
 

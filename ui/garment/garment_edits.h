@@ -15,7 +15,10 @@ int addGarmentFile(Document& document, const QString& path);
 /// With the experiments on it.
 void removeGarment(Document& document, int garment);
 
-/// Nothing where the name is empty or taken. Experiments follow a garment's name.
+/// Why a garment or an experiment cannot have a name, in a sentence; empty: it can. Its own it can have.
+QString whyNotGarmentName(const Design& design, int garment, const QString& name);
+QString whyNotWearName(const Design& design, int wear, const QString& name);
+/// Nothing where the name cannot be had. Experiments follow a garment's name.
 void renameGarment(Document& document, int garment, const QString& name);
 void renameWear(Document& document, int wear, const QString& name);
 

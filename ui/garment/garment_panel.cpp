@@ -2,6 +2,7 @@
 #include "ui/garment/garment_panel.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
@@ -10,7 +11,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -103,9 +103,11 @@ QWidget* GarmentPanel::makeHead()
     rename_ = iconButton("rename", tr("Rename the garment"));
     connect(rename_, &QToolButton::clicked, this, [this] {
         if (!choice_.garment()) { return; }
-        const QString now = QString::fromStdString(choice_.garment()->name);
-        const QString name = QInputDialog::getText(this, tr("Rename the Garment"), tr("Name"), QLineEdit::Normal, now);
-        renameGarment(choice_.document(), choice_.garmentIndex(), name);
+        const int garment = choice_.garmentIndex();
+        NameDialog dialog(
+            tr("Rename the Garment"), QString::fromStdString(choice_.garment()->name),
+            [this, garment](const QString& name) { return whyNotGarmentName(*choice_.document().design(), garment, name); }, this);
+        if (dialog.exec() == QDialog::Accepted) { renameGarment(choice_.document(), garment, dialog.name()); }
     });
     remove_ = iconButton("delete", tr("Remove the garment and its experiments"));
     connect(remove_, &QToolButton::clicked, this, &GarmentPanel::removeChosen);

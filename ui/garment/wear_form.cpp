@@ -2,13 +2,13 @@
 #include "ui/garment/wear_form.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 
 #include <QFormLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -75,9 +75,11 @@ QWidget* WearForm::makeHead()
     rename_ = iconButton("rename", tr("Rename the experiment"));
     connect(rename_, &QToolButton::clicked, this, [this] {
         if (!choice_.wear()) { return; }
-        const QString now = QString::fromStdString(choice_.wear()->name);
-        const QString name = QInputDialog::getText(this, tr("Rename the Experiment"), tr("Name"), QLineEdit::Normal, now);
-        renameWear(choice_.document(), choice_.wearIndex(), name);
+        const int wear = choice_.wearIndex();
+        NameDialog dialog(
+            tr("Rename the Experiment"), QString::fromStdString(choice_.wear()->name),
+            [this, wear](const QString& name) { return whyNotWearName(*choice_.document().design(), wear, name); }, this);
+        if (dialog.exec() == QDialog::Accepted) { renameWear(choice_.document(), wear, dialog.name()); }
     });
     remove_ = iconButton("delete", tr("Remove the experiment"));
     connect(remove_, &QToolButton::clicked, this, [this] {
