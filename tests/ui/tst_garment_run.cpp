@@ -15,6 +15,7 @@
 
 #include <QDir>
 #include <QMainWindow>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -258,6 +259,42 @@ private Q_SLOTS:
         QVERIFY(ended[0][0].value<GarmentRun::Outcome>() == GarmentRun::Outcome::cancelled);
         QVERIFY(workspace_->playback().frames() > 0);
         QVERIFY(workspace_->runForm().canRun());
+    }
+
+    void aRunPausesAndGoesOn()
+    {
+        editWear(*document_, "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
+        QTRY_VERIFY(workspace_->runForm().canRun());
+        std::array<QPushButton*, 3> buttons{};
+        const std::array<QString, 3> names{"Run", "Pause", "Stop"};
+        for (auto* button : workspace_->runForm().findChildren<QPushButton*>()) {
+            for (std::size_t k = 0; k < names.size(); ++k) {
+                if (button->text() == names[k]) { buttons[k] = button; }
+            }
+        }
+        const auto places = [&] { return std::array{buttons[0]->geometry(), buttons[1]->geometry(), buttons[2]->geometry()}; };
+        const auto before = places();
+        QVERIFY(!buttons[1]->isEnabled());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        buttons[0]->click();
+        QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > 0, 60000);
+        QCOMPARE(places(), before);
+        buttons[1]->click();
+        QVERIFY(workspace_->run().paused());
+        QCOMPARE(buttons[1]->text(), QString("Resume"));
+        QTest::qWait(500); // a frame that was under way
+        const int frames = workspace_->playback().frames();
+        QTest::qWait(1500);
+        QCOMPARE(workspace_->playback().frames(), frames);
+        QCOMPARE(places(), before);
+        buttons[1]->click();
+        QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > frames, 60000);
+        buttons[1]->click();
+        buttons[2]->click(); // also while it is paused
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+        QVERIFY(!buttons[1]->isEnabled());
+        QCOMPARE(buttons[1]->text(), QString("Pause"));
+        QCOMPARE(places(), before);
     }
 
 private:

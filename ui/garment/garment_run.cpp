@@ -20,12 +20,24 @@ GarmentRun::~GarmentRun()
 
 void GarmentRun::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
 
-void GarmentRun::cancel() { control_.cancel = true; }
+void GarmentRun::setPaused(bool paused)
+{
+    if (!computing() || control_.pause == paused) { return; }
+    control_.pause = paused;
+    Q_EMIT pausedChanged(paused);
+}
+
+void GarmentRun::cancel()
+{
+    control_.cancel = true;
+    control_.pause = false;
+}
 
 void GarmentRun::begin(const std::function<void()>& work)
 {
     if (thread_.joinable()) { thread_.join(); }
     control_.cancel = false;
+    control_.pause = false;
     running_ = true;
     thread_ = std::jthread([this, work] {
         Outcome outcome = Outcome::finished;
@@ -50,11 +62,13 @@ void GarmentRun::begin(const std::function<void()>& work)
 
 void GarmentRun::start(const Request& request)
 {
+    computing_ = true;
     begin([this, request] { compute(request); });
 }
 
 void GarmentRun::open(const std::filesystem::path& recording)
 {
+    computing_ = false;
     begin([this, recording] { read(recording); });
 }
 

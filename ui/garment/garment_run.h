@@ -35,6 +35,10 @@ public:
     /// Reads a recording. Precondition: not running().
     void open(const std::filesystem::path& recording);
     bool running() const { return running_; }
+    /// Whether it computes; else it reads a recording, which has no pause.
+    bool computing() const { return running_ && computing_; }
+    bool paused() const { return running_ && control_.pause; }
+    void setPaused(bool paused);
     void cancel();
 
 Q_SIGNALS:
@@ -43,6 +47,7 @@ Q_SIGNALS:
     /// metrics: of all frames up to this one. most: g/m2, of any cell in it.
     void frameArrived(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most);
     void progressed(const RunProgress& progress);
+    void pausedChanged(bool paused);
     /// sentence: what went wrong, empty otherwise.
     void ended(Outcome outcome, const QString& sentence);
 
@@ -53,7 +58,7 @@ private:
     void read(const std::filesystem::path& recording);
 
     RunControl control_;
-    bool running_ = false;
+    bool running_ = false, computing_ = false;
     std::jthread thread_;
 };
 

@@ -32,7 +32,8 @@ constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::stan
 RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new QComboBox),
       record_(new QCheckBox(tr("Record to a file…"))), start_(new QPushButton(themedIcon("run"), tr("Run"))),
-      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), bar_(new QProgressBar), state_(new QLabel)
+      pause_(new QPushButton(themedIcon("pause"), tr("Pause"))), stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
+      bar_(new QProgressBar), state_(new QLabel)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -47,10 +48,11 @@ RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     QFont bold = start_->font();
     bold.setBold(true);
     start_->setFont(bold);
-    for (QPushButton* button : {start_, stop_}) {
+    pause_->setMinimumWidth(std::max(pause_->sizeHint().width(), QPushButton(themedIcon("run"), tr("Resume")).sizeHint().width()));
+    for (QPushButton* button : {start_, pause_, stop_}) {
         button->setMinimumHeight(36);
         button->setAccessibleName(button->text());
-        buttons->addWidget(button, button == start_ ? 2 : 1);
+        buttons->addWidget(button, button == start_ ? 1 : 0);
     }
     layout->addLayout(buttons);
     bar_->setTextVisible(false);
@@ -69,7 +71,12 @@ RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     layout->addWidget(state_);
     layout->addStretch();
     connect(start_, &QPushButton::clicked, this, &RunForm::start);
+    connect(pause_, &QPushButton::clicked, this, [this] { run_.setPaused(!run_.paused()); });
     connect(stop_, &QPushButton::clicked, &run_, &GarmentRun::cancel);
+    connect(&run_, &GarmentRun::pausedChanged, this, [this](bool paused) {
+        showState();
+        if (run_.running()) { state_->setText(paused ? tr("Paused.") : tr("Resuming.")); }
+    });
     connect(&run_, &GarmentRun::progressed, this, &RunForm::showProgress);
     connect(&run_, &GarmentRun::ended, this, &RunForm::showEnd);
     connect(&choice_, &GarmentChoice::changed, this, &RunForm::estimate);
@@ -228,6 +235,11 @@ void RunForm::showState()
     QString reason;
     const bool can = canRun(&reason);
     start_->setEnabled(can);
+    pause_->setEnabled(run_.computing());
+    pause_->setText(run_.paused() ? tr("Resume") : tr("Pause"));
+    pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
+    pause_->setAccessibleName(pause_->text());
+    pause_->setToolTip(run_.paused() ? tr("Go on with the run.") : tr("Pause the run; its frames so far can be looked at."));
     stop_->setEnabled(run_.running());
     record_->setEnabled(!run_.running());
     bar_->setVisible(run_.running());
@@ -247,7 +259,7 @@ void RunForm::showProgress(const RunProgress& progress)
     if (!run_.running()) { return; }
     const double share = progress.duration > 0 ? progress.simulated / progress.duration : 0;
     bar_->setValue(static_cast<int>(1000 * share));
-    state_->setText(progressText(progress));
+    state_->setText(progressText(progress, run_.paused()));
 }
 
 void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The dock that runs the experiment: fidelity, device, Run and Stop, progress, recording.
+// The dock that runs the experiment: fidelity, device, Run, Pause and Stop, progress, recording.
 #pragma once
 
 #include "ui/garment/garment_choice.h"
@@ -51,6 +51,7 @@ private:
     QCheckBox* record_;
     QString recording_;
     QPushButton* start_;
+    QPushButton* pause_;
     QPushButton* stop_;
     QProgressBar* bar_;
     QLabel* state_;

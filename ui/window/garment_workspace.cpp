@@ -2,6 +2,7 @@
 #include "ui/window/garment_workspace.h"
 
 #include "core/base/words.h"
+#include "ui/basics/appearance.h"
 #include "ui/basics/typed_value.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -76,6 +77,7 @@ void GarmentWorkspace::connectRun()
         opening_ = false;
         refreshActions();
     });
+    connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
     connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
@@ -100,6 +102,8 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
         commitTypedValue(window_);
         form_->start();
     });
+    actions_.pause = addCommand(menu, "pause", tr("&Pause the Wear Experiment"), {}, tr("Pause or resume the run."));
+    connect(actions_.pause, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
     actions_.stop = addCommand(menu, "stop", tr("S&top the Wear Experiment"), {}, tr("Stop the run. What was computed is kept."));
     connect(actions_.stop, &QAction::triggered, &run_, &GarmentRun::cancel);
     keep_ = addCommand(menu, {}, tr("&Keep This Run as A"), {}, tr("Compare the next runs with this one."));
@@ -123,6 +127,7 @@ void GarmentWorkspace::setShown(bool shown)
 {
     if (!actions_.start) { return; }
     actions_.start->setVisible(shown);
+    actions_.pause->setVisible(shown);
     actions_.stop->setVisible(shown);
 }
 
@@ -131,6 +136,9 @@ void GarmentWorkspace::refreshActions()
     if (!actions_.start) { return; }
     const bool running = run_.running(), any = playback_.frame() != nullptr;
     actions_.start->setEnabled(form_->canRun());
+    actions_.pause->setEnabled(run_.computing());
+    actions_.pause->setText(run_.paused() ? tr("Resume the Wear Ex&periment") : tr("&Pause the Wear Experiment"));
+    actions_.pause->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
     actions_.stop->setEnabled(running);
     open_->setEnabled(!running);
     save_map_->setEnabled(any);

@@ -35,6 +35,7 @@ public:
     };
     struct Actions {
         QAction* start = nullptr;
+        QAction* pause = nullptr;
         QAction* stop = nullptr;
     };
 
