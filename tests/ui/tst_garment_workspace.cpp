@@ -4,6 +4,7 @@
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
+#include "ui/garment/fit_form.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -173,6 +174,69 @@ private Q_SLOTS:
         QCOMPARE(document_->design()->wears[0].activity.size(), std::size_t{1});
         document_->history()->undo();
         QCOMPARE(document_->design()->wears[0].activity[1].factor, 0.2);
+    }
+
+    void gapsAreSetZoneByZone()
+    {
+        addTee();
+        FitForm& fit = workspace_->fit();
+        QVERIFY(!fit.gapOf("elbow"));
+        QuantityEdit* chest = fit.gapOf("chest");
+        QVERIFY(chest && !chest->value());
+        Q_EMIT chest->edited(12.0, false);
+        QCOMPARE(garment().gap_of("chest"), 12.0);
+        QCOMPARE(garment().gap_of("back"), 3.0);
+        QCOMPARE(chest->value(), std::optional(12.0));
+        Q_EMIT chest->edited(std::nullopt, false);
+        QCOMPARE(garment().gap_of("chest"), 3.0);
+        QVERIFY(!garment().wearer.gap_mm.contains("chest"));
+        document_->history()->undo();
+        QCOMPARE(garment().gap_of("chest"), 12.0);
+        document_->history()->undo();
+        QCOMPARE(garment().gap_of("chest"), 3.0);
+        Q_EMIT fit.gapOf("default")->edited(7.0, false);
+        QCOMPARE(garment().gap_of("back"), 7.0);
+        QVERIFY(!document_->hasError());
+    }
+
+    void seamsPassTheirShares()
+    {
+        addTee();
+        FitForm& fit = workspace_->fit();
+        const auto& drawing = *workspace_->choice().drawing();
+        QVERIFY(!drawing.sewn.empty());
+        QuantityEdit* side = fit.seamOf("front", "back");
+        QVERIFY(side && side == fit.seamOf("back", "front"));
+        Q_EMIT side->edited(0.0, false);
+        QCOMPARE(garment().seam_between("front", "back"), 0.0);
+        for (const auto& [one, other] : drawing.sewn) {
+            const std::string &a = drawing.panels[static_cast<std::size_t>(one)].name,
+                              &b = drawing.panels[static_cast<std::size_t>(other)].name;
+            QVERIFY(fit.seamOf(a, b));
+            const bool is_side = (a == "front" && b == "back") || (a == "back" && b == "front");
+            QCOMPARE(garment().seam_between(a, b), is_side ? 0.0 : 1.0);
+        }
+        Q_EMIT fit.seamOf()->edited(0.5, false);
+        QCOMPARE(garment().seams.at("default"), 0.5);
+        QCOMPARE(garment().seam_between("front", "back"), 0.0);
+        Q_EMIT side->edited(std::nullopt, false);
+        QCOMPARE(garment().seam_between("back", "front"), 0.5);
+        QVERIFY(!document_->hasError());
+        document_->history()->undo();
+        QCOMPARE(garment().seam_between("front", "back"), 0.0);
+    }
+
+    /// A project may name a seam in the other order; it stays one.
+    void aSeamKeepsTheOrderOfTheProject()
+    {
+        addTee();
+        editGarment(*document_, "taped", 0, {}, [](Garment& edited) { edited.seams = {{"back|front", 0.25}, {"front|collar", 0.5}}; });
+        QuantityEdit* side = workspace_->fit().seamOf("front", "back");
+        QCOMPARE(side->value(), std::optional(0.25));
+        Q_EMIT side->edited(0.75, false);
+        QCOMPARE(garment().seams, (std::map<std::string, double>{{"back|front", 0.75}, {"front|collar", 0.5}}));
+        Q_EMIT side->edited(std::nullopt, false);
+        QCOMPARE(garment().seams, (std::map<std::string, double>{{"front|collar", 0.5}}));
     }
 
     void removingAGarmentRemovesItsExperiments()

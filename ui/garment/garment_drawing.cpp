@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace hygroloom {
 
@@ -67,6 +68,11 @@ std::shared_ptr<const GarmentDrawing> drawingOf(const GarmentPattern& pattern)
 {
     auto drawing = std::make_shared<GarmentDrawing>();
     for (const PatternPanel& panel : pattern.panels) { drawing->panels.push_back({panel.name, outline_of(panel), {}, {}}); }
+    std::set<std::array<int, 2>> sewn;
+    for (const PatternSeam& seam : pattern.seams) {
+        sewn.insert({std::min(seam.panel_a, seam.panel_b), std::max(seam.panel_a, seam.panel_b)});
+    }
+    drawing->sewn.assign(sewn.begin(), sewn.end());
     drawing->shape = pattern.shape;
     drawing->is_draped = pattern.is_draped;
     drawing->issues = pattern.issues;

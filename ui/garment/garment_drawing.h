@@ -23,6 +23,7 @@ struct DrawnPanel {
 
 struct GarmentDrawing {
     std::vector<DrawnPanel> panels;
+    std::vector<std::array<int, 2>> sewn; ///< panels that seams join, each two once, the lesser first; of a pattern
     GarmentShape shape;
     QRectF sheet; ///< m, about all panels
     bool is_draped = false;

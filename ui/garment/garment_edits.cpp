@@ -148,6 +148,32 @@ void cutAllFrom(Document& document, int garment, const std::string& fabric)
     });
 }
 
+void setGap(Garment& garment, const std::string& zone, std::optional<double> gap_mm)
+{
+    if (gap_mm) {
+        garment.wearer.gap_mm[zone] = *gap_mm;
+    } else {
+        garment.wearer.gap_mm.erase(zone);
+    }
+}
+
+std::string seamKey(const Garment& garment, const std::string& one, const std::string& other)
+{
+    if (one.empty()) { return "default"; }
+    const std::string turned = other + "|" + one;
+    return garment.seams.contains(turned) ? turned : one + "|" + other;
+}
+
+void setSeam(Garment& garment, const std::string& one, const std::string& other, std::optional<double> share)
+{
+    const std::string key = seamKey(garment, one, other);
+    if (share) {
+        garment.seams[key] = *share;
+    } else {
+        garment.seams.erase(key);
+    }
+}
+
 int addWear(Document& document, const std::string& garment)
 {
     const Experiment* experiment = document.experiment();

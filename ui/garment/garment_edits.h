@@ -31,6 +31,13 @@ void editCut(Document& document, const QString& text, int garment, const std::st
 /// Cuts all panels from a fabric; their grain and faces stay.
 void cutAllFrom(Document& document, int garment, const std::string& fabric);
 
+/// The gap at a zone, or "shoulder", or "default"; none: that of all others.
+void setGap(Garment& garment, const std::string& zone, std::optional<double> gap_mm);
+/// Under which a project names the seam between two panels: in the order that it has, else in this one; "default" without names.
+std::string seamKey(const Garment& garment, const std::string& one, const std::string& other);
+/// The share of the water that a seam passes; none: that of all others.
+void setSeam(Garment& garment, const std::string& one, const std::string& other, std::optional<double> share);
+
 /// An experiment on a garment, in the climate of the project's experiment. Returns its place.
 int addWear(Document& document, const std::string& garment);
 void removeWear(Document& document, int wear);

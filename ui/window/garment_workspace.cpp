@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/typed_value.h"
+#include "ui/garment/fit_form.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
@@ -36,7 +37,7 @@ QString mapFolder(const QString& above, const QString& wish)
 } // namespace
 
 GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
-    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), wear_(new WearForm(choice_)),
+    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), fit_(new FitForm(choice_)), wear_(new WearForm(choice_)),
       form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)), chart_(new WearChart(playback_)),
       parts_(new PartsTable(playback_)), view_(new GarmentView(choice_, playback_))
 {
@@ -47,6 +48,7 @@ GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
     layout->addWidget(timeline_);
     layout->addWidget(chart_, 1);
     docks_.garment = makeDock(window, "garment", tr("Garment"), garment_);
+    docks_.fit = makeDock(window, "garment fit", tr("Gaps and Seams"), fit_);
     docks_.wear = makeDock(window, "wear", tr("Wear"), wear_);
     docks_.run = makeDock(window, "garment run", tr("Wear Run"), form_);
     docks_.time = makeDock(window, "garment time", tr("Time of Wear"), time);

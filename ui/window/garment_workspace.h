@@ -15,6 +15,7 @@ class QMenu;
 
 namespace hygroloom {
 
+class FitForm;
 class GarmentPanel;
 class GarmentView;
 class PartsTable;
@@ -28,6 +29,7 @@ class GarmentWorkspace : public QObject {
 public:
     struct Docks {
         QDockWidget* garment = nullptr;
+        QDockWidget* fit = nullptr;
         QDockWidget* wear = nullptr;
         QDockWidget* run = nullptr;
         QDockWidget* time = nullptr;
@@ -44,6 +46,7 @@ public:
 
     GarmentChoice& choice() { return choice_; }
     GarmentPanel& panel() { return *garment_; }
+    FitForm& fit() { return *fit_; }
     WearForm& wear() { return *wear_; }
     RunForm& runForm() { return *form_; }
     GarmentRun& run() { return run_; }
@@ -92,6 +95,7 @@ private:
     NewestJob saver_;
     NewestJob recorder_;
     GarmentPanel* garment_;
+    FitForm* fit_;
     WearForm* wear_;
     RunForm* form_;
     WearTimeline* timeline_;

@@ -130,8 +130,8 @@ std::vector<QDockWidget*> MainWindow::docks() const
     const auto& d = design_->docks();
     const auto& s = simulate_->docks();
     const auto& g = garment_->docks();
-    return {d.candidates, d.weave,   d.draft, d.fabric, s.experiment, s.simulation, s.timeline,
-            s.results,    g.garment, g.wear,  g.run,    g.time,       g.parts,      issues_dock_};
+    return {d.candidates, d.weave, d.draft, d.fabric, s.experiment, s.simulation, s.timeline,  s.results,
+            g.garment,    g.fit,   g.wear,  g.run,    g.time,       g.parts,      issues_dock_};
 }
 
 void MainWindow::arrange(Workspace workspace)
@@ -150,6 +150,8 @@ void MainWindow::arrange(Workspace workspace)
     splitDockWidget(d.fabric, s.experiment, Qt::Vertical);
     splitDockWidget(s.experiment, s.simulation, Qt::Vertical);
     addDockWidget(Qt::LeftDockWidgetArea, g.garment);
+    addDockWidget(Qt::LeftDockWidgetArea, g.fit);
+    tabifyDockWidget(g.garment, g.fit);
     addDockWidget(Qt::RightDockWidgetArea, g.wear);
     splitDockWidget(g.wear, g.run, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, g.time);
@@ -168,7 +170,7 @@ void MainWindow::arrange(Workspace workspace)
     s.simulation->setVisible(simulate);
     s.timeline->setVisible(simulate);
     s.results->setVisible(simulate);
-    for (QDockWidget* dock : {g.garment, g.wear, g.run, g.time, g.parts}) { dock->setVisible(workspace == Workspace::garment); }
+    for (QDockWidget* dock : {g.garment, g.fit, g.wear, g.run, g.time, g.parts}) { dock->setVisible(workspace == Workspace::garment); }
     d.draft->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
@@ -180,6 +182,7 @@ void MainWindow::arrange(Workspace workspace)
         resizeDocks({s.timeline, s.results}, {530, 420}, Qt::Horizontal); // so that results fit without scrolling sideways
         resizeDocks({s.timeline}, {200}, Qt::Vertical);
     } else if (workspace == Workspace::garment) {
+        g.garment->raise();
         resizeDocks({g.wear, g.run}, {330, 270}, Qt::Vertical);
         resizeDocks({g.garment, g.wear}, {330, 250}, Qt::Horizontal);
         resizeDocks({g.time, g.parts}, {560, 640}, Qt::Horizontal);

@@ -62,7 +62,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int layout_version = 4;
+    static constexpr int layout_version = 5;
     // main_window.cpp
     void buildPanels();
     void connectParts();
