@@ -185,6 +185,13 @@ void add_garment(CLI::App& app, Verb& verb)
     garment_verb.add_option("--most", options->map.most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
         ->check(CLI::PositiveNumber);
     garment_verb
+        .add_option(
+            "--steps", options->map.steps,
+            "With map: where the eight colours end, ascending, separated by commas, g/m2 or shares; even up to --most when left out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes("--most");
+    garment_verb
         .add_option("--report", options->map.report,
                     "With map: write a report (.html or .pdf) with maps, tables, curves and what was assumed; -o may be left out")
         ->type_name("FILE");

@@ -67,10 +67,28 @@ WearMetrics metrics_of(const WearRecording& recording)
 void write_wear_report(const WearRecording& recording, const WearMetrics& metrics, const std::vector<double>& times,
                        const WearMapOptions& how, const std::string& file, bool quiet)
 {
+    std::vector<double> frames;
+    for (int k = 0; k < recording.frames(); ++k) frames.push_back(recording.time_of(k));
     const std::vector<ReportPicture> pictures =
-        as_invalid([&] { return pictures_of_panels(recording, frames_for_report(recording, times), how); });
+        as_invalid([&] { return pictures_of_panels(recording, frames_for_report(frames, times), how); });
     write_report_file(file, wear_report_html(recording.record(), metrics, pictures, recording.finished()));
     if (!quiet) print_note("Report: {}\n", file);
+}
+
+WearSteps steps_of(const WearMapVerbOptions& options)
+{
+    WearSteps steps;
+    if (options.steps.size() != steps.size())
+        throw Stop(exit_usage, fmt::format("--steps: There must be {} numbers; given are {}.", steps.size(), options.steps.size()));
+    std::copy(options.steps.begin(), options.steps.end(), steps.begin());
+    return as_usage([&] {
+        try {
+            require_ascending(steps);
+        } catch (const Error& error) {
+            throw Error(std::string("--steps: ") + error.what());
+        }
+        return steps;
+    });
 }
 
 /// Reports must not take the place of what is read.
@@ -200,6 +218,7 @@ int map_garment(const WearMapVerbOptions& options)
     WearMapOptions how;
     how.scale = options.scale == "capacity" ? WearScale::capacity : WearScale::same;
     how.most = options.most;
+    if (!options.steps.empty()) how.steps = steps_of(options);
     how.crossings = layout.panels.front().crossings_per_cell;
     if (options.cells != "auto") {
         const char* const end = options.cells.data() + options.cells.size();
@@ -216,7 +235,9 @@ int map_garment(const WearMapVerbOptions& options)
     make_folder(options.output);
     const std::vector<std::string> files = write_wear_map(layout, frame, map, options.output);
     if (options.json)
-        print_result("{}\n", Json{{"time_s", frame.time}, {"most", map.most}, {"cells", map.cells}, {"files", files}}.dump(2));
+        print_result(
+            "{}\n",
+            Json{{"time_s", frame.time}, {"most", map.most()}, {"steps", map.steps}, {"cells", map.cells}, {"files", files}}.dump(2));
     else
         print_result("{} at {:.4g} s, {}: {} files in {}\n", layout.garment, frame.time, map.cells, files.size(), options.output);
     return exit_ok;

@@ -28,6 +28,7 @@ struct WearMapVerbOptions : CommonOptions {
     std::string cells = "auto"; ///< crossings
     std::string scale = "same";
     double most = 0;
+    std::vector<double> steps; ///< ends of the eight colours, instead of most
     std::string report;
     std::vector<double> times; ///< s, of the report's maps
 };

@@ -13,12 +13,12 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <tuple>
 #include <unordered_map>
 
 namespace hygroloom {
 namespace {
 
-constexpr int steps = 8;
 constexpr double pixels_per_metre = 1000, most_pixels = 4096;
 constexpr double paper = 1.0, ink = 0.18;
 
@@ -63,9 +63,9 @@ template <typename Draw> Image drawn(int width, int height, const Draw& draw)
     return image_from(cairo.get());
 }
 
-void use_step(cairo_t* cairo, double share)
+void use_step(cairo_t* cairo, std::size_t step)
 {
-    const std::array<std::uint8_t, 3> colour = step_colour(share);
+    const std::array<std::uint8_t, 3> colour = step_colour(step);
     cairo_set_source_rgb(cairo, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
 }
 
@@ -100,34 +100,55 @@ void draw_grain(cairo_t* cairo, double x, double y, double half, double grain)
 void draw_legend(cairo_t* cairo, const WearMap& map, double x, double y)
 {
     write_text(cairo, x, y, map.scale == WearScale::same ? "water, g/m2" : "share of capacity");
-    for (int step = steps - 1; step >= 0; --step) {
-        const double top = y + 12 + 24 * (steps - 1 - step);
-        use_step(cairo, (step + 0.5) / steps);
+    for (std::size_t step = map.steps.size(); step-- > 0;) {
+        const double top = y + 12 + 24 * static_cast<double>(map.steps.size() - 1 - step);
+        use_step(cairo, step);
         cairo_rectangle(cairo, x, top, 22, 24);
         cairo_fill_preserve(cairo);
         cairo_set_source_rgb(cairo, ink, ink, ink);
         cairo_set_line_width(cairo, 1);
         cairo_stroke(cairo);
-        const double from = map.most * step / steps, to = map.most * (step + 1) / steps;
+        const double from = step > 0 ? map.steps[step - 1] : 0, to = map.steps[step];
         write_text(cairo, x + 30, top + 17,
-                   map.scale == WearScale::same ? fmt::format("{:.3g} to {:.3g}", from, to)
-                                                : fmt::format("{:.0f} to {:.0f} %", 100 * from, 100 * to));
+                   map.scale == WearScale::same ? fmt::format("{:.4g} to {:.4g}", from, to)
+                                                : fmt::format("{:.4g} to {:.4g} %", 100 * from, 100 * to));
     }
 }
 
 } // namespace
 
-std::array<std::uint8_t, 3> step_colour(double share)
+WearSteps even_steps(double most)
 {
-    constexpr std::array<std::array<std::uint8_t, 3>, steps> colours{{{255, 255, 255},
-                                                                      {222, 235, 247},
-                                                                      {198, 219, 239},
-                                                                      {158, 202, 225},
-                                                                      {107, 174, 214},
-                                                                      {66, 146, 198},
-                                                                      {33, 113, 181},
-                                                                      {8, 48, 107}}};
-    return colours[static_cast<std::size_t>(std::clamp(share * steps, 0.0, steps - 1.0))];
+    WearSteps steps;
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = most * static_cast<double>(k + 1) / static_cast<double>(steps.size());
+    return steps;
+}
+
+void require_ascending(const WearSteps& steps)
+{
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const double below = k > 0 ? steps[k - 1] : 0;
+        if (!(steps[k] > below) || !std::isfinite(steps[k]))
+            throw Error(fmt::format("Step {} ends at {:.6g}; it must end above {:.6g}.", k + 1, steps[k], below));
+    }
+}
+
+std::size_t step_of(const WearSteps& steps, double value)
+{
+    return static_cast<std::size_t>(std::upper_bound(steps.begin(), steps.end() - 1, value) - steps.begin());
+}
+
+std::array<std::uint8_t, 3> step_colour(std::size_t step)
+{
+    constexpr std::array<std::array<std::uint8_t, 3>, std::tuple_size_v<WearSteps>> colours{{{255, 255, 255},
+                                                                                             {222, 235, 247},
+                                                                                             {198, 219, 239},
+                                                                                             {158, 202, 225},
+                                                                                             {107, 174, 214},
+                                                                                             {66, 146, 198},
+                                                                                             {33, 113, 181},
+                                                                                             {8, 48, 107}}};
+    return colours[step];
 }
 
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
@@ -158,7 +179,8 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
         most = std::max(most, map.values.back());
     }
     const double usual = options.scale == WearScale::capacity ? 1.0 : most > 0 ? most : 1.0;
-    map.most = options.most > 0 ? options.most : usual;
+    map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : usual);
+    require_ascending(map.steps);
     const WearPanel& first = layout.panels.front();
     map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);
     return map;
@@ -176,7 +198,7 @@ Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t pa
         for (int column = 0; column < image.width; ++column) {
             const FlatPlace at{box.left + (column + 0.5) / image.width * box.width(), box.high - (row + 0.5) / image.height * box.height()};
             const std::optional<std::size_t> cell = cells.at(at);
-            const std::array<std::uint8_t, 3> colour = step_colour(cell ? map.values[*cell] / map.most : 0);
+            const std::array<std::uint8_t, 3> colour = step_colour(cell ? step_of(map.steps, map.values[*cell]) : 0);
             image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
         }
     return image;
@@ -214,7 +236,7 @@ Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t pa
                     cairo_line_to(cairo, x_of(cell.flat[0] + a * across[0] + b * along[0]),
                                   y_of(cell.flat[1] + a * across[1] + b * along[1]));
                 cairo_close_path(cairo);
-                use_step(cairo, map.values[i] / map.most);
+                use_step(cairo, step_of(map.steps, map.values[i]));
                 cairo_fill(cairo);
             }
         cairo_restore(cairo);

@@ -5,6 +5,9 @@
 #include "core/analysis/map_image.h"
 #include "core/wear/wear_recording.h"
 
+#include <array>
+#include <optional>
+
 namespace hygroloom {
 
 enum class WearScale {
@@ -12,23 +15,36 @@ enum class WearScale {
     capacity ///< share of what each fabric can hold
 };
 
+/// Where the eight colours end, g/m2 or a share: each above the one before, the first above 0. A value at an end lies in the next step; the
+/// last one holds what lies above it, too.
+using WearSteps = std::array<double, 8>;
+WearSteps even_steps(double most);
+/// Throws Error with a sentence where they do not ascend.
+void require_ascending(const WearSteps& steps);
+/// Which step a value lies in, from 0 to 7.
+std::size_t step_of(const WearSteps& steps, double value);
+
 struct WearMapOptions {
     int crossings = 2; ///< over which water is summed up each way; at least a cell
     WearScale scale = WearScale::same;
-    double most = 0; ///< at the scale's end, g/m2 or a share; 0: the map's own maximum, a share's is 1
+    double most = 0;                ///< at the scale's end, g/m2 or a share; 0: the map's own maximum, a share's is 1
+    std::optional<WearSteps> steps; ///< instead of even ones up to most
 };
 
 /// Value of every cell: the mean over its group of cells. g/m2, or a share.
 struct WearMap {
     std::vector<double> values;
-    double most = 0; ///< at the scale's end
+    WearSteps steps = even_steps(1);
     WearScale scale = WearScale::same;
     std::string cells; ///< "by 8 x 8 crossings, 2.3 x 2.3 mm"
+    /// At the scale's end.
+    double most() const { return steps.back(); }
 };
+/// Throws Error where the steps do not ascend.
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options);
 
-/// One of the eight colours, white to dark blue, of a share of the scale; red, green, blue.
-std::array<std::uint8_t, 3> step_colour(double share);
+/// The eight colours, white to dark blue; red, green, blue.
+std::array<std::uint8_t, 3> step_colour(std::size_t step);
 
 /// A panel, flat, with its scale bar, grain line and legend.
 Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t panel, double time);

@@ -164,34 +164,39 @@ std::string origin(const WearRecord& record, const WearMetrics& metrics)
 
 } // namespace
 
-std::vector<int> frames_for_report(const WearRecording& recording, const std::vector<double>& times)
+std::vector<int> frames_for_report(const std::vector<double>& frames, const std::vector<double>& wanted)
 {
-    const int last = recording.frames() - 1;
-    std::vector<double> wanted = times;
-    for (int quarter = 1; wanted.size() < 4 && times.empty(); ++quarter) wanted.push_back(0.25 * quarter * recording.time_of(last));
-    std::set<int> frames;
-    for (const double time : wanted) {
-        int nearest = last;
-        for (int k = last; k >= 0; --k)
-            if (std::abs(recording.time_of(k) - time) < std::abs(recording.time_of(nearest) - time)) nearest = k;
-        frames.insert(nearest);
+    std::vector<double> times = wanted;
+    for (int quarter = 1; times.size() < 4 && wanted.empty(); ++quarter) times.push_back(0.25 * quarter * frames.back());
+    std::set<int> chosen;
+    for (const double time : times) {
+        std::size_t nearest = frames.size() - 1;
+        for (std::size_t k = frames.size(); k-- > 0;)
+            if (std::abs(frames[k] - time) < std::abs(frames[nearest] - time)) nearest = k;
+        chosen.insert(static_cast<int>(nearest));
     }
-    return {frames.begin(), frames.end()};
+    return {chosen.begin(), chosen.end()};
 }
 
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames, const WearMapOptions& options)
 {
-    const WearLayout& layout = recording.record().layout;
+    std::vector<std::shared_ptr<const WearFrame>> read;
+    for (const int number : frames) read.push_back(std::make_shared<const WearFrame>(recording.frame(number)));
+    return pictures_of_panels(recording.record().layout, read, options);
+}
+
+std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const std::vector<std::shared_ptr<const WearFrame>>& frames,
+                                              const WearMapOptions& options)
+{
     std::vector<std::pair<double, WearMap>> maps;
     double most = 0;
-    for (const int number : frames) {
-        const WearFrame frame = recording.frame(number);
-        maps.emplace_back(frame.time, wear_map(layout, frame, options));
-        most = std::max(most, maps.back().second.most);
+    for (const auto& frame : frames) {
+        maps.emplace_back(frame->time, wear_map(layout, *frame, options));
+        most = std::max(most, maps.back().second.most());
     }
     std::vector<ReportPicture> pictures;
     for (auto& [time, map] : maps) {
-        map.most = most;
+        if (!options.steps) map.steps = even_steps(most);
         for (std::size_t panel = 0; panel < layout.panels.size(); ++panel)
             pictures.push_back({fmt::format("{}, at {:.4g} s", layout.panels[panel].name, time), panel_picture(layout, map, panel, time)});
     }

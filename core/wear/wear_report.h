@@ -8,10 +8,14 @@
 
 namespace hygroloom {
 
-/// Frames at a quarter, half, three quarters and the end of a recording; or those nearest to the times (s). Each once, in order.
-std::vector<int> frames_for_report(const WearRecording& recording, const std::vector<double>& times);
+/// Which of a run's frames, at these times (s), a report shows: at a quarter, half, three quarters and the end; or those nearest to the
+/// times that are wanted. Each once, in order.
+std::vector<int> frames_for_report(const std::vector<double>& frames, const std::vector<double>& wanted);
 
-/// Every panel at each of the frames, on one scale. Throws FileError.
+/// Every panel in each of the frames, on one scale.
+std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const std::vector<std::shared_ptr<const WearFrame>>& frames,
+                                              const WearMapOptions& options);
+/// The same of a recording's frames. Throws FileError.
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames,
                                               const WearMapOptions& options);
 

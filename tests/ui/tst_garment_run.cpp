@@ -2,6 +2,7 @@
 // A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
 #include "core/wear/wear_map.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
@@ -9,6 +10,7 @@
 #include "ui/garment/parts_table.h"
 #include "ui/garment/run_form.h"
 #include "ui/garment/step_legend.h"
+#include "ui/garment/steps_dialog.h"
 #include "ui/garment/wear_chart.h"
 #include "ui/window/examples.h"
 #include "ui/window/garment_workspace.h"
@@ -88,7 +90,7 @@ private Q_SLOTS:
             const GarmentCell& cell = run.layout().cells[i];
             const GarmentSpot spot{cell.panel, run.layout().panels[static_cast<std::size_t>(cell.panel)].grid.middle(cell.end, cell.pick)};
             QCOMPARE(run.lookup->at(spot), static_cast<int>(i));
-            const auto step = step_colour(values[i] / playback.most());
+            const auto step = step_colour(step_of(even_steps(playback.most()), values[i]));
             const QColor drawn = picture.pixelColor(workspace_->view().flat().pixelOf(spot).toPoint());
             seen += drawn == QColor(step[0], step[1], step[2]) ? 1 : 0;
         }
@@ -109,6 +111,57 @@ private Q_SLOTS:
         workspace_->view().setColors(GarmentView::Colors::share);
         QCOMPARE(workspace_->playback().most(), 1.0);
         QCOMPARE(legend.texts().back(), QString("0 to 12.5"));
+    }
+
+    void theEndsOfTheStepsAreTyped()
+    {
+        run();
+        WearPlayback& playback = workspace_->playback();
+        const WornRun& run = *playback.run();
+        workspace_->view().editSteps();
+        StepsDialog& dialog = *workspace_->view().steps();
+        const double most = playback.most();
+        QCOMPARE(dialog.end(7).value(), std::optional(most));
+        const auto type = [&](std::size_t step, double value) {
+            dialog.end(step).setText(QString::number(value, 'g', 17));
+            dialog.end(step).setModified(true);
+            QTest::keyClick(&dialog.end(step), Qt::Key_Return);
+        };
+        type(1, 0.9 * most); // above the next ones
+        QVERIFY2(dialog.complaint().contains("Step 3"), qPrintable(dialog.complaint()));
+        QVERIFY(!playback.ownSteps());
+        QCOMPARE(dialog.end(1).value(), std::optional(0.9 * most)); // stays to be corrected
+        type(1, 0.15 * most);
+        QVERIFY2(dialog.complaint().isEmpty(), qPrintable(dialog.complaint()));
+        QVERIFY(playback.ownSteps());
+        type(7, 3 * most);
+        QCOMPARE(playback.most(), 3 * most);
+        const WearSteps steps = *playback.ownSteps();
+        // Legend, flat panels and files have the same steps.
+        QCOMPARE(workspace_->view().legend().ends(), steps);
+        const std::vector<double> values = cellValues(run.layout(), *playback.frame(), WearValue::water);
+        WearMapOptions options;
+        options.crossings = 1;
+        options.steps = playback.steps();
+        QCOMPARE(wear_map(run.layout(), *playback.frame(), options).steps, steps);
+        const QImage picture = workspace_->view().flat().picture();
+        int seen = 0, asked = 0;
+        for (std::size_t i = 0; i < values.size(); i += 97, ++asked) {
+            const GarmentCell& cell = run.layout().cells[i];
+            const GarmentSpot spot{cell.panel, run.layout().panels[static_cast<std::size_t>(cell.panel)].grid.middle(cell.end, cell.pick)};
+            const auto color = step_colour(step_of(steps, values[i]));
+            seen += picture.pixelColor(workspace_->view().flat().pixelOf(spot).toPoint()) == QColor(color[0], color[1], color[2]) ? 1 : 0;
+        }
+        QVERIFY2(seen > 0.8 * asked, qPrintable(QString::number(seen)));
+        workspace_->view().setColors(GarmentView::Colors::share); // has steps of its own
+        QVERIFY(!playback.ownSteps());
+        QCOMPARE(dialog.end(7).value(), std::optional(1.0));
+        workspace_->view().setColors(GarmentView::Colors::water);
+        QCOMPARE(dialog.end(7).value(), std::optional(3 * most));
+        dialog.reset();
+        QVERIFY(!playback.ownSteps());
+        QCOMPARE(dialog.end(7).value(), std::optional(most));
+        QCOMPARE(playback.steps(), even_steps(most));
     }
 
     void aClickPinsACellWithItsHistory()

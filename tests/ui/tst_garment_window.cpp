@@ -89,6 +89,20 @@ private Q_SLOTS:
         QCOMPARE(saved.pixelColor(middle), shape->picture().pixelColor(shape->rect().center()));
     }
 
+    void endsOfStepsStayWithTheWindow()
+    {
+        const WearSteps steps{1, 2, 5, 10, 20, 50, 100, 200};
+        window_->garment().playback().setSteps(WearValue::water, steps);
+        QVERIFY(window_->close());
+        openWindow({1280, 800});
+        QCOMPARE(window_->garment().playback().ownSteps(WearValue::water), std::optional(steps));
+        QVERIFY(!window_->garment().playback().ownSteps(WearValue::share));
+        window_->garment().playback().setSteps(WearValue::water, std::nullopt);
+        QVERIFY(window_->close());
+        openWindow({1280, 800});
+        QVERIFY(!window_->garment().playback().ownSteps(WearValue::water));
+    }
+
     void aRunInNoFileIsAskedForAndCanBeSaved()
     {
         showTee();

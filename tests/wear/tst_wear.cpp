@@ -282,7 +282,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const std::filesystem::path path = folder.path().toStdString();
         const WearMap map = wear_map(run.layout, run.frames.back(), {});
-        QVERIFY(map.most > 0);
+        QVERIFY(map.most() > 0);
         const std::vector<std::string> files = write_wear_map(run.layout, run.frames.back(), map, path);
         for (const std::string& file : files) QVERIFY2(std::filesystem::file_size(path / file) > 0, file.c_str());
         for (const char* name : {"garment.glb", "garment.obj"}) {

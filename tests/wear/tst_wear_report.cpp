@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The page that a worn garment's recording becomes.
 #include "core/wear/wear_report.h"
+
+#include "core/base/error.h"
 #include "tests/support/crafted_wear.h"
 
 #include <QRegularExpression>
@@ -19,8 +21,10 @@ private Q_SLOTS:
     void maps_are_at_the_times_asked_for()
     {
         const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
-        QCOMPARE(frames_for_report(recording, {}), (std::vector{1, 2})); // 0.5, 1, 1.5 and 2 s of frames at 0, 1 and 2 s
-        QCOMPARE(frames_for_report(recording, {1.9, 0.1, 2.2}), (std::vector{0, 2}));
+        std::vector<double> times;
+        for (int k = 0; k < recording.frames(); ++k) times.push_back(recording.time_of(k));
+        QCOMPARE(frames_for_report(times, {}), (std::vector{1, 2})); // 0.5, 1, 1.5 and 2 s of frames at 0, 1 and 2 s
+        QCOMPARE(frames_for_report(times, {1.9, 0.1, 2.2}), (std::vector{0, 2}));
     }
 
     /// A dry picture and a wet one share the scale: the wet one's cells reach its end, the dry ones do not.
@@ -33,8 +37,45 @@ private Q_SLOTS:
         QCOMPARE(alone.size(), std::size_t(2));
         QCOMPARE(both.size(), std::size_t(4));
         QVERIFY(alone[0].image.rgb != both[0].image.rgb);
-        how.most = last.most;
+        how.most = last.most();
         QVERIFY(pictures_of_panels(recording, {1}, how)[0].image.rgb == both[0].image.rgb);
+    }
+
+    /// Steps with ends of their own: a cell has the colour of the step in which its value lies, in pictures as in textures.
+    void steps_may_end_anywhere()
+    {
+        const WearSteps even = even_steps(80);
+        QCOMPARE(even[0], 10.0);
+        QCOMPARE(even[7], 80.0);
+        QCOMPARE(step_of(even, 0), std::size_t(0));
+        QCOMPARE(step_of(even, 9.99), std::size_t(0));
+        QCOMPARE(step_of(even, 10), std::size_t(1));
+        QCOMPARE(step_of(even, 1e6), std::size_t(7));
+        QVERIFY_THROWS_EXCEPTION(Error, require_ascending({1, 2, 3, 4, 5, 6, 6, 8}));
+        QVERIFY_THROWS_EXCEPTION(Error, require_ascending({0, 2, 3, 4, 5, 6, 7, 8}));
+        const WearRecord record = small_wear();
+        const WearFrame frame = small_wear_frame(record.layout, 2);
+        WearMapOptions how;
+        const double most = wear_map(record.layout, frame, how).most();
+        how.steps = WearSteps{1e-3 * most, 2e-3 * most, 3e-3 * most, 4e-3 * most, 5e-3 * most, 6e-3 * most, 7e-3 * most, 2 * most};
+        const WearMap map = wear_map(record.layout, frame, how);
+        QCOMPARE(map.most(), 2 * most);
+        const Image texture = panel_texture(record.layout, map, 0);
+        const FlatBox box = record.layout.panels[0].box();
+        int seen = 0;
+        for (std::size_t i = 0; i < record.layout.cells.size(); ++i) {
+            const GarmentCell& cell = record.layout.cells[i];
+            const auto x = static_cast<int>((cell.flat[0] - box.left) / box.width() * texture.width),
+                       y = static_cast<int>((box.high - cell.flat[1]) / box.height() * texture.height);
+            if (cell.panel != 0 || x < 0 || y < 0 || x >= texture.width || y >= texture.height) continue;
+            const auto colour = step_colour(map.values[i] > 7e-3 * most ? 7 : step_of(*how.steps, map.values[i]));
+            const auto at = static_cast<std::size_t>(3 * (y * texture.width + x));
+            QVERIFY(std::equal(colour.begin(), colour.end(), texture.rgb.begin() + static_cast<std::ptrdiff_t>(at)));
+            seen += map.values[i] > 7e-3 * most ? 1 : 0;
+        }
+        QVERIFY(seen > 0);
+        how.steps = WearSteps{1, 1, 1, 1, 1, 1, 1, 1};
+        QVERIFY_THROWS_EXCEPTION(Error, wear_map(record.layout, frame, how));
     }
 
     void the_page_holds_it_all()

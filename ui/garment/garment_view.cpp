@@ -8,6 +8,7 @@
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/step_legend.h"
+#include "ui/garment/steps_dialog.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -113,6 +114,14 @@ QWidget* GarmentView::makePanes()
     difference_->hide();
     auto* legends = new QVBoxLayout;
     legends->addWidget(legend_);
+    edit_steps_ = new QPushButton(tr("Steps…"));
+    edit_steps_->setToolTip(tr("Set where each of the eight colours ends."));
+    connect(edit_steps_, &QPushButton::clicked, this, &GarmentView::editSteps);
+    auto* below = new QHBoxLayout;
+    below->setContentsMargins(8, 0, 0, 0); // under the colours
+    below->addWidget(edit_steps_);
+    below->addStretch();
+    legends->addLayout(below);
     legends->addWidget(difference_legend_);
     legends->addStretch();
     QSizePolicy policy = legend_->sizePolicy();
@@ -120,6 +129,15 @@ QWidget* GarmentView::makePanes()
     legend_->setSizePolicy(policy);
     layout->addLayout(legends);
     return row;
+}
+
+void GarmentView::editSteps()
+{
+    if (!showsRun()) { return; }
+    if (!steps_) { steps_ = new StepsDialog(playback_, this); }
+    steps_->show();
+    steps_->raise();
+    steps_->activateWindow();
 }
 
 /// A place in a pane as the place in the run that is compared with A.
@@ -207,14 +225,15 @@ void GarmentView::refreshRun()
     const WornRun& run = *playback_.run();
     const auto frame = playback_.frame(), kept_frame = playback_.keptFrame();
     const bool both = playback_.kept() && compared_ != Compared::newest, differs = playback_.kept() && compared_ == Compared::difference;
-    const double most = playback_.most();
+    const WearSteps steps = playback_.steps();
+    const double most = steps.back();
     bool exceeded = false;
     const WearValue what = playback_.value();
     std::vector<double> values, kept_values;
     if (frame) {
         values = cellValues(run.layout(), *frame, what);
         exceeded = anyAbove(values, most);
-        newest_->show(run.drawing, waterPaint(run, values, most));
+        newest_->show(run.drawing, waterPaint(run, values, steps));
     } else {
         newest_->show(run.drawing, nullptr);
     }
@@ -225,7 +244,7 @@ void GarmentView::refreshRun()
         const WornRun& kept = *playback_.kept();
         kept_values = cellValues(kept.layout(), *kept_frame, what);
         exceeded = exceeded || anyAbove(kept_values, most);
-        kept_->show(kept.drawing, waterPaint(kept, kept_values, most));
+        kept_->show(kept.drawing, waterPaint(kept, kept_values, steps));
     }
     if (differs && !(frame && kept_frame)) { difference_->show(run.drawing, nullptr); }
     if (differs && frame && kept_frame) {
@@ -251,7 +270,7 @@ QString GarmentView::whenOfA() const
 void GarmentView::refreshLegend(bool exceeded, double differenceMost)
 {
     const bool share = playback_.value() == WearValue::share;
-    legend_->setSteps(share ? tr("Share of capacity, %") : tr("Water, g/m²"), playback_.most(), share, exceeded);
+    legend_->setSteps(share ? tr("Share of capacity, %") : tr("Water, g/m²"), playback_.steps(), share, exceeded);
     legend_->show();
     difference_legend_->setDifference(share ? tr("Difference B − A, %") : tr("Difference B − A, g/m²"), differenceMost, share, false);
     difference_legend_->setVisible(differenceMost > 0);

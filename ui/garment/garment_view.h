@@ -11,12 +11,14 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSettings;
 class QStackedWidget;
 
 namespace hygroloom {
 
 class QuantityEdit;
 class StepLegend;
+class StepsDialog;
 
 class GarmentView : public QWidget {
     Q_OBJECT
@@ -31,6 +33,12 @@ public:
     GarmentPane& kept() { return *kept_; }
     GarmentPane& difference() { return *difference_; }
     StepLegend& legend() { return *legend_; }
+    /// The window in which the ends of the steps are typed; nullptr before its first use.
+    StepsDialog* steps() { return steps_; }
+    void editSteps();
+    /// The ends of the steps that the user has set.
+    void saveSteps(QSettings& settings) const;
+    void restoreSteps(const QSettings& settings);
     void setColors(Colors colors);
     void setCompared(Compared compared);
     void setChosenPanel(int panel);
@@ -81,6 +89,8 @@ private:
     QuantityEdit* most_water_ = nullptr;
     QuantityEdit* most_share_ = nullptr;
     QPushButton* keep_ = nullptr;
+    QPushButton* edit_steps_ = nullptr;
+    StepsDialog* steps_ = nullptr;
     StepLegend* legend_;
     StepLegend* difference_legend_;
     QLabel* probe_;

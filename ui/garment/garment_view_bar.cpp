@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The bar over the garment: sides, colours, scale, what is compared.
+#include "core/base/error.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/garment/garment_view.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
@@ -22,6 +24,9 @@ QComboBox* choiceOf(const QString& name, const QStringList& texts)
     return box;
 }
 
+constexpr std::pair<const char*, WearValue> step_keys[] = {{"garment/water steps", WearValue::water},
+                                                           {"garment/share steps", WearValue::share}};
+
 } // namespace
 
 QWidget* GarmentView::makeBar()
@@ -35,7 +40,6 @@ QWidget* GarmentView::makeBar()
         edit->setOptional(true);
         edit->setFixedWidth(edit->fontMetrics().horizontalAdvance("auto 1000 g/m²") + 12);
         edit->setAccessibleName(tr("End of the scale"));
-        edit->setHelp(tr("Where the eight steps of the colours end. Empty: at the most that the runs hold, or at the whole capacity."));
         connect(edit, &QuantityEdit::edited, this,
                 [this](std::optional<double> value) { playback_.setMost(value && *value > 0 ? value : std::nullopt); });
     }
@@ -85,6 +89,32 @@ void GarmentView::setCompared(Compared compared)
     }
 }
 
+void GarmentView::saveSteps(QSettings& settings) const
+{
+    for (const auto& [key, value] : step_keys) {
+        QStringList ends;
+        if (const auto& steps = playback_.ownSteps(value)) {
+            for (const double end : *steps) { ends << QString::number(end, 'g', 17); }
+        }
+        settings.setValue(key, ends);
+    }
+}
+
+void GarmentView::restoreSteps(const QSettings& settings)
+{
+    for (const auto& [key, value] : step_keys) {
+        const QStringList ends = settings.value(key).toStringList();
+        WearSteps steps;
+        if (ends.size() != static_cast<qsizetype>(steps.size())) { continue; }
+        for (std::size_t k = 0; k < steps.size(); ++k) { steps[k] = ends[static_cast<qsizetype>(k)].toDouble(); }
+        try {
+            require_ascending(steps);
+            playback_.setSteps(value, steps);
+        } catch (const Error&) { // written by something else
+        }
+    }
+}
+
 void GarmentView::refreshBar()
 {
     const bool any = playback_.run() != nullptr;
@@ -96,9 +126,13 @@ void GarmentView::refreshBar()
     keep_->setEnabled(any && !playback_.run()->live && playback_.frames() > 0);
     const bool share = playback_.value() == WearValue::share;
     most_->setCurrentIndex(share ? 1 : 0);
-    most_->setEnabled(showsRun());
+    most_->setEnabled(showsRun() && !playback_.ownSteps());
+    edit_steps_->setEnabled(showsRun());
     QuantityEdit* edit = share ? most_share_ : most_water_;
-    edit->setValue(playback_.setMost());
+    edit->setHelp(playback_.ownSteps() ? tr("The steps have ends of their own; Steps… under the legend edits and resets them.")
+                                       : tr("Where the eight steps of the colours end. Empty: at the most that the runs hold, or at the "
+                                            "whole capacity."));
+    edit->setValue(playback_.ownSteps() ? std::nullopt : playback_.setMost());
     edit->setDerived(playback_.most());
 }
 

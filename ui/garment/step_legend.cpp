@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/step_legend.h"
 
-#include "core/wear/wear_map.h"
 #include "ui/basics/color_map.h"
 #include "ui/basics/quantity.h"
 
@@ -9,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace hygroloom {
 
 namespace {
 
-constexpr int steps = 8;
+constexpr int steps = std::tuple_size_v<WearSteps>;
 constexpr int box = 22;
 
 } // namespace
@@ -31,17 +32,25 @@ StepLegend::StepLegend(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
 }
 
-void StepLegend::setSteps(const QString& title, double most, bool percent, bool exceeded) { set(title, most, percent, exceeded, false); }
+void StepLegend::setSteps(const QString& title, const WearSteps& ends, bool percent, bool exceeded)
+{
+    ends_ = ends;
+    begin_ = 0;
+    setAll(title, percent, exceeded, false);
+}
 
 void StepLegend::setDifference(const QString& title, double most, bool percent, bool exceeded)
 {
-    set(title, most, percent, exceeded, true);
+    ends_ = even_steps(2 * most);
+    for (double& end : ends_) { end -= most; }
+    ends_[steps / 2 - 1] = 0;
+    begin_ = -most;
+    setAll(title, percent, exceeded, true);
 }
 
-void StepLegend::set(const QString& title, double most, bool percent, bool exceeded, bool difference)
+void StepLegend::setAll(const QString& title, bool percent, bool exceeded, bool difference)
 {
     title_ = title;
-    most_ = most;
     percent_ = percent;
     exceeded_ = exceeded;
     difference_ = difference;
@@ -52,21 +61,25 @@ void StepLegend::set(const QString& title, double most, bool percent, bool excee
 
 QStringList StepLegend::texts() const
 {
-    const double end = percent_ ? 100 * most_ : most_;
-    const double width = (difference_ ? 2 : 1) * end / steps;
-    int decimals = width >= 10 ? 0 : width >= 1 ? 1 : 2; // more where a step is no such number: 12.5
-    for (double scale = std::pow(10, decimals); decimals < 4 && std::abs(std::round(width * scale) - width * scale) > 1e-3 * width * scale;
-         scale *= 10) {
-        ++decimals;
+    std::array<double, steps + 1> limits{};
+    double width = std::numeric_limits<double>::max(); // of the narrowest step
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        limits[k] = (percent_ ? 100 : 1) * (k > 0 ? ends_[k - 1] : begin_);
+        if (k > 0) { width = std::min(width, limits[k] - limits[k - 1]); }
     }
+    int decimals = width >= 10 ? 0 : width >= 1 ? 1 : 2; // more where a step is no such number: 12.5
+    const auto rounds = [&](double limit) {
+        const double scale = std::pow(10, decimals);
+        return std::abs(std::round(limit * scale) - limit * scale) <= 1e-3 * width * scale;
+    };
+    while (decimals < 4 && !std::all_of(limits.begin(), limits.end(), rounds)) { ++decimals; }
     const auto number = [&](double value) {
         const QString sign = difference_ && value > 0 ? "+" : value < 0 ? QString(QChar(0x2212)) : QString();
         return sign + shownNumber(std::abs(value), decimals);
     };
     QStringList all;
     for (int step = steps - 1; step >= 0; --step) {
-        const double from = (difference_ ? -end : 0) + width * step;
-        const double to = step + 1 == steps ? end : from + width;
+        const double from = limits[static_cast<std::size_t>(step)], to = limits[static_cast<std::size_t>(step) + 1];
         if (exceeded_ && step + 1 == steps) {
             all << tr("%1 and more").arg(number(from));
         } else if (exceeded_ && difference_ && step == 0) {
@@ -97,7 +110,7 @@ void StepLegend::paintEvent(QPaintEvent*)
     const QStringList words = texts();
     for (int row = 0; row < steps; ++row) {
         const double share = (steps - 1 - row + 0.5) / steps;
-        const auto step = step_colour(share);
+        const auto step = step_colour(static_cast<std::size_t>(steps - 1 - row));
         const QRect square(8, 8 + line + 8 + row * box, box, box);
         painter.fillRect(square, difference_ ? differenceColor(2 * share - 1) : QColor(step[0], step[1], step[2]));
         painter.setPen(QColor("#707880"));

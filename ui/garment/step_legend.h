@@ -2,6 +2,8 @@
 // What the eight colours stand for, in numbers; or those of a difference.
 #pragma once
 
+#include "core/wear/wear_map.h"
+
 #include <QWidget>
 
 namespace hygroloom {
@@ -11,21 +13,24 @@ class StepLegend : public QWidget {
 public:
     explicit StepLegend(QWidget* parent = nullptr);
 
-    /// most: at the scale's end. exceeded: some cell has more.
-    void setSteps(const QString& title, double most, bool percent, bool exceeded);
+    /// exceeded: some cell has more than the last step's end.
+    void setSteps(const QString& title, const WearSteps& steps, bool percent, bool exceeded);
+    /// Even steps from −most to most.
     void setDifference(const QString& title, double most, bool percent, bool exceeded);
     /// From the highest step to the lowest.
     QStringList texts() const;
+    const WearSteps& ends() const { return ends_; }
     QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void set(const QString& title, double most, bool percent, bool exceeded, bool difference);
+    void setAll(const QString& title, bool percent, bool exceeded, bool difference);
 
     QString title_;
-    double most_ = 1;
+    WearSteps ends_ = even_steps(1);
+    double begin_ = 0; ///< of the lowest step
     bool percent_ = false, exceeded_ = false, difference_ = false;
 };
 

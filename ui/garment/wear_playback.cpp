@@ -105,6 +105,7 @@ void WearPlayback::setValue(WearValue value)
 
 double WearPlayback::most() const
 {
+    if (ownSteps()) { return ownSteps()->back(); }
     if (const auto& set = most_[static_cast<std::size_t>(value_)]) { return *set; }
     if (value_ == WearValue::share) { return 1; }
     return roundedUp(std::max(run_ ? run_->most_water : 0, kept_ ? kept_->most_water : 0));
@@ -151,6 +152,20 @@ double WearPlayback::mostDifference() const
 void WearPlayback::setMost(std::optional<double> most)
 {
     most_[static_cast<std::size_t>(value_)] = most;
+    Q_EMIT scaleChanged();
+}
+
+WearSteps WearPlayback::steps() const
+{
+    const double end = most();
+    return ownSteps() ? *ownSteps() : even_steps(end > 0 ? end : 1);
+}
+
+void WearPlayback::setSteps(WearValue value, const std::optional<WearSteps>& steps)
+{
+    std::optional<WearSteps>& own = steps_[static_cast<std::size_t>(value)];
+    if (own == steps) { return; }
+    own = steps;
     Q_EMIT scaleChanged();
 }
 

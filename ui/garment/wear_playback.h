@@ -46,6 +46,12 @@ public:
     /// What the user has set; none: by the runs.
     std::optional<double> setMost() const { return most_[static_cast<std::size_t>(value_)]; }
     void setMost(std::optional<double> most);
+    /// Where the eight colours end: as the user has set them, else even ones up to most(). Of a value, or of the one that is shown.
+    WearSteps steps() const;
+    const std::optional<WearSteps>& ownSteps(WearValue value) const { return steps_[static_cast<std::size_t>(value)]; }
+    const std::optional<WearSteps>& ownSteps() const { return ownSteps(value_); }
+    /// Precondition: they ascend, or there are none.
+    void setSteps(WearValue value, const std::optional<WearSteps>& steps);
 
     const GarmentSpot& pin() const { return pin_; }
     void setPin(const GarmentSpot& spot);
@@ -70,6 +76,7 @@ private:
     bool follow_ = true;
     WearValue value_ = WearValue::water;
     std::array<std::optional<double>, 2> most_;
+    std::array<std::optional<WearSteps>, 2> steps_;
     GarmentSpot pin_;
 };
 

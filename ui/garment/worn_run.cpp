@@ -148,10 +148,10 @@ QString directionWords(const WornRun& run, int cell)
     return tr("the bias runs down here, %1° from the warp").arg(std::lround(from_warp));
 }
 
-std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, double most)
+std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, const WearSteps& steps)
 {
-    return paintOf(run, values, [most](double value) {
-        const auto color = step_colour(most > 0 ? value / most : 0);
+    return paintOf(run, values, [steps](double value) {
+        const auto color = step_colour(step_of(steps, value));
         return qRgb(color[0], color[1], color[2]);
     });
 }

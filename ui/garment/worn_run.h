@@ -54,7 +54,7 @@ double mostWater(const WearLayout& layout, const WearFrame& frame);
 QString directionWords(const WornRun& run, int cell);
 
 /// Panels in the eight steps.
-std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, double most);
+std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, const WearSteps& steps);
 /// Panels in colours of less and more.
 std::shared_ptr<const GarmentPaint> differencePaint(const WornRun& run, const std::vector<double>& values, double most);
 /// A place of one garment as the place on the panel of that name in another; nowhere where that has none.

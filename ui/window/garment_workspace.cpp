@@ -37,9 +37,9 @@ QString mapFolder(const QString& above, const QString& wish)
 } // namespace
 
 GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
-    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), fit_(new FitForm(choice_)), wear_(new WearForm(choice_)),
-      form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)), chart_(new WearChart(playback_)),
-      parts_(new PartsTable(playback_)), view_(new GarmentView(choice_, playback_))
+    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), fit_(new FitForm(choice_)),
+      wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)),
+      chart_(new WearChart(playback_)), parts_(new PartsTable(playback_)), view_(new GarmentView(choice_, playback_))
 {
     auto* time = new QWidget;
     auto* layout = new QVBoxLayout(time);
@@ -112,6 +112,8 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     connect(keep_, &QAction::triggered, &playback_, &WearPlayback::keepAsA);
     drop_ = addCommand(menu, {}, tr("&Drop A"), {}, tr("Show the newest run alone."));
     connect(drop_, &QAction::triggered, &playback_, &WearPlayback::dropA);
+    steps_ = addCommand(menu, {}, tr("S&teps of the Colours…"), {}, tr("Set where each of the eight colours ends."));
+    connect(steps_, &QAction::triggered, view_, &GarmentView::editSteps);
     menu->addSeparator();
     open_ = addCommand(menu, "open", tr("&Open Recording of a Garment…"), {}, tr("Show a recorded run of a garment."));
     connect(open_, &QAction::triggered, this, &GarmentWorkspace::chooseRecording);
@@ -144,6 +146,7 @@ void GarmentWorkspace::refreshActions()
     actions_.stop->setEnabled(running);
     open_->setEnabled(!running);
     save_map_->setEnabled(any);
+    steps_->setEnabled(any);
     save_run_->setEnabled(any && !running && playback_.run()->file.isEmpty());
     copy_->setEnabled(any);
     keep_->setEnabled(any && !running);
@@ -213,7 +216,7 @@ void GarmentWorkspace::saveMap()
     WearMapOptions options;
     options.crossings = 1; // single cells, as on screen
     options.scale = playback_.value() == WearValue::water ? WearScale::same : WearScale::capacity;
-    options.most = playback_.most();
+    options.steps = playback_.steps();
     saver_.run([this, run = playback_.run(), record = playback_.run()->record, frame, options, folder](const NewestJob::Turn& turn) {
         QString why;
         std::size_t files = 0;

@@ -108,6 +108,7 @@ private:
     QAction* save_run_ = nullptr;
     QAction* save_map_ = nullptr;
     QAction* copy_ = nullptr;
+    QAction* steps_ = nullptr;
     QAction* keep_ = nullptr;
     QAction* drop_ = nullptr;
     bool opening_ = false;

@@ -120,6 +120,7 @@ void MainWindow::restoreLayout()
     states_[1] = settings.value("window/simulate").toByteArray();
     states_[2] = settings.value("window/compare").toByteArray();
     states_[3] = settings.value("window/garment").toByteArray();
+    garment_->view().restoreSteps(settings);
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
     simulate_->maps().setVisible(false);
     showRunCommands();

@@ -344,6 +344,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     settings.setValue("window/simulate", states_[1]);
     settings.setValue("window/compare", states_[2]);
     settings.setValue("window/garment", states_[3]);
+    garment_->view().saveSteps(settings);
     event->accept();
 }
 
