@@ -350,12 +350,11 @@ void WearWriter::finish(double wall)
 
 struct WearRecording::File {
     explicit File(const std::filesystem::path& path) : name(path.string()), source(path) {}
-
     std::string name;
     RecordingSource source; // outlives what the library has open in it
     h5::Handle file;
     WearRecord record;
-    bool finished = false;
+    double wall = 0;
     std::vector<Ledger> ledgers;
 
     void open()
@@ -374,7 +373,7 @@ struct WearRecording::File {
             *text = h5::read_text(provenance.get(), name_of);
         record.layout.cells = read_cells(id, record.layout.panels);
         record.layout.shape = read_shape(id, record.layout.panels.size());
-        finished = h5::has_number(id, "wall_s");
+        if (h5::has_number(id, "wall_s")) wall = h5::read_number(id, "wall_s");
         const h5::Table table(id, "ledger", std::size(ledger_columns), std::size(ledger_columns));
         if (table.rows() == 0) throw FileError("it has no frame.");
         const std::vector<double> rows = table.read(0, table.rows());
@@ -417,7 +416,8 @@ WearRecording::~WearRecording() = default;
 WearRecording::WearRecording(WearRecording&&) noexcept = default;
 
 const WearRecord& WearRecording::record() const { return file_->record; }
-bool WearRecording::finished() const { return file_->finished; }
+double WearRecording::wall() const { return file_->wall; }
+bool WearRecording::is_being_written() const { return file_->source.is_being_written() && !finished(); }
 int WearRecording::frames() const { return static_cast<int>(file_->ledgers.size()); }
 double WearRecording::time_of(int frame) const { return file_->ledgers[static_cast<std::size_t>(frame)].time; }
 

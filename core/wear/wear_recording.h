@@ -24,7 +24,7 @@ public:
     WearWriter(const WearWriter&) = delete;
     WearWriter& operator=(const WearWriter&) = delete;
     void append(const WearFrame& frame);
-    /// Notes the wall time, s, and closes.
+    /// Notes the wall time, s, above 0, and closes.
     void finish(double wall);
 
 private:
@@ -43,7 +43,11 @@ public:
     WearRecording(WearRecording&&) noexcept;
 
     const WearRecord& record() const;
-    bool finished() const;
+    /// s, that the run took; 0: it did not come to its end.
+    double wall() const;
+    bool finished() const { return wall() > 0; }
+    /// Whether a run writes it now.
+    bool is_being_written() const;
     int frames() const;
     double time_of(int frame) const;
     /// Throws FileError, which names the frame.

@@ -103,6 +103,31 @@ private Q_SLOTS:
         QVERIFY(!window_->garment().playback().ownSteps(WearValue::water));
     }
 
+    void aReportIsSavedAsPageAndAsPdf()
+    {
+        showTee();
+        run();
+        const QString page = folder_.filePath("worn.html"), pdf = folder_.filePath("worn.pdf");
+        chooseFile(page);
+        trigger("Save Report of the Garment…");
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(page).size() > 0, 60000);
+        QFile html(page);
+        QVERIFY(html.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(html.readAll());
+        for (const char* words : {"Zones of the body", "<th>front</th>", "Water by panel", "not accounted for", "tee, wear"}) {
+            QVERIFY2(text.contains(words), words);
+        }
+        QVERIFY(!text.contains("The run was stopped"));
+        const auto panels = static_cast<qsizetype>(window_->garment().playback().run()->layout().panels.size());
+        QVERIFY(text.count("<img ") >= panels && text.count("<img ") <= 4 * panels);
+        chooseFile(pdf);
+        trigger("Save Report of the Garment…");
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(pdf).size() > 10000, 60000);
+        QFile written(pdf);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QVERIFY(written.read(5) == "%PDF-");
+    }
+
     void aRunInNoFileIsAskedForAndCanBeSaved()
     {
         showTee();

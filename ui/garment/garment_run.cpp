@@ -117,6 +117,7 @@ void GarmentRun::read(const std::filesystem::path& recording)
     const auto record = std::make_shared<const WearRecord>(file.record());
     const auto run = newWornRun(record);
     run->file = QString::fromStdString(recording.string());
+    run->wall = file.wall();
     post([this, run] { Q_EMIT started(run); });
     WearMetrics metrics(record->layout);
     for (int k = 0; k < file.frames(); ++k) {

@@ -81,7 +81,9 @@ Q_SIGNALS:
 private:
     void connectRun();
     void chooseRecording();
+    WearMapOptions mapOptions() const;
     void saveMap();
+    void saveReport();
     void chooseRunFile();
     /// Of the runs shown, those whose frames lie in no file.
     QStringList unsavedRuns() const;
@@ -94,6 +96,7 @@ private:
     GarmentRun run_;
     NewestJob saver_;
     NewestJob recorder_;
+    NewestJob reporter_;
     GarmentPanel* garment_;
     FitForm* fit_;
     WearForm* wear_;
@@ -107,6 +110,7 @@ private:
     QAction* open_ = nullptr;
     QAction* save_run_ = nullptr;
     QAction* save_map_ = nullptr;
+    QAction* save_report_ = nullptr;
     QAction* copy_ = nullptr;
     QAction* steps_ = nullptr;
     QAction* keep_ = nullptr;

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs from their start to their recording, and the files that are written of them.
+#include "core/base/words.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/worn_report.h"
+#include "ui/results/report_file.h"
+#include "ui/window/confirm.h"
+#include "ui/window/file_names.h"
+#include "ui/window/garment_workspace.h"
+
+#include <QAction>
+#include <QDir>
+#include <QEventLoop>
+#include <QFileDialog>
+
+namespace hygroloom {
+namespace {
+
+/// A folder of that name that is not there yet, so that no file is overwritten.
+QString mapFolder(const QString& above, const QString& wish)
+{
+    const auto path = [&](const std::string& name) { return QDir(above).filePath(QString::fromStdString(name)); };
+    return path(free_name(wish.toStdString(), [&](const std::string& name) { return QFileInfo::exists(path(name)); }));
+}
+
+} // namespace
+
+void GarmentWorkspace::connectRun()
+{
+    connect(&run_, &GarmentRun::started, &playback_, &WearPlayback::begin);
+    connect(&run_, &GarmentRun::frameArrived, &playback_, &WearPlayback::append);
+    connect(&run_, &GarmentRun::ended, this, [this](GarmentRun::Outcome outcome, const QString& sentence) {
+        playback_.end();
+        if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
+        opening_ = false;
+        refreshActions();
+    });
+    connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
+    connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
+    connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
+    connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
+}
+
+void GarmentWorkspace::chooseRecording()
+{
+    const QString file =
+        QFileDialog::getOpenFileName(&window_, tr("Open Recording of a Garment"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!file.isEmpty()) { openRecording(file); }
+}
+
+void GarmentWorkspace::openRecording(const QString& path)
+{
+    if (run_.running()) {
+        Q_EMIT problemFound(opening_ ? tr("Another recording is being opened.")
+                                     : tr("A garment is being worn. Stop that run, then open the recording."));
+        return;
+    }
+    opening_ = true;
+    run_.open(path.toStdString());
+    refreshActions();
+    Q_EMIT wanted();
+}
+
+/// The colours as on screen, of single cells.
+WearMapOptions GarmentWorkspace::mapOptions() const
+{
+    WearMapOptions options;
+    options.crossings = 1;
+    options.scale = playback_.value() == WearValue::water ? WearScale::same : WearScale::capacity;
+    options.steps = playback_.steps();
+    return options;
+}
+
+/// The page is made in the background, and set as PDF by Qt in this thread.
+void GarmentWorkspace::saveReport()
+{
+    const std::shared_ptr<WornRun> run = playback_.run();
+    if (!run || !run->metrics || run->frames.empty()) { return; }
+    const WearLayout& layout = run->layout();
+    const QString file = askForReportFile(&window_, folderOf(document_), QString::fromStdString(layout.garment + ", " + layout.experiment));
+    if (file.isEmpty()) { return; }
+    Q_EMIT messageShown(tr("Making the report."), 4000);
+    reporter_.run([this, state = stateOf(*run), options = mapOptions(), file](const NewestJob::Turn& turn) {
+        const QString html = reportOf(state, options);
+        turn.deliver([this, html, file] {
+            try {
+                writeReport(html, file);
+                Q_EMIT messageShown(tr("Saved %1.").arg(file), 4000);
+            } catch (const std::exception& error) {
+                Q_EMIT problemFound(QString::fromUtf8(error.what()));
+            }
+        });
+    });
+}
+
+/// In the background: the files of a fine map are large.
+void GarmentWorkspace::saveMap()
+{
+    const auto frame = playback_.frame();
+    if (!frame) { return; }
+    const QString above = QFileDialog::getExistingDirectory(&window_, tr("Save Map in a Folder"), folderOf(document_));
+    if (above.isEmpty()) { return; }
+    const QString folder =
+        mapFolder(above, tr("%1 at %2 s").arg(QString::fromStdString(playback_.run()->layout().garment)).arg(frame->time));
+    if (!QDir().mkpath(folder)) {
+        Q_EMIT problemFound(tr("%1: The folder cannot be made.").arg(folder));
+        return;
+    }
+    const WearMapOptions options = mapOptions();
+    saver_.run([this, run = playback_.run(), record = playback_.run()->record, frame, options, folder](const NewestJob::Turn& turn) {
+        QString why;
+        std::size_t files = 0;
+        try {
+            files = write_wear_map(record->layout, *frame, wear_map(record->layout, *frame, options), folder.toStdString()).size();
+        } catch (const std::exception& error) {
+            why = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, why, files, folder] {
+            if (why.isEmpty()) {
+                Q_EMIT messageShown(tr("Saved %1 files to %2.").arg(files).arg(folder), 4000);
+            } else {
+                Q_EMIT problemFound(why);
+            }
+        });
+    });
+}
+
+void GarmentWorkspace::chooseRunFile()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Save Run of a Garment"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!path.isEmpty()) { saveRun(withEnding(path, ".hygrorec")); }
+}
+
+void GarmentWorkspace::saveRun(const QString& path)
+{
+    const std::shared_ptr<WornRun> run = playback_.run();
+    if (!run || run_.running()) { return; }
+    recorder_.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
+        QString why;
+        try {
+            WearWriter writer(path.toStdString(), *run->record);
+            for (const auto& frame : frames) { writer.append(*frame); }
+            if (wall > 0) { writer.finish(wall); }
+        } catch (const std::exception& error) {
+            why = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, run, why, path] {
+            if (!why.isEmpty()) {
+                Q_EMIT problemFound(why);
+                return;
+            }
+            run->file = path;
+            refreshActions();
+            Q_EMIT messageShown(tr("Saved the run to %1.").arg(path), 4000);
+        });
+    });
+}
+
+QStringList GarmentWorkspace::unsavedRuns() const
+{
+    QStringList names;
+    for (const auto& run : {playback_.run(), playback_.kept()}) {
+        if (run && run->file.isEmpty() && !run->frames.empty()) {
+            names << tr("%1 in %2").arg(QString::fromStdString(run->layout().garment), QString::fromStdString(run->layout().experiment));
+        }
+    }
+    names.removeDuplicates();
+    return names;
+}
+
+bool GarmentWorkspace::agreesToStopRun()
+{
+    if (opening_) { return true; }
+    const QStringList names = unsavedRuns();
+    if (run_.running()) {
+        return confirm(&window_, tr("A garment is being worn"), tr("Stop the run of the garment?"),
+                       names.isEmpty() ? tr("What was recorded of it stays.")
+                                       : tr("What lies in no file is lost: %1.").arg(names.join(", ")),
+                       tr("Stop the Run"));
+    }
+    return names.isEmpty() ||
+           confirm(&window_, tr("A run of a garment lies in no file"), tr("Drop the run of %1?").arg(names.join(", ")),
+                   tr("Its numbers and maps are lost. Save Run As… in the menu Garment writes it to a file."), tr("Drop the Run"));
+}
+
+/// Until the run has ended the window is drawn, but takes no input.
+void GarmentWorkspace::stopRun()
+{
+    if (!run_.running()) { return; }
+    QEventLoop end;
+    connect(&run_, &GarmentRun::ended, &end, &QEventLoop::quit);
+    run_.cancel();
+    if (run_.running()) { end.exec(QEventLoop::ExcludeUserInputEvents); }
+}
+
+void GarmentWorkspace::clearResults()
+{
+    if (!run_.running()) { playback_.clear(); }
+}
+
+} // namespace hygroloom
