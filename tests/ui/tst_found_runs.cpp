@@ -71,7 +71,7 @@ private Q_SLOTS:
 
     void everyWorkspaceFitsASmallScreen()
     {
-        for (const Workspace each : {Workspace::compare, Workspace::design, Workspace::simulate}) {
+        for (const Workspace each : {Workspace::compare, Workspace::garment, Workspace::design, Workspace::simulate}) {
             window_->setWorkspace(each);
             QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
             const QSize least = window_->minimumSizeHint();

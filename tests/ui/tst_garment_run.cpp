@@ -4,6 +4,7 @@
 #include "ui/basics/color_map.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
+#include "ui/document/recovery.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_view.h"
@@ -12,6 +13,8 @@
 #include "ui/garment/step_legend.h"
 #include "ui/garment/steps_dialog.h"
 #include "ui/garment/wear_chart.h"
+#include "ui/results/project_runs.h"
+#include "ui/results/run_history.h"
 #include "ui/window/examples.h"
 #include "ui/window/garment_workspace.h"
 
@@ -35,9 +38,12 @@ private Q_SLOTS:
     void init()
     {
         document_ = std::make_unique<Document>();
+        recovery_ = std::make_unique<Recovery>(*document_, folder_.path());
         QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
         window_ = std::make_unique<QMainWindow>();
-        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *window_);
+        history_ = std::make_unique<RunHistory>();
+        project_ = std::make_unique<ProjectRuns>(*document_, *recovery_, *history_);
+        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, *window_);
         window_->setCentralWidget(&workspace_->view());
         window_->resize(1000, 700);
         window_->show();
@@ -57,6 +63,9 @@ private Q_SLOTS:
     {
         workspace_.reset();
         window_.reset();
+        project_.reset();
+        history_.reset();
+        recovery_.reset();
         document_.reset();
     }
 
@@ -281,16 +290,16 @@ private Q_SLOTS:
 
     void aRecordedRunOpensAgain()
     {
-        QTemporaryDir folder;
-        workspace_->runForm().setRecording(folder.filePath("worn.hygrorec"));
         run();
+        const QString file = workspace_->playback().run()->file;
+        QCOMPARE(QFileInfo(file).absolutePath(), QFileInfo(project_->folder()).absoluteFilePath());
         const std::vector<double> before =
             cellValues(workspace_->playback().run()->layout(), *workspace_->playback().frame(), WearValue::water);
-        QVERIFY(isGarmentRecording(folder.filePath("worn.hygrorec")));
+        QVERIFY(isGarmentRecording(file));
         workspace_->clearResults();
         QVERIFY(!workspace_->playback().run());
         QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->openRecording(folder.filePath("worn.hygrorec"));
+        workspace_->openRecording(file);
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
         QCOMPARE(ended[0][1].toString(), QString());
         const std::vector<double> after =
@@ -312,6 +321,10 @@ private Q_SLOTS:
         QVERIFY(ended[0][0].value<GarmentRun::Outcome>() == GarmentRun::Outcome::cancelled);
         QVERIFY(workspace_->playback().frames() > 0);
         QVERIFY(workspace_->runForm().canRun());
+        // What was computed is a run of the project, which says that it was stopped.
+        const KeptRun* kept = history_->find(workspace_->playback().run()->file);
+        QVERIFY(kept && kept->worn && kept->own && !kept->complete());
+        QVERIFY(!workspace_->playback().run()->file.isEmpty());
     }
 
     void aRunPausesAndGoesOn()
@@ -361,7 +374,11 @@ private:
         QCOMPARE(ended[0][1].toString(), QString());
     }
 
+    QTemporaryDir folder_;
     std::unique_ptr<Document> document_;
+    std::unique_ptr<Recovery> recovery_;
+    std::unique_ptr<RunHistory> history_;
+    std::unique_ptr<ProjectRuns> project_;
     std::unique_ptr<QMainWindow> window_;
     std::unique_ptr<GarmentWorkspace> workspace_;
 };

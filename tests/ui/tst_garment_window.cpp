@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
 #include "ui/basics/quantity_edit.h"
+#include "ui/compare/run_list.h"
+#include "ui/document/run_folder.h"
+#include "ui/garment/fit_form.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -8,13 +11,16 @@
 #include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/wear_form.h"
+#include "ui/window/docks.h"
 #include "window_test.h"
 
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
+#include <QTreeWidget>
 
 using namespace hygroloom;
 
@@ -64,6 +70,28 @@ private Q_SLOTS:
         QTest::qWait(200);
         QCOMPARE(window_->width(), 1280);
         QVERIFY(garment.view().difference().isVisible());
+    }
+
+    void gapsAndSeamsAreReachedByKey()
+    {
+        showTee();
+        auto& garment = window_->garment();
+        reveal(garment.docks().fit);
+        window_->activateWindow();
+        QTest::qWait(100);
+        const auto& zones = gap_zones();
+        garment.fit().gapOf("default")->setFocus();
+        for (const std::string& zone : zones) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QuantityEdit* edit = garment.fit().gapOf(zone);
+            QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(edit));
+            QVERIFY2(edit->visibleRegion().boundingRect().height() == edit->height(), zone.c_str());
+        }
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(garment.fit().seamOf()));
+        QTest::keyClicks(QApplication::focusWidget(), "40");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(window_->document().design()->garments[0].seams.at("default"), 0.4);
     }
 
     void mapsAndPicturesAreSaved()
@@ -128,19 +156,72 @@ private Q_SLOTS:
         QVERIFY(written.read(5) == "%PDF-");
     }
 
-    void aRunInNoFileIsAskedForAndCanBeSaved()
+    /// As of every other experiment: in name.hygro-runs, and there again when the project is opened.
+    void runsStayWithTheirProject()
+    {
+        showTee();
+        run();
+        window_->document().history()->setClean(); // the question about changes is another's
+        auto asked = press("Cancel");
+        QVERIFY(!window_->close()); // the project has no file yet
+        QVERIFY2(asked->contains("tee, wear"), qPrintable(*asked));
+        const QString project = folder_.filePath("worn.hygro"), recording = runFolderOf(project) + "/run-1.hygrorec";
+        chooseFile(project);
+        trigger("Save As…");
+        QCOMPARE(window_->garment().playback().run()->file, recording);
+        QVERIFY(isGarmentRecording(recording));
+        run();
+        QCOMPARE(window_->garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec");
+        const double water = window_->garment().playback().frame()->ledger.water_liquid;
+        QVERIFY(window_->close());
+
+        openWindow({1280, 800});
+        QVERIFY(window_->openFile(project));
+        window_->setWorkspace(Workspace::garment);
+        auto* list = window_->garment().list().findChild<QTreeWidget*>();
+        QTRY_COMPARE_WITH_TIMEOUT(list->topLevelItemCount(), 2, 20000);
+        QCOMPARE(list->topLevelItem(1)->text(0), QString("2: tee"));
+        QCOMPARE(list->topLevelItem(1)->text(1), QString("wear"));
+        QVERIFY2(!list->topLevelItem(1)->text(5).contains("older"), qPrintable(list->topLevelItem(1)->text(5)));
+        QVERIFY(!window_->garment().playback().run());
+        Q_EMIT list->itemActivated(list->topLevelItem(1), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->garment().playback().run() && !window_->garment().run().running(), 20000);
+        QCOMPARE(runs().runs().size(), std::size_t{2}); // no third one
+        window_->garment().playback().show(window_->garment().playback().frames() - 1);
+        QCOMPARE(window_->garment().playback().frame()->ledger.water_liquid, water);
+        // Compare has no place for it, neither as a run nor as an experiment.
+        window_->setWorkspace(Workspace::compare);
+        for (const auto* tree : compareView().findChildren<QTreeWidget*>()) { QCOMPARE(tree->topLevelItemCount(), 0); }
+        QVERIFY(!whyNotCompared(runs().runs()[0], runs().runs()[1]).isEmpty());
+        window_->setWorkspace(Workspace::garment);
+
+        editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 30; });
+        QVERIFY2(list->topLevelItem(0)->text(5).contains("older design"), qPrintable(list->topLevelItem(0)->text(5)));
+        list->setCurrentItem(list->topLevelItem(1));
+        button("Keep")->click();
+        QVERIFY(isMarked(runFolderOf(project) + "/run-2.hygrorec"));
+        asked = press("Forget");
+        button("Forget Older…")->click();
+        QVERIFY2(asked->contains("1: tee, wear"), qPrintable(*asked));
+        QVERIFY(!QFile::exists(recording));
+        QCOMPARE(list->topLevelItemCount(), 1);
+        list->setCurrentItem(list->topLevelItem(0));
+        asked = press("Forget");
+        button("Forget…")->click();
+        QVERIFY(!QDir(runFolderOf(project)).exists());
+        QCOMPARE(list->topLevelItemCount(), 0);
+    }
+
+    void aRunIsSavedToAnotherFile()
     {
         showTee();
         run();
         auto& garment = window_->garment();
-        const auto asked = answer(QMessageBox::Cancel);
-        QVERIFY(!garment.agreesToStopRun());
-        QVERIFY(*asked);
         const QString file = folder_.filePath("afterwards.hygrorec");
         chooseFile(file);
         trigger("Save Run As…");
-        QTRY_COMPARE(garment.playback().run()->file, file);
-        QVERIFY(garment.agreesToStopRun());
+        QTRY_VERIFY_WITH_TIMEOUT(runs().runs().size() == 1 && runs().runs()[0].copy == file, 20000);
+        QVERIFY(isSaved(runs().runs()[0]));
         const WearRecording saved(file.toStdString());
         QVERIFY(saved.finished());
         QCOMPARE(saved.frames(), garment.playback().frames());
@@ -225,6 +306,13 @@ private Q_SLOTS:
     }
 
 private:
+    QPushButton* button(const QString& text)
+    {
+        for (QPushButton* each : window_->garment().list().findChildren<QPushButton*>()) {
+            if (each->text().remove('&') == text) { return each; }
+        }
+        return nullptr;
+    }
     void showTee()
     {
         window_->setWorkspace(Workspace::garment);

@@ -4,6 +4,7 @@
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
+#include "ui/document/recovery.h"
 #include "ui/garment/fit_form.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
@@ -11,6 +12,8 @@
 #include "ui/garment/garment_view.h"
 #include "ui/garment/panel_table.h"
 #include "ui/garment/wear_form.h"
+#include "ui/results/project_runs.h"
+#include "ui/results/run_history.h"
 #include "ui/window/examples.h"
 #include "ui/window/garment_workspace.h"
 
@@ -23,6 +26,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -36,9 +40,12 @@ private Q_SLOTS:
     void init()
     {
         document_ = std::make_unique<Document>();
+        recovery_ = std::make_unique<Recovery>(*document_, folder_.path());
         QVERIFY(document_->openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
         window_ = std::make_unique<QMainWindow>();
-        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *window_);
+        history_ = std::make_unique<RunHistory>();
+        project_ = std::make_unique<ProjectRuns>(*document_, *recovery_, *history_);
+        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, *window_);
         window_->setCentralWidget(&workspace_->view());
         window_->resize(1000, 700);
         window_->show();
@@ -48,6 +55,9 @@ private Q_SLOTS:
     {
         workspace_.reset();
         window_.reset();
+        project_.reset();
+        history_.reset();
+        recovery_.reset();
         document_.reset();
     }
 
@@ -323,7 +333,11 @@ private:
     /// Below the name and the arrow.
     GarmentSpot cornerNear(int panel) const { return spot(panel, 0.06); }
 
+    QTemporaryDir folder_;
     std::unique_ptr<Document> document_;
+    std::unique_ptr<Recovery> recovery_;
+    std::unique_ptr<RunHistory> history_;
+    std::unique_ptr<ProjectRuns> project_;
     std::unique_ptr<QMainWindow> window_;
     std::unique_ptr<GarmentWorkspace> workspace_;
 };

@@ -210,7 +210,7 @@ void CompareView::findEntries()
         entries_.push_back({experiment.name, true, conditionsOf(run)});
     }
     for (const KeptRun& run : history_.runs()) {
-        if (run.problem.isEmpty() && run.complete() && entryOf(run) < 0) {
+        if (!run.worn && run.problem.isEmpty() && run.complete() && entryOf(run) < 0) {
             entries_.push_back({run.run->experiment, false, conditionsOf(*run.run)});
         }
     }

@@ -34,8 +34,8 @@ QString stateOf(const KeptRun& run)
 QString nameOfRun(const RunHistory& history, const KeptRun& run)
 {
     const auto& runs = history.runs();
-    const auto same =
-        std::count_if(runs.begin(), runs.end(), [&run](const KeptRun& other) { return other.run->fabric == run.run->fabric; });
+    const auto same = std::count_if(
+        runs.begin(), runs.end(), [&run](const KeptRun& other) { return other.worn == run.worn && other.run->fabric == run.run->fabric; });
     const QString fabric = QString::fromStdString(run.run->fabric);
     return same > 1 ? RunList::tr("%1: %2").arg(run.number).arg(fabric) : fabric;
 }
@@ -43,12 +43,26 @@ QString nameOfRun(const RunHistory& history, const KeptRun& run)
 RunList::RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent)
     : QWidget(parent), history_(history), why_not_(std::move(why_not)), list_(new QTreeWidget), actions_(new RunActions(history))
 {
-    list_->setAccessibleName(tr("Runs to compare"));
-    list_->setHeaderLabels({tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
+    build();
+}
+
+RunList::RunList(RunHistory& history, QWidget* parent)
+    : QWidget(parent), history_(history), list_(new QTreeWidget), actions_(new RunActions(history, true))
+{
+    build();
+    connect(&history_, &RunHistory::changed, this, [this] { refresh({}); });
+    refresh({});
+}
+
+void RunList::build()
+{
+    list_->setAccessibleName(worn() ? tr("Runs of garments") : tr("Runs to compare"));
+    list_->setHeaderLabels({worn() ? tr("Garment") : tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
     list_->setRootIsDecorated(false);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 80);
-    list_->setToolTip(tr("Tick two to four runs of the same experiment. Double-click one to open it."));
+    list_->setToolTip(worn() ? tr("Double-click a run, or press Enter, to show it.")
+                             : tr("Tick two to four runs of the same experiment. Double-click one to open it."));
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         const QString path = item->data(0, Qt::UserRole).toString();
         const bool on = item->checkState(0) == Qt::Checked;
@@ -76,28 +90,35 @@ void RunList::refresh(const QStringList& ticked)
     const QString at = current ? current->data(0, Qt::UserRole).toString() : QString();
     list_->clear();
     for (const KeptRun& run : history_.runs()) {
+        if (run.worn != worn()) { continue; }
         auto* item = new QTreeWidgetItem(list_);
-        item->setData(0, Qt::UserRole, run.path);
-        item->setText(0, nameOfRun(history_, run));
-        item->setText(1, QString::fromStdString(run.run->experiment));
-        item->setText(2, fidelityName(run.run->plan.fidelity));
-        item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
-        item->setText(4, bytesText(run.bytes));
-        item->setText(5, stateOf(run));
-        const QString why = why_not_(run);
-        const QString tip = (why.isEmpty() ? originOf(*run.run, false) : why) + ". " + QDir::toNativeSeparators(run.path);
-        item->setCheckState(0, ticked.contains(run.path) ? Qt::Checked : Qt::Unchecked);
-        if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
-        for (int column = 0; column < list_->columnCount(); ++column) {
-            item->setToolTip(column, "<p>" + tip.toHtmlEscaped() + "</p>");
-            if (!why.isEmpty()) { item->setForeground(column, palette().color(QPalette::Disabled, QPalette::Text)); }
-        }
+        fill(item, run, ticked.contains(run.path));
         if (run.path == at) { list_->setCurrentItem(item); }
     }
     actions_->setRun(list_->currentItem() ? at : QString());
     for (int column = 0; column < list_->columnCount(); ++column) { list_->resizeColumnToContents(column); }
     list_->setColumnWidth(0, std::min(list_->columnWidth(0), 260));
     list_->setColumnWidth(1, std::min(list_->columnWidth(1), 200));
+}
+
+void RunList::fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked)
+{
+    item->setData(0, Qt::UserRole, run.path);
+    item->setText(0, nameOfRun(history_, run));
+    item->setText(1, QString::fromStdString(run.run->experiment));
+    item->setText(2, fidelityName(run.run->plan.fidelity));
+    item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
+    item->setText(4, bytesText(run.bytes));
+    item->setText(5, stateOf(run));
+    const QString why = worn() ? run.problem : why_not_(run);
+    const QString origin = worn() ? QString::fromStdString(run.run->date + ", " + run.run->device) : originOf(*run.run, false);
+    const QString tip = (why.isEmpty() ? origin : why) + ". " + QDir::toNativeSeparators(run.path);
+    if (!worn()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
+    if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
+    for (int column = 0; column < list_->columnCount(); ++column) {
+        item->setToolTip(column, "<p>" + tip.toHtmlEscaped() + "</p>");
+        if (!why.isEmpty()) { item->setForeground(column, palette().color(QPalette::Disabled, QPalette::Text)); }
+    }
 }
 
 } // namespace hygroloom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// All runs of the project, also those of older designs, and recordings that were opened; to be ticked, kept and forgotten.
+// All runs of cloths, or of garments, of the project, also those of older designs, and recordings that were opened; to be opened, kept and
+// forgotten, and those of cloths to be ticked.
 #pragma once
 
 #include "ui/results/run_history.h"
@@ -9,6 +10,7 @@
 #include <functional>
 
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace hygroloom {
 
@@ -19,6 +21,8 @@ class RunList : public QWidget {
 public:
     /// why_not: why a run cannot be ticked now; empty when it can.
     RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent = nullptr);
+    /// Of garments, which follows the history.
+    explicit RunList(RunHistory& history, QWidget* parent = nullptr);
 
     void refresh(const QStringList& ticked);
 
@@ -29,6 +33,10 @@ Q_SIGNALS:
     void forgetRequested(const QString& path);
 
 private:
+    void build();
+    void fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked);
+    bool worn() const { return !why_not_; }
+
     RunHistory& history_;
     std::function<QString(const KeptRun&)> why_not_;
     QTreeWidget* list_;

@@ -9,6 +9,7 @@
 #include "ui/garment/shape_view.h"
 #include "ui/garment/step_legend.h"
 #include "ui/garment/steps_dialog.h"
+#include "ui/results/run_history.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -29,9 +30,11 @@ enum Page { empty_page, problem_page, garment_page };
 QString captionOf(const WornRun& run)
 {
     const WearLayout& layout = run.layout();
-    return GarmentView::tr("%1, %2: %3, %4")
-        .arg(QString::fromStdString(layout.garment), QString::fromStdString(layout.experiment),
-             QString::fromStdString(run.record->fidelity), QString::fromStdString(layout.cells_in_words));
+    const QString words = GarmentView::tr("%1, %2: %3, %4")
+                              .arg(QString::fromStdString(layout.garment), QString::fromStdString(layout.experiment),
+                                   QString::fromStdString(run.record->fidelity), QString::fromStdString(layout.cells_in_words));
+    const bool stopped = !run.live && run.wall <= 0 && !run.frames.empty();
+    return stopped ? GarmentView::tr("%1, stopped at %2").arg(words, momentText(run.frames.back()->time, run.duration)) : words;
 }
 
 bool anyAbove(const std::vector<double>& values, double most)
@@ -211,12 +214,9 @@ QString GarmentView::whyStale() const
 {
     const Design &now = *choice_.document().design(), &then = playback_.run()->record->design;
     const WearLayout& layout = playback_.run()->layout();
-    const Garment *garment = find_garment(now, layout.garment), *before = find_garment(then, layout.garment);
-    const WearExperiment *wear = find_wear(now, layout.experiment), *wear_before = find_wear(then, layout.experiment);
-    if (!garment || !wear) { return tr(". Not an experiment of this project."); }
-    const bool same = before && wear_before && *garment == *before && *wear == *wear_before && now.fabrics == then.fabrics &&
-                      now.materials == then.materials && now.liquids == then.liquids;
-    return same ? QString() : tr(". Out of date: the design has changed. Run again.");
+    if (!find_garment(now, layout.garment) || !find_wear(now, layout.experiment)) { return tr(". Not an experiment of this project."); }
+    return garmentHoldsFor(then, layout.garment, layout.experiment, now) ? QString()
+                                                                         : tr(". Out of date: the design has changed. Run again.");
 }
 
 void GarmentView::refreshRun()

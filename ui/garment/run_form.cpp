@@ -8,11 +8,7 @@
 #include "ui/results/plan_dialog.h"
 
 #include <QButtonGroup>
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -31,18 +27,14 @@ constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::stan
 
 RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new QComboBox),
-      record_(new QCheckBox(tr("Record to a file…"))), start_(new QPushButton(themedIcon("run"), tr("Run"))),
-      pause_(new QPushButton(themedIcon("pause"), tr("Pause"))), stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
-      bar_(new QProgressBar), state_(new QLabel)
+      start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
+      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), bar_(new QProgressBar), state_(new QLabel)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(6);
     addFidelities();
     addDevices();
-    record_->setToolTip(tr("Writes the next run to a file, which this workspace and the command line can open."));
-    connect(record_, &QCheckBox::clicked, this, &RunForm::chooseRecording);
-    layout->addWidget(record_);
     auto* buttons = new QHBoxLayout; // each keeps its place
     buttons->setSpacing(6);
     QFont bold = start_->font();
@@ -137,26 +129,6 @@ void RunForm::setFidelity(Fidelity fidelity)
 
 std::string RunForm::backend() const { return device_->count() > 0 ? device_->currentData().toString().toStdString() : "auto"; }
 
-void RunForm::setRecording(const QString& file)
-{
-    recording_ = file;
-    record_->setChecked(!file.isEmpty());
-    record_->setText(file.isEmpty() ? tr("Record to a file…") : tr("Record to %1").arg(QFileInfo(file).fileName()));
-    record_->setToolTip(file.isEmpty() ? tr("Writes the next run to a file, which this workspace and the command line can open.") : file);
-}
-
-void RunForm::chooseRecording(bool record)
-{
-    if (!record) {
-        setRecording({});
-        return;
-    }
-    const QString start = QDir(QString::fromStdString(choice_.base().string())).filePath("wear.hygrorec");
-    QString file = QFileDialog::getSaveFileName(this, tr("Record the Next Run"), start, tr("Recordings (*.hygrorec)"));
-    if (!file.isEmpty() && !file.endsWith(".hygrorec", Qt::CaseInsensitive)) { file += ".hygrorec"; }
-    setRecording(file);
-}
-
 bool RunForm::canRun(QString* reason) const
 {
     QString why;
@@ -188,9 +160,12 @@ void RunForm::start()
     request.base = choice_.base();
     request.options.fidelity = fidelity();
     request.backend = backend();
-    request.recording = recording_.toStdString();
+    if (place_) {
+        const QString file = place_();
+        if (file.isEmpty()) { return; }
+        request.recording = file.toStdString();
+    }
     run_.start(request);
-    setRecording({}); // only this run: the next one must not overwrite it
     bar_->setValue(0);
     state_->setText(tr("Cutting the garment into cells."));
     showState();
@@ -241,7 +216,6 @@ void RunForm::showState()
     pause_->setAccessibleName(pause_->text());
     pause_->setToolTip(run_.paused() ? tr("Go on with the run.") : tr("Pause the run; its frames so far can be looked at."));
     stop_->setEnabled(run_.running());
-    record_->setEnabled(!run_.running());
     bar_->setVisible(run_.running());
     start_->setToolTip(can ? tr("Run the experiment on this garment (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");
     if (!run_.running() && !reason.isEmpty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The dock that runs the experiment: fidelity, device, Run, Pause and Stop, progress, recording.
+// The dock that runs the experiment: fidelity, device, Run, Pause and Stop, progress.
 #pragma once
 
 #include "ui/garment/garment_choice.h"
@@ -8,7 +8,6 @@
 #include <QWidget>
 
 class QButtonGroup;
-class QCheckBox;
 class QComboBox;
 class QLabel;
 class QProgressBar;
@@ -28,8 +27,8 @@ public:
     bool canRun(QString* reason = nullptr) const;
     /// Starts the chosen experiment.
     void start();
-    /// Where the next run is recorded; empty: nowhere.
-    void setRecording(const QString& file);
+    /// Who says where a run is recorded; empty: it cannot be, and the run does not start. Without, runs are not recorded.
+    void setPlace(std::function<QString()> place) { place_ = std::move(place); }
 
 Q_SIGNALS:
     void canRunChanged();
@@ -37,7 +36,6 @@ Q_SIGNALS:
 private:
     void addFidelities();
     void addDevices();
-    void chooseRecording(bool record);
     void estimate();
     void showState();
     void showProgress(const RunProgress& progress);
@@ -48,8 +46,7 @@ private:
     QButtonGroup* fidelities_;
     QLabel* expected_;
     QComboBox* device_;
-    QCheckBox* record_;
-    QString recording_;
+    std::function<QString()> place_;
     QPushButton* start_;
     QPushButton* pause_;
     QPushButton* stop_;

@@ -69,6 +69,13 @@ void WearPlayback::dropA()
     Q_EMIT runChanged();
 }
 
+void WearPlayback::move(const QString& from, const QString& to)
+{
+    for (const auto& run : {run_, kept_}) {
+        if (run && run->file == from) { run->file = to; }
+    }
+}
+
 double WearPlayback::time() const
 {
     const auto shown = frame();

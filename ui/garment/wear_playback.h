@@ -23,6 +23,8 @@ public:
     void clear();
     void keepAsA();
     void dropA();
+    /// The recording of a run that is shown lies elsewhere from now on.
+    void move(const QString& from, const QString& to);
 
     int frames() const { return run_ ? static_cast<int>(run_->frames.size()) : 0; }
     int current() const { return current_; }

@@ -24,7 +24,13 @@ KeptRun listedRun(const QString& path)
 {
     KeptRun kept{path, nullptr, nullptr};
     try {
-        kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
+        kept.worn = WearRecording::is_one(path.toStdString());
+        if (kept.worn) {
+            const WearRecording recording(path.toStdString());
+            kept.run = runOfGarment(recording.record(), recording.wall());
+        } else {
+            kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
+        }
     } catch (const Error& error) {
         RunRecord unknown;
         unknown.fabric = QFileInfo(path).completeBaseName().toStdString();
@@ -54,7 +60,8 @@ std::shared_ptr<const Metrics> readMetrics(const QString& path, const NewestJob:
 bool isBeingWritten(const QString& recording)
 {
     try {
-        return Recording(recording.toStdString()).is_being_written();
+        const std::string path = recording.toStdString();
+        return WearRecording::is_one(path) ? WearRecording(path).is_being_written() : Recording(path).is_being_written();
     } catch (const FileError&) { // none, or a damaged one
         return false;
     }
@@ -261,7 +268,9 @@ void ProjectRuns::add(KeptRun run)
     run.saved = isFiled(run.path);
     history_.keep(run);
     if (!run.problem.isEmpty()) {
-        Q_EMIT messageShown(tr("%1 cannot be read; Compare lists why.").arg(QFileInfo(run.path).fileName()), 10000);
+        Q_EMIT messageShown((run.worn ? tr("%1 cannot be read; Garment Runs lists why.") : tr("%1 cannot be read; Compare lists why."))
+                                .arg(QFileInfo(run.path).fileName()),
+                            10000);
     }
 }
 
@@ -277,7 +286,7 @@ void ProjectRuns::readNumbers()
 {
     QStringList paths;
     for (const KeptRun& run : history_.runs()) {
-        if (run.own && run.problem.isEmpty() && run.complete() && !run.metrics) { paths.prepend(run.path); }
+        if (run.own && !run.worn && run.problem.isEmpty() && run.complete() && !run.metrics) { paths.prepend(run.path); }
     }
     if (!compared_ || paths.isEmpty()) { return; }
     numbers_.run([this, paths](const NewestJob::Turn& turn) {

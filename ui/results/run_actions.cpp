@@ -14,20 +14,26 @@
 
 namespace hygroloom {
 
-RunActions::RunActions(const RunHistory& history, QWidget* parent)
-    : QWidget(parent), history_(history), keep_(new QPushButton(tr("&Keep"))), forget_(new QPushButton(tr("For&get…"))),
+RunActions::RunActions(const RunHistory& history, bool worn, QWidget* parent)
+    : QWidget(parent), history_(history), worn_(worn), keep_(new QPushButton(tr("&Keep"))), forget_(new QPushButton(tr("For&get…"))),
       older_(new QPushButton(tr("Forget &Older…"))), room_(new QLabel)
 {
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 0, 8, 4);
+    layout->setContentsMargins(4, 0, 4, 4);
     keep_->setCheckable(true);
     keep_->setToolTip(tr("Mark the selected run: Forget Older leaves it."));
     forget_->setToolTip(tr("Delete the selected run's recording, after a question. A recording that was opened only leaves the list."));
     older_->setToolTip(tr("Delete the runs of older designs that are not marked with Keep, after a question."));
-    for (QPushButton* button : {keep_, forget_, older_}) { layout->addWidget(button); }
+    layout->setSpacing(4);
+    for (QPushButton* button : {keep_, forget_, older_}) { // as narrow as their words, to leave room for the size
+        button->setMaximumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 28);
+        layout->addWidget(button);
+    }
     room_->setForegroundRole(QPalette::PlaceholderText);
     room_->setAccessibleName(tr("Size of the project's runs"));
-    layout->addWidget(room_, 1, Qt::AlignRight);
+    room_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    room_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // more runs make no dock wider
+    layout->addWidget(room_, 1);
     connect(keep_, &QPushButton::clicked, this, [this](bool on) { Q_EMIT markRequested(path_, on); });
     connect(forget_, &QPushButton::clicked, this, &RunActions::forget);
     connect(older_, &QPushButton::clicked, this, &RunActions::forgetOlder);
@@ -51,12 +57,14 @@ void RunActions::refresh()
     double bytes = 0;
     int own = 0;
     for (const KeptRun& each : history_.runs()) {
-        bytes += each.own ? each.bytes : 0;
-        own += each.own;
+        const bool counts = each.own && each.worn == worn_;
+        bytes += counts ? each.bytes : 0;
+        own += counts;
     }
     room_->setText(own == 0   ? QString()
                    : own == 1 ? tr("1 run, %1").arg(bytesText(bytes))
                               : tr("%1 runs, %2").arg(own).arg(bytesText(bytes)));
+    room_->setToolTip(room_->text());
 }
 
 std::vector<KeptRun> RunActions::older() const
@@ -64,7 +72,7 @@ std::vector<KeptRun> RunActions::older() const
     std::vector<KeptRun> found;
     const auto& runs = history_.runs();
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(found),
-                 [](const KeptRun& run) { return run.own && !run.current && !run.marked; });
+                 [this](const KeptRun& run) { return run.own && run.worn == worn_ && !run.current && !run.marked; });
     return found;
 }
 

@@ -14,7 +14,8 @@ namespace hygroloom {
 class RunActions : public QWidget {
     Q_OBJECT
 public:
-    explicit RunActions(const RunHistory& history, QWidget* parent = nullptr);
+    /// worn: of garments' runs, else of all others.
+    explicit RunActions(const RunHistory& history, bool worn = false, QWidget* parent = nullptr);
 
     /// The selected run; empty: none.
     void setRun(const QString& path);
@@ -32,6 +33,7 @@ private:
     bool mayDelete(const std::vector<KeptRun>& runs);
 
     const RunHistory& history_;
+    const bool worn_;
     QString path_;
     QPushButton* keep_;
     QPushButton* forget_;

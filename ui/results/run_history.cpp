@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/run_history.h"
 
+#include "core/base/error.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/run_folder.h"
 
@@ -20,7 +21,11 @@ void lookAtFile(KeptRun& run)
 }
 
 /// One that cannot be read may be of any design: it is never among the older ones.
-bool isCurrent(const KeptRun& run, const Design& design) { return !run.problem.isEmpty() || holdsFor(*run.run, design); }
+bool isCurrent(const KeptRun& run, const Design& design)
+{
+    if (!run.problem.isEmpty()) { return true; }
+    return run.worn ? garmentHoldsFor(run.run->design, run.run->fabric, run.run->experiment, design) : holdsFor(*run.run, design);
+}
 
 template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
 
@@ -151,6 +156,31 @@ bool holdsFor(const RunRecord& run, const Design& design)
            areEqual(find_fabric(design, run.fabric), find_fabric(run.design, run.fabric));
 }
 
+std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall)
+{
+    auto run = std::make_shared<RunRecord>();
+    run->design = record.design;
+    run->fabric = record.layout.garment;
+    run->experiment = record.layout.experiment;
+    try {
+        run->plan.fidelity = fidelity_from_name(record.fidelity);
+    } catch (const Error&) { // a recording of another version
+    }
+    run->backend = record.backend;
+    run->device = record.device;
+    run->date = record.date;
+    run->wall = wall;
+    return run;
+}
+
+bool garmentHoldsFor(const Design& then, const std::string& garment, const std::string& experiment, const Design& now)
+{
+    const Garment *worn = find_garment(now, garment), *before = find_garment(then, garment);
+    const WearExperiment *wear = find_wear(now, experiment), *wear_before = find_wear(then, experiment);
+    return worn && before && *worn == *before && wear && wear_before && *wear == *wear_before && now.fabrics == then.fabrics &&
+           now.materials == then.materials && now.liquids == then.liquids;
+}
+
 bool isSaved(const KeptRun& run)
 {
     return run.saved || (!run.copy.isEmpty() && QFileInfo::exists(run.copy) && QFileInfo(run.copy).size() == QFileInfo(run.path).size());
@@ -173,6 +203,7 @@ QString runInWords(const KeptRun& run)
 QString whyNotCompared(const KeptRun& one, const KeptRun& other)
 {
     if (!one.problem.isEmpty()) { return one.problem; }
+    if (one.worn || other.worn) { return RunHistory::tr("Runs of garments are compared in the workspace Garment."); }
     if (!one.complete() || !other.complete()) { return RunHistory::tr("Only completed runs can be compared."); }
     if (!one.metrics || !other.metrics) { return RunHistory::tr("The frames of this run are being read."); }
     if (conditionsOf(*one.run) != conditionsOf(*other.run)) {

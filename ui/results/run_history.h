@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/metrics.h"
+#include "core/wear/wear_recording.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -14,9 +15,10 @@
 namespace hygroloom {
 
 struct KeptRun {
-    QString path; ///< of its recording
-    std::shared_ptr<const RunRecord> run;
+    QString path;                           ///< of its recording
+    std::shared_ptr<const RunRecord> run;   ///< of a garment: what a record of cloth has, too; its fabric is the garment's name
     std::shared_ptr<const Metrics> metrics; ///< nullptr until its frames have been read
+    bool worn = false;                      ///< of a garment, which has no metrics here
     bool own = false;                       ///< a run of the open project
     bool saved = false;                     ///< it lies in a file that outlives the window
     bool marked = false;                    ///< with "keep"
@@ -69,6 +71,12 @@ Design conditionsOf(const RunRecord& run);
 
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
 bool holdsFor(const RunRecord& run, const Design& design);
+
+/// What a list of runs needs of a worn garment's. wall: s; 0: it did not come to its end.
+std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall);
+
+/// The same of a garment's run of this design: nothing that it depends on differs in the design as it is now.
+bool garmentHoldsFor(const Design& then, const std::string& garment, const std::string& experiment, const Design& now);
 
 /// Whether it lies in a file that outlives the window, or its copy does: still there and of its size.
 bool isSaved(const KeptRun& run);

@@ -4,6 +4,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/typed_value.h"
+#include "ui/compare/run_list.h"
 #include "ui/garment/fit_form.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -20,10 +21,11 @@
 #include <QVBoxLayout>
 
 namespace hygroloom {
-GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
-    : document_(document), window_(window), choice_(document), garment_(new GarmentPanel(choice_)), fit_(new FitForm(choice_)),
-      wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)),
-      chart_(new WearChart(playback_)), parts_(new PartsTable(playback_)), view_(new GarmentView(choice_, playback_))
+GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, QMainWindow& window)
+    : document_(document), history_(history), runs_(runs), window_(window), choice_(document), garment_(new GarmentPanel(choice_)),
+      fit_(new FitForm(choice_)), wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)),
+      chart_(new WearChart(playback_)), parts_(new PartsTable(playback_)), list_(new RunList(history)),
+      view_(new GarmentView(choice_, playback_))
 {
     auto* time = new QWidget;
     auto* layout = new QVBoxLayout(time);
@@ -37,6 +39,7 @@ GarmentWorkspace::GarmentWorkspace(Document& document, QMainWindow& window)
     docks_.run = makeDock(window, "garment run", tr("Wear Run"), form_);
     docks_.time = makeDock(window, "garment time", tr("Time of Wear"), time);
     docks_.parts = makeDock(window, "garment parts", tr("Panels and Zones"), parts_);
+    docks_.runs = makeDock(window, "garment runs", tr("Garment Runs"), list_);
     connect(view_, &GarmentView::panelClicked, this, [this](int panel) {
         view_->setChosenPanel(panel);
         garment_->panels().choosePanel(panel);
@@ -85,7 +88,7 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     menu->addSeparator();
     open_ = addCommand(menu, "open", tr("&Open Recording of a Garment…"), {}, tr("Show a recorded run of a garment."));
     connect(open_, &QAction::triggered, this, &GarmentWorkspace::chooseRecording);
-    save_run_ = addCommand(menu, {}, tr("Save R&un As…"), {}, tr("Write the run that is shown to a recording."));
+    save_run_ = addCommand(menu, {}, tr("Save R&un As…"), {}, tr("Write the run that is shown to another recording."));
     connect(save_run_, &QAction::triggered, this, &GarmentWorkspace::chooseRunFile);
     save_map_ = addCommand(menu, {}, tr("Save &Map…"), {},
                            tr("Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder."));
@@ -119,7 +122,7 @@ void GarmentWorkspace::refreshActions()
     save_map_->setEnabled(any);
     save_report_->setEnabled(any && !running);
     steps_->setEnabled(any);
-    save_run_->setEnabled(any && !running && playback_.run()->file.isEmpty());
+    save_run_->setEnabled(any && !running);
     copy_->setEnabled(any);
     keep_->setEnabled(any && !running);
     drop_->setEnabled(playback_.kept() != nullptr);

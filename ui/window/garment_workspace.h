@@ -19,7 +19,10 @@ class FitForm;
 class GarmentPanel;
 class GarmentView;
 class PartsTable;
+class ProjectRuns;
 class RunForm;
+class RunHistory;
+class RunList;
 class WearChart;
 class WearForm;
 class WearTimeline;
@@ -34,6 +37,7 @@ public:
         QDockWidget* run = nullptr;
         QDockWidget* time = nullptr;
         QDockWidget* parts = nullptr;
+        QDockWidget* runs = nullptr;
     };
     struct Actions {
         QAction* start = nullptr;
@@ -41,7 +45,7 @@ public:
         QAction* stop = nullptr;
     };
 
-    GarmentWorkspace(Document& document, QMainWindow& window);
+    GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, QMainWindow& window);
     ~GarmentWorkspace() override;
 
     GarmentChoice& choice() { return choice_; }
@@ -53,6 +57,7 @@ public:
     WearPlayback& playback() { return playback_; }
     WearChart& chart() { return *chart_; }
     PartsTable& parts() { return *parts_; }
+    RunList& list() { return *list_; }
     GarmentView& view() { return *view_; }
     const Docks& docks() const { return docks_; }
     const Actions& actions() const { return actions_; }
@@ -64,12 +69,12 @@ public:
     void showIssue(const QString& list, int index);
     /// Reads a recording, unless a run is in progress.
     void openRecording(const QString& path);
-    /// Asks before a run in progress is stopped, or one that lies in no file is lost. True when it may be, or there is none.
+    /// Asks before a run in progress is stopped. True when it may be, or there is none.
     bool agreesToStopRun();
     /// Waits until it has ended, 0.2 s or so.
     void stopRun();
     void clearResults();
-    /// Writes the run that is shown to a recording, in the background.
+    /// Writes the run that is shown to another recording, in the background.
     void saveRun(const QString& path);
 
 Q_SIGNALS:
@@ -77,6 +82,8 @@ Q_SIGNALS:
     void messageShown(const QString& sentence, int ms);
     /// There is something to see here.
     void wanted();
+    /// A recording that is no run of the project was opened or saved.
+    void recordingUsed(const QString& path);
 
 private:
     void connectRun();
@@ -85,11 +92,16 @@ private:
     void saveMap();
     void saveReport();
     void chooseRunFile();
-    /// Of the runs shown, those whose frames lie in no file.
-    QStringList unsavedRuns() const;
+    /// Where the next run is recorded; empty after the reason was given.
+    QString reserve();
+    void finishRun(GarmentRun::Outcome outcome, const QString& sentence);
+    /// Adds the run on screen to the project's.
+    void keepRun();
     void refreshActions();
 
     Document& document_;
+    RunHistory& history_;
+    ProjectRuns& runs_;
     QMainWindow& window_;
     GarmentChoice choice_;
     WearPlayback playback_;
@@ -104,6 +116,7 @@ private:
     WearTimeline* timeline_;
     WearChart* chart_;
     PartsTable* parts_;
+    RunList* list_;
     GarmentView* view_;
     Docks docks_;
     Actions actions_;
@@ -116,6 +129,7 @@ private:
     QAction* keep_ = nullptr;
     QAction* drop_ = nullptr;
     bool opening_ = false;
+    QString run_path_; ///< of the run in progress
 };
 
 } // namespace hygroloom

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs from their start to their recording, and the files that are written of them.
+#include "core/base/error.h"
 #include "core/base/words.h"
+#include "ui/compare/run_list.h"
+#include "ui/document/run_folder.h"
 #include "ui/garment/run_form.h"
 #include "ui/garment/worn_report.h"
+#include "ui/results/project_runs.h"
 #include "ui/results/report_file.h"
+#include "ui/results/run_history.h"
 #include "ui/window/confirm.h"
 #include "ui/window/file_names.h"
 #include "ui/window/garment_workspace.h"
@@ -29,16 +34,53 @@ void GarmentWorkspace::connectRun()
 {
     connect(&run_, &GarmentRun::started, &playback_, &WearPlayback::begin);
     connect(&run_, &GarmentRun::frameArrived, &playback_, &WearPlayback::append);
-    connect(&run_, &GarmentRun::ended, this, [this](GarmentRun::Outcome outcome, const QString& sentence) {
-        playback_.end();
-        if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
-        opening_ = false;
-        refreshActions();
-    });
+    connect(&run_, &GarmentRun::ended, this, &GarmentWorkspace::finishRun);
     connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
+    form_->setPlace([this] { return reserve(); });
+    connect(&runs_, &ProjectRuns::moved, &playback_, &WearPlayback::move);
+    connect(list_, &RunList::openRequested, this, &GarmentWorkspace::openRecording);
+    connect(list_, &RunList::markRequested, &runs_, &ProjectRuns::setMarked);
+    connect(list_, &RunList::forgetRequested, &runs_, &ProjectRuns::forget);
     connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
+}
+
+QString GarmentWorkspace::reserve()
+{
+    try {
+        return run_path_ = runs_.reserve();
+    } catch (const Error& error) {
+        Q_EMIT problemFound(QString::fromUtf8(error.what()));
+        return {};
+    }
+}
+
+void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sentence)
+{
+    if (!run_path_.isEmpty()) {
+        const QString at = runs_.settle(run_path_);
+        if (const auto& run = playback_.run(); run && run->file == run_path_) { run->file = at; }
+        run_path_.clear();
+    }
+    playback_.end();
+    keepRun();
+    if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
+    opening_ = false;
+    refreshActions();
+}
+
+void GarmentWorkspace::keepRun()
+{
+    const std::shared_ptr<WornRun>& run = playback_.run();
+    if (!run || run->frames.empty() || !QFileInfo::exists(run->file)) { return; }
+    KeptRun kept{run->file, runOfGarment(*run->record, run->wall), nullptr};
+    kept.worn = true;
+    kept.own = runs_.owns(run->file);
+    kept.saved = !kept.own || runs_.isFiled(run->file);
+    kept.number = kept.own ? runNumber(run->file) : 0;
+    history_.keep(kept);
+    if (!kept.own) { Q_EMIT recordingUsed(run->file); }
 }
 
 void GarmentWorkspace::chooseRecording()
@@ -135,7 +177,7 @@ void GarmentWorkspace::chooseRunFile()
 void GarmentWorkspace::saveRun(const QString& path)
 {
     const std::shared_ptr<WornRun> run = playback_.run();
-    if (!run || run_.running()) { return; }
+    if (!run || run_.running() || QFileInfo(path) == QFileInfo(run->file)) { return; }
     recorder_.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
         QString why;
         try {
@@ -145,43 +187,24 @@ void GarmentWorkspace::saveRun(const QString& path)
         } catch (const std::exception& error) {
             why = QString::fromUtf8(error.what());
         }
-        turn.deliver([this, run, why, path] {
+        turn.deliver([this, file = run->file, why, path] {
             if (!why.isEmpty()) {
                 Q_EMIT problemFound(why);
                 return;
             }
-            run->file = path;
-            refreshActions();
+            history_.markCopied(file, path);
+            history_.forget(path); // an older recording at that place
+            Q_EMIT recordingUsed(path);
             Q_EMIT messageShown(tr("Saved the run to %1.").arg(path), 4000);
         });
     });
 }
 
-QStringList GarmentWorkspace::unsavedRuns() const
-{
-    QStringList names;
-    for (const auto& run : {playback_.run(), playback_.kept()}) {
-        if (run && run->file.isEmpty() && !run->frames.empty()) {
-            names << tr("%1 in %2").arg(QString::fromStdString(run->layout().garment), QString::fromStdString(run->layout().experiment));
-        }
-    }
-    names.removeDuplicates();
-    return names;
-}
-
 bool GarmentWorkspace::agreesToStopRun()
 {
-    if (opening_) { return true; }
-    const QStringList names = unsavedRuns();
-    if (run_.running()) {
-        return confirm(&window_, tr("A garment is being worn"), tr("Stop the run of the garment?"),
-                       names.isEmpty() ? tr("What was recorded of it stays.")
-                                       : tr("What lies in no file is lost: %1.").arg(names.join(", ")),
-                       tr("Stop the Run"));
-    }
-    return names.isEmpty() ||
-           confirm(&window_, tr("A run of a garment lies in no file"), tr("Drop the run of %1?").arg(names.join(", ")),
-                   tr("Its numbers and maps are lost. Save Run As… in the menu Garment writes it to a file."), tr("Drop the Run"));
+    return opening_ || !run_.running() ||
+           confirm(&window_, tr("A garment is being worn"), tr("Stop the run of the garment?"),
+                   tr("What is recorded up to now is kept with the project's runs."), tr("Stop the Run"));
 }
 
 /// Until the run has ended the window is drawn, but takes no input.

@@ -76,7 +76,7 @@ void MainWindow::buildPanels()
     design_ = std::make_unique<DesignWorkspace>(document_, *viewport_, *this);
     compare_ = std::make_unique<CompareWorkspace>(document_, recovery_);
     simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), *viewport_, *this);
-    garment_ = std::make_unique<GarmentWorkspace>(document_, *this);
+    garment_ = std::make_unique<GarmentWorkspace>(document_, compare_->runs(), compare_->project(), *this);
     issues_ = new IssuesPanel(document_);
     issues_dock_ = makeDock(*this, "issues", tr("Issues"), issues_);
 
@@ -131,8 +131,8 @@ std::vector<QDockWidget*> MainWindow::docks() const
     const auto& d = design_->docks();
     const auto& s = simulate_->docks();
     const auto& g = garment_->docks();
-    return {d.candidates, d.weave, d.draft, d.fabric, s.experiment, s.simulation, s.timeline,  s.results,
-            g.garment,    g.fit,   g.wear,  g.run,    g.time,       g.parts,      issues_dock_};
+    return {d.candidates, d.weave, d.draft, d.fabric, s.experiment, s.simulation, s.timeline, s.results,
+            g.garment,    g.fit,   g.wear,  g.run,    g.time,       g.parts,      g.runs,     issues_dock_};
 }
 
 void MainWindow::arrange(Workspace workspace)
@@ -157,6 +157,7 @@ void MainWindow::arrange(Workspace workspace)
     splitDockWidget(g.wear, g.run, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, g.time);
     splitDockWidget(g.time, g.parts, Qt::Horizontal);
+    tabifyDockWidget(g.parts, g.runs);
     addDockWidget(Qt::BottomDockWidgetArea, s.timeline);
     addDockWidget(Qt::BottomDockWidgetArea, d.draft);
     splitDockWidget(s.timeline, d.draft, Qt::Vertical);
@@ -171,7 +172,9 @@ void MainWindow::arrange(Workspace workspace)
     s.simulation->setVisible(simulate);
     s.timeline->setVisible(simulate);
     s.results->setVisible(simulate);
-    for (QDockWidget* dock : {g.garment, g.fit, g.wear, g.run, g.time, g.parts}) { dock->setVisible(workspace == Workspace::garment); }
+    for (QDockWidget* dock : {g.garment, g.fit, g.wear, g.run, g.time, g.parts, g.runs}) {
+        dock->setVisible(workspace == Workspace::garment);
+    }
     d.draft->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
@@ -184,6 +187,7 @@ void MainWindow::arrange(Workspace workspace)
         resizeDocks({s.timeline}, {200}, Qt::Vertical);
     } else if (workspace == Workspace::garment) {
         g.garment->raise();
+        g.parts->raise();
         resizeDocks({g.wear, g.run}, {330, 270}, Qt::Vertical);
         resizeDocks({g.garment, g.wear}, {330, 250}, Qt::Horizontal);
         resizeDocks({g.time, g.parts}, {560, 640}, Qt::Horizontal);
@@ -250,6 +254,7 @@ void MainWindow::connectParts()
     connect(simulate_.get(), &SimulateWorkspace::pictureChanged, this, &MainWindow::refreshPicture);
     connect(simulate_.get(), &SimulateWorkspace::wanted, this, [this] { setWorkspace(Workspace::simulate); });
     connect(simulate_.get(), &SimulateWorkspace::recordingUsed, recent_, &RecentFiles::add);
+    connect(garment_.get(), &GarmentWorkspace::recordingUsed, recent_, &RecentFiles::add);
     connect(simulate_.get(), &SimulateWorkspace::designRequested, this, [this] {
         if (simulate_->playback().run() && mayLeave()) { simulate_->takeDesign(); }
     });

@@ -214,8 +214,7 @@ void MainWindow::buildToolBar()
     bar->addActions({viewport_->bar().fitAction(), screenshot_});
     bar->addSeparator();
     const auto& run = simulate_->actions();
-    bar->addActions({run.start, run.pause, run.stop, garment_->actions().start, garment_->actions().pause,
-                     garment_->actions().stop});
+    bar->addActions({run.start, run.pause, run.stop, garment_->actions().start, garment_->actions().pause, garment_->actions().stop});
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(gap);
