@@ -3,6 +3,8 @@
 #include "small_png.h"
 #include "ui/basics/appearance.h"
 #include "ui/compare/compare_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/run_form.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/picture/view_bar.h"
 #include "ui/results/simulation_panel.h"
@@ -96,6 +98,22 @@ private:
     MainWindow window_;
 };
 
+/// A tee, 10 min into a run.
+void takeGarment(Photographer& photographer)
+{
+    MainWindow& window = photographer.window();
+    GarmentWorkspace& garment = window.garment();
+    window.setWorkspace(Workspace::garment);
+    garment.choice().setGarmentIndex(addBuiltInGarment(window.document(), "tee"));
+    window.resize(picture_size); // other workspaces may have widened it
+    waitFor("the estimate", 30, [&] { return garment.runForm().canRun(); });
+    garment.runForm().start();
+    waitFor("the run of the garment", 600, [&] { return !garment.run().running() && garment.playback().frames() > 0; });
+    settle();
+    garment.playback().show(garment.playback().run()->frameAt(600));
+    photographer.save("garment");
+}
+
 void takePictures(const QString& folder)
 {
     Photographer photographer(folder);
@@ -144,6 +162,7 @@ void takePictures(const QString& folder)
     for (const KeptRun& run : window.compare().runs().runs()) { window.compare().view().choose(run.path, true); }
     window.setWorkspace(Workspace::compare);
     photographer.save("compare");
+    takeGarment(photographer);
 }
 
 } // namespace
