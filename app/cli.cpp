@@ -132,11 +132,9 @@ KnobSettings knob_settings(const ProjectOptions& options)
 
 std::string knob_help()
 {
-    const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), reference = knobs_of(Fidelity::reference);
-    std::string text = "Knobs that --fidelity sets; change one with --set fidelity.<knob>=value (draft, standard, reference):\n";
+    std::string text = "Knobs that --fidelity sets; change one with --set fidelity.<knob>=value (live, draft, standard, reference):\n";
     for (const KnobInfo& knob : knob_table())
-        text += fmt::format("  {:<22} {:g}, {:g}, {:g}{}{}; {}\n", knob.name, draft.*knob.value, standard.*knob.value,
-                            reference.*knob.value, *knob.unit ? " " : "", knob.unit, knob.meaning);
+        text += fmt::format("  {:<22} {}{}{}; {}\n", knob.name, values_of(knob), *knob.unit ? " " : "", knob.unit, knob.meaning);
     return text;
 }
 

@@ -31,7 +31,7 @@ Fidelity named(const std::string& name)
 try {
     return fidelity_from_name(name);
 } catch (const Error&) {
-    throw Stop(exit_usage, fmt::format("--fidelity: This must be draft, standard, reference or auto; given is \"{}\".", name));
+    throw Stop(exit_usage, fmt::format("--fidelity: This must be live, draft, standard, reference or auto; given is \"{}\".", name));
 }
 
 } // namespace
@@ -39,7 +39,7 @@ try {
 void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose)
 {
     verb.add_option("--fidelity", options.fidelity, "Resolution; auto with --error or --time")
-        ->type_name("{draft,standard,reference,auto}");
+        ->type_name("{live,draft,standard,reference,auto}");
     verb.add_option("--error", options.error, "With --fidelity auto: the fastest fidelity within this error, e.g. 5%" + whose);
     verb.add_option("--time", options.time, "With --fidelity auto: the finest fidelity within this time, e.g. 10s or 2min" + whose);
 }
@@ -61,12 +61,11 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
 {
     const std::optional<FidelityTarget> target = target_of(options);
     if (!target) return {named(options.fidelity), ""};
-    constexpr std::array fidelities{Fidelity::draft, Fidelity::standard, Fidelity::reference};
-    std::array<std::vector<ModelPlan>, fidelities.size()> plans;
+    std::array<std::vector<ModelPlan>, std::size(all_fidelities)> plans;
     for (const Textile& textile : textiles) {
         try {
             std::vector<ModelPlan> own;
-            for (Fidelity fidelity : fidelities) own.push_back(planned(options, design, textile, fidelity, forced, knobs));
+            for (Fidelity fidelity : all_fidelities) own.push_back(planned(options, design, textile, fidelity, forced, knobs));
             for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
         } catch (const Stop&) {
             throw;

@@ -75,13 +75,12 @@ std::string section(const DescribedVerb& verb)
 
 std::string knobs()
 {
-    const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), finest = knobs_of(Fidelity::reference);
     std::string text = ".SH KNOBS\n" + bold("--set fidelity.") + slanted("knob") + bold("=") + slanted("value") +
                        " changes one of the numbers that " + bold("--fidelity") +
-                       " sets together. Behind each stand its values at draft, standard and reference.\n";
+                       " sets together. Behind each stand its values at live, draft, standard and reference.\n";
     for (const KnobInfo& knob : knob_table())
-        text += fmt::format(".TP\n{}: {:g}, {:g}, {:g}{}{}\n{}.\n", bold(knob.name), draft.*knob.value, standard.*knob.value,
-                            finest.*knob.value, *knob.unit ? " " : "", knob.unit, roff(knob.meaning));
+        text +=
+            fmt::format(".TP\n{}: {}{}{}\n{}.\n", bold(knob.name), values_of(knob), *knob.unit ? " " : "", knob.unit, roff(knob.meaning));
     return text;
 }
 

@@ -97,11 +97,9 @@ std::string reference(const CLI::App& app)
         text += options_table(verb) + "\n";
     }
     text += "## Knobs\n\n`--set fidelity.<knob>=value` changes one of the numbers that `--fidelity` sets together.\n\n"
-            "| Knob | draft | standard | reference | Unit | Meaning |\n| --- | --- | --- | --- | --- | --- |\n";
-    const Knobs draft = knobs_of(Fidelity::draft), standard = knobs_of(Fidelity::standard), finest = knobs_of(Fidelity::reference);
+            "| Knob | live | draft | standard | reference | Unit | Meaning |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for (const KnobInfo& knob : knob_table())
-        text += fmt::format("| `{}` | {:g} | {:g} | {:g} | {} | {} |\n", knob.name, draft.*knob.value, standard.*knob.value,
-                            finest.*knob.value, knob.unit, cell(knob.meaning));
+        text += fmt::format("| `{}` | {} | {} | {} |\n", knob.name, values_of(knob, " | "), knob.unit, cell(knob.meaning));
     return text;
 }
 

@@ -37,13 +37,12 @@ struct SimulateOptions : FidelityOptions {
     std::vector<std::string> detail;
 };
 
-std::string value_text(const KnobInfo& knob, double value) { return fmt::format("{:g}{}{}", value, *knob.unit ? " " : "", knob.unit); }
-
 /// After a knob that the user set: " (set by the user; standard has 8)".
 std::string as_set(const ModelPlan& plan, const KnobInfo& knob)
 {
     const double usual = knobs_of(plan.fidelity).*knob.value;
-    return plan.knobs.*knob.value == usual ? std::string() : fmt::format(" (set by the user; {} has {:g})", name_of(plan.fidelity), usual);
+    return plan.knobs.*knob.value == usual ? std::string()
+                                           : fmt::format(" (set by the user; {} has {})", name_of(plan.fidelity), text_of(knob, usual));
 }
 
 /// The knobs without effect in this scene, by the reason.
@@ -84,8 +83,8 @@ void print_plan(const ModelPlan& plan, const std::vector<IdleKey>& idle, const s
     const char* head = "knobs";
     for (const KnobInfo& knob : knob_table()) {
         if (plan.idle_knobs.contains(knob.name)) continue;
-        print_result("{:<12} {:<23} {:<8} {}{}\n", std::exchange(head, ""), knob.name, value_text(knob, plan.knobs.*knob.value),
-                     knob.meaning, as_set(plan, knob));
+        print_result("{:<12} {:<23} {:<8} {}{}\n", std::exchange(head, ""), knob.name, text_of(knob, plan.knobs.*knob.value), knob.meaning,
+                     as_set(plan, knob));
     }
     head = "no effect";
     for (const auto& [why, knobs] : idle_by_reason(plan)) print_result("{:<12} {}: {}\n", std::exchange(head, ""), why, knobs);

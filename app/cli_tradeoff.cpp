@@ -22,7 +22,7 @@ namespace hygroloom {
 namespace {
 
 struct TradeoffOptions : RunVerbOptions {
-    std::string fidelities = "draft,standard,reference";
+    std::string fidelities = "live,draft,standard,reference";
     std::string knobs;
     int repeats = 3;
     bool convergence = false;

@@ -24,6 +24,6 @@ for project in tests/data/tradeoff/*.hygro; do
   scene=$(basename "$project" .hygro)
   case " ${SCENES:-$scene} " in *" $scene "*) ;; *) continue ;; esac
   echo "$scene"
-  "$cli" tradeoff "$project" --backend "$backend" --fidelities draft,standard --knobs none -o "out/tradeoff/$scene$suffix" "$@"
+  "$cli" tradeoff "$project" --backend "$backend" --fidelities live,draft,standard --knobs none -o "out/tradeoff/$scene$suffix" "$@"
   cp "out/tradeoff/$scene$suffix/tradeoff.json" "tests/data/tradeoff/$scene$suffix.json"
 done

@@ -99,8 +99,8 @@ std::optional<ReplicateSet> set_from(const ProjectJson& value, const std::string
     reader.read("fidelity", fidelity);
     reader.read("seed", seed);
     reader.read("of", set.key.of);
-    if (fidelity != "draft" && fidelity != "standard" && fidelity != "reference")
-        reader.refuse("fidelity", "allowed are draft, standard and reference.");
+    if (std::none_of(std::begin(all_fidelities), std::end(all_fidelities), [&](Fidelity one) { return fidelity == name_of(one); }))
+        reader.refuse("fidelity", "allowed are live, draft, standard and reference.");
     set.key.fidelity = fidelity_from_name(fidelity);
     if (!(seed >= 0 && seed <= 9e15)) reader.refuse("seed", "allowed is 0 to 9e15.");
     set.key.seed = static_cast<std::uint64_t>(seed);

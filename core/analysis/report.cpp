@@ -141,7 +141,7 @@ std::string knobs(const ModelPlan& plan)
     for (const KnobInfo& knob : knob_table()) {
         const double value = plan.knobs.*knob.value;
         if (value != usual.*knob.value)
-            rows += row(knob.name, fmt::format("{:.6g}", value), fmt::format("{} (instead of {:.6g})", knob.unit, usual.*knob.value));
+            rows += row(knob.name, text_of(knob, value), fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
     }
     return rows.empty() ? "" : "<p>Knobs that differ from this fidelity:</p>\n" + table(rows);
 }

@@ -135,8 +135,7 @@ double error_scale(const std::string& metric, double value, double air_temperatu
 std::vector<TradeoffVariant> tradeoff_ladder()
 {
     std::vector<TradeoffVariant> variants;
-    for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference})
-        variants.push_back({name_of(fidelity), fidelity, {}, true});
+    for (Fidelity fidelity : all_fidelities) variants.push_back({name_of(fidelity), fidelity, {}, true});
     return variants;
 }
 
@@ -145,7 +144,10 @@ std::vector<TradeoffVariant> tradeoff_variants(const std::vector<std::string>& n
     std::vector<TradeoffVariant> variants = tradeoff_ladder();
     const auto add = [&](const KnobInfo& knob) {
         for (double value : {knob.cheaper, knob.finer})
-            variants.push_back({fmt::format("{}={:g}", knob.name, value), Fidelity::standard, {{knob.name, value}}, true});
+            variants.push_back({fmt::format("{}={}", knob.name, knob.words.empty() ? fmt::format("{:g}", value) : text_of(knob, value)),
+                                Fidelity::standard,
+                                {{knob.name, value}},
+                                true});
     };
     for (const std::string& name : names) add(knob_named(name));
     if (names.empty())
@@ -162,8 +164,13 @@ std::vector<TradeoffVariant> convergence_variants(const KnobSettings& settings)
 
 bool run_alike(const ModelPlan& a, const ModelPlan& b)
 {
-    const auto same_part = [](const PlannedPart& x, const PlannedPart& y) { return x.name == y.name && x.on == y.on; };
-    if (!std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), same_part)) return false;
+    const auto parts_on = [](const ModelPlan& plan) { // older plans do not name all
+        std::vector<std::string> names;
+        for (const PlannedPart& part : plan.parts)
+            if (part.on) names.push_back(part.name);
+        return names;
+    };
+    if (parts_on(a) != parts_on(b)) return false;
     if (a.particles_per_droplet != b.particles_per_droplet || a.fibre_shells != b.fibre_shells ||
         a.crossings_per_cell != b.crossings_per_cell || a.rest_tolerance != b.rest_tolerance || a.knobs.step_error != b.knobs.step_error ||
         a.knobs.saturation_change != b.knobs.saturation_change || a.knobs.network_step_limit != b.knobs.network_step_limit)

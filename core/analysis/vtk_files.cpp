@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/project/atomic_file.h"
+#include "core/scene/liquid_points.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -95,12 +96,14 @@ void write_yarns(const Lines& lines, const Frame& frame, const std::filesystem::
 
 void write_liquid(const Frame& frame, const std::filesystem::path& path)
 {
-    const std::size_t n = frame.positions.size();
+    const std::vector<std::array<float, 3>> places = liquid_points(frame);
+    const std::size_t n = places.size();
     std::vector<float> points, velocity;
     std::vector<std::int32_t> connectivity, offsets;
     for (std::size_t i = 0; i < n; ++i) {
-        for (const float place : frame.positions[i]) points.push_back(1e3f * place);
-        velocity.insert(velocity.end(), frame.velocities[i].begin(), frame.velocities[i].end());
+        for (const float place : places[i]) points.push_back(1e3f * place);
+        const std::array<float, 3> goes = frame.caps.empty() ? frame.velocities[i] : std::array<float, 3>{}; // caps stand
+        velocity.insert(velocity.end(), goes.begin(), goes.end());
         connectivity.push_back(static_cast<std::int32_t>(i));
         offsets.push_back(static_cast<std::int32_t>(i + 1));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/bounds.h"
 
+#include "core/geometry/face_angles.h"
 #include "core/physics/between_yarns.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/sorption.h"
@@ -180,6 +181,7 @@ Bounds find_bounds(const Design& design, const Textile& textile, const Experimen
     Bounds b;
     b.finest = textile.thickness;
     b.cover = textile.quantities.cover_factor;
+    b.advancing_deg = angles_on_face(textile).advancing * 180.0 / pi;
     b.drops = falling_drops(experiment).size();
     const Liquid& liquid = *find_liquid(design, experiment.liquid);
     b.liquid = liquid_at(

@@ -24,6 +24,7 @@ struct Bounds {
     double uptake = 0;              ///< m3/s: see SceneCounts
     double pores = 0;               ///< m: see SceneCounts
     double cover = 0;               ///< share of the area under yarns
+    double advancing_deg = 0;       ///< that a drop shows on the upper face while it spreads
     LiquidAt liquid{};
     bool wicks = false;
     bool condenses = false; ///< vapour of air that is more than saturated, on all of the cloth

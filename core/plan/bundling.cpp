@@ -39,7 +39,7 @@ int wanted_in_bundle(const Knobs& knobs, const Textile& textile, ExperimentType 
 const char* why_single(const ModelPlan& plan, const Textile& textile, ExperimentType type)
 {
     if (plan.on("wicking") && (textile.face_angle || textile.back_angle)) return "a finish lies on one face";
-    if (plan.on("liquid")) return "free liquid meets single yarns";
+    if (plan.on("liquid") && !plan.on("cap")) return "free liquid meets single yarns";
     return info_of(type).source == WaterSource::face ? "sweat wets yarns where they lie on one face" : nullptr;
 }
 

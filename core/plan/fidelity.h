@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What trades speed for accuracy: three named points on one ladder, and the knobs behind them, each of which may also be set alone.
+// What trades speed for accuracy: four named points on one ladder, and the knobs behind them, each of which may also be set alone.
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <string>
@@ -9,13 +10,18 @@
 
 namespace hygroloom {
 
-enum class Fidelity { draft, standard, reference };
+enum class Fidelity { live, draft, standard, reference };
+/// From the fastest to the finest.
+inline constexpr std::array all_fidelities{Fidelity::live, Fidelity::draft, Fidelity::standard, Fidelity::reference};
 
 const char* name_of(Fidelity fidelity);
 /// Throws Error naming the allowed words.
 Fidelity fidelity_from_name(const std::string& name);
 
 constexpr int largest_shell_count = 32;
+
+/// A drop as particles that flow, or as a cap that stands with a contact line; automatic: as a cap where the scene allows it.
+enum class DropModel { automatic, cap, particles };
 
 /// Every knob's value. Those of a fidelity come from knobs_of().
 struct Knobs {
@@ -32,6 +38,7 @@ struct Knobs {
     double settle_share = 0;             ///< of liquid at rest that yarns absorb before it settles anew; 0: it never rests
     double rest_tolerance = 0;           ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
     double double_precision = 0;         ///< of the liquid's particles: 0 no, 1 yes; the yarns always are
+    double free_liquid = 0;              ///< how drops are modelled: see DropModel
     double neglected_share = 0;          ///< of the delivered water, or of the wicking rate, below which a part is left out
     bool operator==(const Knobs&) const = default;
 };
@@ -41,12 +48,13 @@ struct KnobInfo {
     const char* name; ///< in files and in --set fidelity.<name>=…; with its unit where it has one
     double Knobs::*value;
     const char* unit; ///< "" for a plain number
-    double at[3];     ///< draft, standard, reference
+    double at[4];     ///< at each of all_fidelities
     double least, most;
     bool whole;                ///< only whole numbers
     double cheaper, finer;     ///< one step from standard each, for tradeoff; its own if it is cheapest, two cheaper ones if it is finest
     const char* meaning;       ///< begins small, without a full stop
     const char* old_name = ""; ///< in files and commands of older versions, which is still read
+    std::span<const char* const> words{}; ///< that stand for 0, 1, 2, …; empty: it is a number
 };
 
 /// All of them, in the order in which they are shown.
@@ -56,6 +64,13 @@ Knobs knobs_of(Fidelity fidelity);
 
 /// What the user set: name -> value.
 using KnobSettings = std::map<std::string, double>;
+
+/// As people read a value: a word, or a number with its unit.
+std::string text_of(const KnobInfo& knob, double value);
+/// What a word or a number stands for. Throws Error naming the knob, its range and what was given.
+double value_of(const KnobInfo& knob, const std::string& text);
+/// Its values at each fidelity, without their unit.
+std::string values_of(const KnobInfo& knob, const char* between = ", ");
 
 /// The knob of this name. Throws Error naming the nearest one and all others.
 const KnobInfo& knob_named(const std::string& name);

@@ -14,7 +14,7 @@ namespace hygroloom {
 
 /// One part of the physics, on or off, and why, with the number that decided.
 struct PlannedPart {
-    std::string name; ///< "liquid", "wicking", "sorption", "vapour", "heat", "growth"
+    std::string name; ///< "liquid", "cap", "wicking", "sorption", "vapour", "heat", "growth"
     bool on = false;
     bool forced = false; ///< by the user
     std::string reason;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/parts.h"
 
+#include "core/physics/caps.h"
 #include "core/plan/supply.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,30 @@ std::string left_out_below(double share)
                      : "nothing that has an effect is left out at this fidelity";
 }
 
+/// Why drops cannot stand as caps, in a sentence; empty: they can.
+std::string why_no_cap(const Experiment& experiment, const Bounds& b)
+{
+    constexpr double most_volume_ul = 2000; // for which shapes are tabled
+    constexpr std::size_t most_drops = 200; // each is looked at from every crossing
+    if (experiment.closure != Closure::pores) return "Caps give their liquid by suction, which only the closure pores has.";
+    const std::vector<Droplet> drops = falling_drops(experiment);
+    if (drops.size() > most_drops) return fmt::format("More than {} drops fall.", most_drops);
+    const auto [width, height] = sample_extent_mm(experiment);
+    for (const Droplet& drop : drops) {
+        if (drop.volume_ul > most_volume_ul) return fmt::format("A drop of more than {:g} µl is no cap.", most_volume_ul);
+        const double volume = cubic_metre_from_ul(drop.volume_ul), ball = std::cbrt(3.0 * volume / (4.0 * pi));
+        const double speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
+        if (splashes(b.liquid.surface_tension, b.liquid.viscosity, b.liquid.density, ball, speed))
+            return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
+        const double rests = cap_base(volume, std::max(radian_from_degree(b.advancing_deg), radian_from_degree(30)));
+        const double base = std::max(rests, impact_base(b.liquid.surface_tension, b.liquid.density, ball, speed));
+        const double room =
+            std::min(metre_from_mm(0.5 * width - std::abs(drop.at_mm[0])), metre_from_mm(0.5 * height - std::abs(drop.at_mm[1])));
+        if (base > room) return "A drop may reach over the sample's edge.";
+    }
+    return "";
+}
+
 /// Goes through the parts in their order; each depends on those before.
 class Decisions {
 public:
@@ -63,6 +88,23 @@ public:
         const bool on = add(decide("liquid", b_.drops > 0, supply_in_words(experiment_, b_.drops, b_.delivered), forced_));
         drops_ = info_of(experiment_.type).source == WaterSource::drops;
         wet_ = drops_ ? on : b_.delivered > 0;
+    }
+    /// How a drop is modelled.
+    void cap()
+    {
+        if (!drops_ || !plan_.on("liquid")) return;
+        const auto model = static_cast<DropModel>(knobs_.free_liquid);
+        const std::string why_not = why_no_cap(experiment_, b_);
+        const bool may = why_not.empty();
+        std::string reason =
+            !may ? why_not + " A drop is particles."
+            : model == DropModel::particles
+                ? std::string("At this fidelity a drop is particles; fidelity.free_liquid=cap lets it stand as a cap.")
+                : fmt::format(
+                      "A drop stands as a cap with a contact line: it lands without splashing and has room on the sample. It spreads "
+                      "while it shows more than {:.3g} degrees.",
+                      b_.advancing_deg);
+        add({"cap", may && model != DropModel::particles, false, std::move(reason)});
     }
     void wicking()
     {
@@ -172,6 +214,7 @@ void decide_parts(ModelPlan& plan, const Bounds& bounds, const Experiment& exper
 {
     Decisions decisions(plan, bounds, experiment, forced);
     decisions.liquid();
+    decisions.cap();
     decisions.wicking();
     decisions.sorption();
     decisions.vapour();

@@ -20,7 +20,7 @@ Json knobs_json(const Knobs& knobs)
     Json json = Json::object();
     for (const KnobInfo& knob : knob_table()) {
         const double value = knobs.*knob.value;
-        json[knob.name] = knob.whole ? Json(static_cast<long>(value)) : Json(value);
+        json[knob.name] = !knob.words.empty() ? Json(text_of(knob, value)) : knob.whole ? Json(static_cast<long>(value)) : Json(value);
     }
     return json;
 }
@@ -41,6 +41,10 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
     const Json& values = plan.contains("knobs") ? plan.at("knobs") : plan.at("resolution");
     for (const KnobInfo& knob : knob_table()) {
         double& value = knobs.*knob.value;
+        if (!knob.words.empty()) {
+            if (values.contains(knob.name)) value = value_of(knob, values.at(knob.name).get<std::string>());
+            continue;
+        }
         value = values.value(knob.name, values.value(knob.old_name, value));
         if (knob.whole && !(std::abs(value) <= std::numeric_limits<int>::max()))
             throw Error(fmt::format("The model plan cannot be read: {} is {:g}.", knob.name, value));

@@ -41,10 +41,12 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
         if (is) plan.idle_knobs[knob] = why;
     };
     const bool liquid = plan.on("liquid");
+    const bool particles = liquid && !plan.on("cap");
     for (const char* knob : {"particles_per_droplet", "network_step_limit_s", "liquid_step_factor", "steps_between_absorption",
                              "density_tolerance", "settle_share", "double_precision"})
-        idle(!liquid, knob, b.drops > 0 ? "the free liquid is left out" : "no drop falls");
-    idle(liquid && !b.wicks, "steps_between_absorption", "no yarn draws liquid");
+        idle(!particles, knob, liquid ? "drops are caps" : b.drops > 0 ? "the free liquid is left out" : "no drop falls");
+    idle(!liquid, "free_liquid", b.drops > 0 ? "the free liquid is left out" : "no drop falls");
+    idle(particles && !b.wicks, "steps_between_absorption", "no yarn draws liquid");
     idle(!liquid && info_of(experiment.type).source != WaterSource::pool, "saturation_change", "there is neither a drop nor a pool");
     const auto may_be_on = [&](const char* part) { return plan.on(part) || plan.watches(part); };
     idle(!may_be_on("sorption"), "fibre_shells", "sorption is left out");
@@ -83,11 +85,14 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
 std::string resolution_in_words(const ModelPlan& plan, bool set_by_user)
 {
     const Knobs& knobs = plan.knobs;
-    const bool liquid = plan.on("liquid");
+    const bool liquid = plan.on("liquid") && !plan.on("cap");
     std::string text = fmt::format("{} fidelity{}: ", name_of(plan.fidelity), set_by_user ? " with knobs set by the user" : "");
     if (liquid) text += fmt::format("{} particles a drop, ", plan.particles_per_droplet);
     text += fmt::format("one cell per {} and crossing, ", plan.crossings_per_cell > 1 ? "bundle" : "yarn");
     if (plan.on("sorption")) text += fmt::format("{} shells in a fibre, ", plan.fibre_shells);
+    if (plan.on("cap"))
+        return text +
+               fmt::format("steps that change no saturation by more than about {:.2g}; drops stand as caps.", knobs.saturation_change);
     if (!liquid)
         return text + fmt::format("steps with an error of at most {:.2g} % of the water and heat at stake.", 100 * knobs.step_error);
     text += fmt::format("network steps of at most {:.3g} ms that change no saturation by more than about {:.2g}; ",
@@ -111,11 +116,12 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     plan.region = {textile.first_end, textile.first_pick, textile.ends(), textile.picks()};
     plan.region_reason = region_in_words(textile, experiment, bounds);
     plan.segments = 2 * plan.region.ends * plan.region.picks;
-    plan.particles_per_droplet = plan.on("liquid") ? particles_for(plan.knobs, bounds) : 0;
+    plan.particles_per_droplet = plan.on("liquid") && !plan.on("cap") ? particles_for(plan.knobs, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     const std::string bundles = decide_bundles(plan, textile, experiment.type);
     find_idle_knobs(plan, textile, experiment, bounds);
-    plan.frame_interval = std::clamp(experiment.duration_s / 100.0, 1e-6, 60.0);
+    const double frames = fidelity == Fidelity::live && plan.on("cap") ? 25.0 : 100.0;
+    plan.frame_interval = std::clamp(experiment.duration_s / frames, 1e-6, 60.0);
     plan.resolution_reason = resolution_in_words(plan, !settings.empty()) + bundles;
     plan.counts = counts_of(experiment, bounds);
     return plan;

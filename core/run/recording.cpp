@@ -212,6 +212,13 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
         frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
         frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
     }
+    if (h5::exists(g, "cap_place")) {
+        const std::vector<float> place = h5::read_triples(g, "cap_place", most), size = h5::read_triples(g, "cap_size", most);
+        if (place.size() != size.size())
+            throw FileError(fmt::format("it has {} caps, and sizes of {}.", place.size() / 3, size.size() / 3));
+        for (std::size_t i = 0; i < place.size(); i += 3)
+            frame.caps.push_back({place[i], place[i + 1], size[i], place[i + 2], size[i + 1], size[i + 2]});
+    }
     return frame;
 }
 

@@ -83,6 +83,18 @@ void write_provenance(hid_t file, const RunRecord& run)
     h5::write_number(provenance.get(), "threads", run.threads);
 }
 
+/// Drops that stand as caps: where they are, and base, height and volume of each.
+void write_caps(hid_t group, const std::vector<FrameCap>& caps)
+{
+    std::vector<float> place, size;
+    for (const FrameCap& cap : caps) {
+        for (double value : {cap.x, cap.y, cap.face}) place.push_back(static_cast<float>(value));
+        for (double value : {cap.base, cap.height, cap.volume}) size.push_back(static_cast<float>(value));
+    }
+    h5::write_floats(group, "cap_place", place.data(), caps.size(), 3, "m");
+    h5::write_floats(group, "cap_size", size.data(), caps.size(), 3, "m, m, m3");
+}
+
 void write_frame(hid_t group, const Frame& frame, const std::vector<float>& warp_pores, const std::vector<float>& weft_pores)
 {
     h5::write_number(group, "time_s", frame.time);
@@ -102,6 +114,7 @@ void write_frame(hid_t group, const Frame& frame, const std::vector<float>& warp
     const auto particles = frame.positions.size();
     h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
     h5::write_floats(group, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
+    if (!frame.caps.empty()) write_caps(group, frame.caps);
 }
 
 } // namespace

@@ -139,8 +139,12 @@ void check(const Scene& scene)
     const bool drops = !scene.supply.droplets.empty(), has_free_liquid = drops || !scene.liquid.places.empty();
     demand(!has_free_liquid || scene.rules.liquid_step_factor > 0, "its free liquid has no step");
     demand(!scene.cloth.by_suction || scene.supply.pools.size() <= 1, "several pools stand on cloth in which liquid flows by suction");
+    demand(!scene.caps.on || (scene.cloth.by_suction && scene.supply.pools.empty() && scene.liquid.places.empty()),
+           "caps stand beside a pool or particles, or on cloth in which liquid does not flow by suction");
+    demand(!scene.caps.on || (scene.caps.advancing > 0 && scene.caps.receding >= 0 && scene.caps.receding <= scene.caps.advancing),
+           "its caps have no angles");
     demand(scene.rules.suction_rounds >= 1, "suctions are found in no rounds");
-    demand(!drops || !scene.liquid.places.empty() || scene.rules.particles_per_droplet > 0, "its drops have no particles");
+    demand(!drops || scene.caps.on || !scene.liquid.places.empty() || scene.rules.particles_per_droplet > 0, "its drops have no particles");
     demand(scene.supply.skin.rate.empty() ||
                (scene.cloth.panels.count > 0 && empty_or(scene.supply.skin.rate.size(), scene.cloth.crossings())),
            "its skin is not that of a garment");

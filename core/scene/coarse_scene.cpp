@@ -202,6 +202,7 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     frame.time = cells.time;
     frame.ledger = cells.ledger;
     frame.unsolved_lines = cells.unsolved_lines;
+    frame.caps = cells.caps;
     const auto segments = static_cast<std::size_t>(fine.cloth.segments());
     frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();

@@ -68,6 +68,15 @@ struct CellSums {
     double stored = 0, released = 0, lost = 0; ///< J, as in the ledger
 };
 
+/// A drop that stands as a cap, or falls as a ball, m.
+struct FrameCap {
+    double x = 0, y = 0; ///< from the cloth's middle
+    double base = 0;     ///< radius of the face under it; 0: it falls
+    double face = 0;     ///< height of the upper face over the middle plane
+    double height = 0;   ///< of its top over that face
+    double volume = 0;   ///< m3
+};
+
 struct Frame {
     double time = 0;           ///< s
     double unsolved_lines = 0; ///< how often the suctions along a yarn were not found, since the start: see PoreRounds
@@ -85,6 +94,7 @@ struct Frame {
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s
     std::vector<float> pressures; ///< Pa, mean since the last frame, by all forces between particles; empty unless the scene asks
+    std::vector<FrameCap> caps;   ///< instead of particles
     Ledger ledger;
     // Totals of each face, kg: water over the start in segments that lie on top and at the bottom.
     double water_top = 0;

@@ -2,6 +2,7 @@
 #include "core/scene/scene.h"
 
 #include "core/base/random.h"
+#include "core/geometry/face_angles.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
 #include "core/scene/unevenness.h"
@@ -313,6 +314,10 @@ void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, 
     const double volume = cubic_metre_from_ul(experiment.volume_ul);
     constexpr double pouring = 5; // s, to dispense the liquid of a horizontal test
     if (plan.on("liquid")) scene.supply.droplets = make_droplets(textile, experiment);
+    if (plan.on("cap")) {
+        const FaceAngles angles = angles_on_face(textile);
+        scene.caps = {true, angles.advancing, angles.receding};
+    }
     switch (experiment.type) {
     case ExperimentType::droplet: break;
     case ExperimentType::moisture_management:

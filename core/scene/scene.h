@@ -263,6 +263,12 @@ struct SceneVessel {
     double adhesion = 0; ///< J/m2, work of adhesion
 };
 
+/// Whether drops stand on the cloth as caps with a contact line, not as particles, and the angles that they show on the upper face.
+struct SceneCaps {
+    bool on = false;
+    double advancing = 0, receding = 0; ///< rad
+};
+
 /// Free liquid that is there from the start, and what holds it.
 struct FreeLiquidStart {
     std::vector<Vec3d> places;     ///< m
@@ -299,6 +305,7 @@ struct Scene {
     SceneClimate climate;
     Supply supply;
     FreeLiquidStart liquid;
+    SceneCaps caps;
     StepRules rules;
 };
 

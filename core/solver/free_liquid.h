@@ -42,8 +42,8 @@ public:
     /// When the next drop is released, s.
     double next_drop() const
     {
-        return next_droplet_ < scene_->supply.droplets.size() ? scene_->supply.droplets[next_droplet_].time
-                                                              : std::numeric_limits<double>::infinity();
+        return next_droplet_ < scene_->supply.droplets.size() && !scene_->caps.on ? scene_->supply.droplets[next_droplet_].time
+                                                                                  : std::numeric_limits<double>::infinity();
     }
     /// The next drop; returns its water, kg.
     double release_drop();

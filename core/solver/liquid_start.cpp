@@ -47,7 +47,7 @@ LiquidStart liquid_start(const Scene& scene)
 {
     LiquidStart start;
     const std::size_t drops = scene.supply.droplets.size(), standing = scene.liquid.places.size();
-    if (drops + standing == 0) return start;
+    if (drops + standing == 0 || scene.caps.on) return start;
     double volume = 0;
     for (const SceneDroplet& d : scene.supply.droplets) volume += d.volume;
     start.volume = scene.liquid.particle_volume > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-target_sources(hygroloom_core PRIVATE solver/cpu_backend.cpp)
+target_sources(hygroloom_core PRIVATE solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp)
 
 # What depends on the particles' number type, in single and once more in double precision.
 set(solver_sources

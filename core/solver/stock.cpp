@@ -153,7 +153,7 @@ void add_segments(const Stock& stock, const Scene& scene, Ledger& l)
     if (!s.between.empty()) l.water_liquid += sum_of_all(s.between);
     l.water_bound = sum_of_all(s.bound);
     l.water_vapour = sum_of_all(s.vapour);
-    l.water_evaporated = sum_visited(s.evaporated);
+    l.water_evaporated += sum_visited(s.evaporated);
     l.energy_stored = sum_visited(s.stored);
     l.energy_released = sum_visited(s.released);
     l.energy_lost = sum_visited(s.lost);
@@ -173,6 +173,7 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     l.water_free = static_cast<double>(free) * water_quantum;
     l.water_dripped = stock.dripped;
     l.free_until = stock.free_until;
+    l.water_evaporated = stock.evaporated;
     l.energy_delivered = stock.initial_energy;
     if (scene.cloth.panels.count > 0)
         add_cells(stock, l);
@@ -202,6 +203,7 @@ Frame frame_of(const Stock& stock, const Scene& scene)
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene.cloth.picks);
         }
     }
+    f.caps = stock.caps;
     show_particles(stock, scene, f);
     return f;
 }

@@ -31,7 +31,9 @@ struct Stock {
     double initial = 0;        ///< kg, in fibres and pores before the first drop
     double initial_energy = 0; ///< J
     double delivered = 0;      ///< kg, but for what is supplied
-    std::int64_t standing = 0; ///< quanta, in pools
+    std::int64_t standing = 0; ///< quanta, in pools and caps
+    std::vector<FrameCap> caps;
+    double evaporated = 0;     ///< kg, from caps
     double dripped = 0;        ///< kg, fallen or run off
     double free_until = 0;     ///< s, when free liquid was last about
     double unsolved_lines = 0; ///< see Frame

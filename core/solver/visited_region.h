@@ -37,16 +37,17 @@ public:
     Unvisited& unvisited() { return out_; }
     const Unvisited& unvisited() const { return out_; }
 
-    /// Takes in what lies within a radius (m) of the sample's middle.
-    void include_middle(double radius)
+    /// Takes in what lies within a radius of a place, m from the sample's middle.
+    void include_disc(double x, double y, double radius)
     {
         const auto least = [](int& out, int threads, double reach, double pitch) {
-            out = std::min(out, std::max(0, static_cast<int>(0.5 * (threads - 1) - reach / pitch)));
+            const int before = static_cast<int>(std::clamp(0.5 * (threads - 1) - reach / pitch, 0.0, threads - 1.0));
+            out = std::min(out, before);
         };
-        least(out_.ends_before, scene_->cloth.ends, radius, scene_->cloth.warp_pitch);
-        least(out_.ends_after, scene_->cloth.ends, radius, scene_->cloth.warp_pitch);
-        least(out_.picks_before, scene_->cloth.picks, radius, scene_->cloth.weft_pitch);
-        least(out_.picks_after, scene_->cloth.picks, radius, scene_->cloth.weft_pitch);
+        least(out_.ends_before, scene_->cloth.ends, radius - x, scene_->cloth.warp_pitch);
+        least(out_.ends_after, scene_->cloth.ends, radius + x, scene_->cloth.warp_pitch);
+        least(out_.picks_before, scene_->cloth.picks, radius - y, scene_->cloth.weft_pitch);
+        least(out_.picks_after, scene_->cloth.picks, radius + y, scene_->cloth.weft_pitch);
     }
 
     /// Threads within this number of the region's border count as close to it.

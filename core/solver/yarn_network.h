@@ -3,7 +3,9 @@
 // flows in it by suctions stands in yarn_network_flow.h.
 #pragma once
 
+#include "core/solver/caps.h"
 #include "core/solver/state_archive.h"
+#include "core/solver/steps/cap_supply.h"
 #include "core/solver/steps/segment_exchange.h"
 #include "core/solver/steps/segment_sums.h"
 #include "core/solver/steps/swelling.h"
@@ -30,7 +32,7 @@ public:
     void load(const Scene& scene);
     Segments segments();
     int visited_segments() { return yarns().visited_segments(); }
-    bool pool_feeds() const { return pools_.feeds(); }
+    bool pool_feeds() const { return pools_.feeds() || caps_.feed(); }
     bool pool_was_fed() const { return pools_.came; }
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
@@ -92,9 +94,12 @@ private:
     FedFace face_under(std::size_t pool)
     {
         const FedFace face = pools_.face_under(*scene_, pool, climate_.density);
-        region_.include_middle(pools_.reach(*scene_, face));
+        region_.include_disc(0, 0, pools_.reach(*scene_, face));
         return face;
     }
+    void take_drops(double time, double dt);
+    void offer_caps(double dt);
+    StandingPool standing_pool();
     double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
     void flow_between_touching(double dt, bool odd_first);
@@ -112,6 +117,10 @@ private:
     NetworkSteps steps_;
     VisitedRegion region_;
     Pools pools_;
+    Caps caps_;
+    std::vector<CapOnFace> caps_on_face_; ///< in this step
+    bool cap_landed_ = false;             ///< in this step
+    ManyQuanta evaporated_from_caps_;
     double exchange_time_ = 0;       ///< s, of the last one
     bool warp_first_ = true;         ///< in the next step by suction
     double unsolved_lines_ = 0;      ///< since the start
@@ -124,6 +133,8 @@ private:
     PanelArrays<Buffer> panels_;
     Panels panels_now_; ///< of the scene, on the host
     Buffer<SeamJoint> seams_;
+    Buffer<CapOnFace> cap_views_;
+    Buffer<CapSums> cap_sums_;
     Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
     Buffer<YarnTotals> totals_; ///< one, of this step
     Buffer<CellSums> cells_;    ///< of a garment's frames
@@ -149,6 +160,10 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     warp_first_ = true;
     unsolved_lines_ = 0;
     pools_ = {std::vector<std::int64_t>(scene.supply.pools.size(), 0), {}, {}};
+    caps_.load(scene);
+    caps_on_face_.clear();
+    cap_landed_ = false;
+    evaporated_from_caps_ = {};
     region_.load(scene);
     Segments::each(
         [&](const auto& field, auto& buffer) {
@@ -204,6 +219,7 @@ template <typename Executor> double YarnNetwork<Executor>::next_event(double tim
     for (const ScenePool& pool : scene_->supply.pools) consider(pool.next_change(time));
     for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
     consider(scene_->supply.skin.next_change(time));
+    consider(caps_.next_event(time));
     return next;
 }
 
@@ -233,6 +249,7 @@ template <typename Executor> void YarnNetwork<Executor>::supply(double time, dou
 {
     if (!scene_->supply.fed.empty()) each_segment("keep fed", KeepFed{segments(), climate_.density});
     feed_from_pools(time, dt);
+    if (scene_->caps.on) take_drops(time, dt);
     if (scene_->supply.sweat > 0) sweat(dt);
     if (!scene_->supply.skin.rate.empty()) sweat_from_skin(time, dt);
     may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0 || !scene_->supply.skin.rate.empty();
@@ -292,7 +309,7 @@ template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(doubl
     totals_.write(0, {});
     const double exchange_dt = time - exchange_time_;
     const bool is_due = frame_due || steps_.exchange_is_due(exchange_dt);
-    const StepSigns signs{scene_->rules.step_error > 0 && !drops_about && !by_suction(), pools_.any_stands()};
+    const StepSigns signs{scene_->rules.step_error > 0 && !drops_about && !by_suction(), pools_.any_stands() || !caps_on_face_.empty()};
     const NetworkStep step{time, dt, exchange_dt, is_due, signs};
     move_liquid_and_heat(dt, step.signs);
     return step;
@@ -386,7 +403,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
     region_.include_reached(found.reach);
     const auto changes_now = [&](const ScenePool& pool) { return pool.next_change(step.time - step.dt) == step.time; };
-    const bool changes = std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
+    const bool changes = cap_landed_ || std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
                          scene_->supply.skin.jumps_at(step.time); // courses of climate have no jumps
     if (changes) steps_.begin_anew(drops_about);
 }
@@ -400,6 +417,8 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     archive.value(pools_.pumped);
     archive.value(pools_.ran_off);
     archive.values(pools_.standing, "standing in pools");
+    caps_.pass_state(archive);
+    archive.value(evaporated_from_caps_);
     archive.value(region_.unvisited());
     if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far
     archive.buffer(reach_, "reach");

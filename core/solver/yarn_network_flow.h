@@ -12,7 +12,7 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     Segments s = segments();
     s.room_with_warp = of_warp;
     const Cloth& cloth = scene_->cloth;
-    const StandingPool pool = pools_.standing_pool(*scene_, climate_);
+    const StandingPool pool = standing_pool();
     const Yarns all = yarns();
     const int first = of_warp ? 0 : all.visited_warps(), lines = of_warp ? all.visited_warps() : all.visited_wefts();
     const int chains = of_warp ? all.panels.warp_chains : all.panels.weft_chains;
@@ -59,6 +59,7 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
         each_segment("weigh pool", weigh);
         each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
     }
+    if (!caps_on_face_.empty()) offer_caps(dt);
     const bool hands_over = scene_->rules.heat; // the liquid between yarns
     for (bool of_warp : {warp_first_, !warp_first_}) {
         if (fields_.touching.size() > 0) flow_between_touching(0.5 * dt, of_warp);
@@ -68,10 +69,49 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
         if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
     }
     warp_first_ = !warp_first_;
-    if (!pools) return;
+    if (!caps_on_face_.empty()) caps_.take(cap_sums_.download());
+    if (!pools && caps_on_face_.empty()) return;
     const YarnTotals found = totals_.read(0);
-    pools_.standing[0] -= found.given;
+    if (pools) pools_.standing[0] -= found.given;
     pools_.ran_off.add(found.shed);
+}
+
+/// Drops fall, land and spread in the last dt, as caps, and give to the air.
+template <typename Executor> void YarnNetwork<Executor>::take_drops(double time, double dt)
+{
+    pools_.pumped.add(caps_.release(time));
+    if (scene_->rules.vapour) evaporated_from_caps_.add(caps_.evaporate(climate_, dt));
+    cap_landed_ = caps_.spread(time, dt);
+    caps_on_face_ = caps_.on_face();
+    const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
+    constexpr double least = 0.75; // of a cell's side: the least circle that covers one of the places looked at
+    for (CapOnFace& cap : caps_on_face_) {
+        cap.base = std::max(cap.base, least * cell);
+        region_.include_disc(cap.x, cap.y, cap.base + cell);
+    }
+}
+
+/// To what lies under them, as much of each as it would draw.
+template <typename Executor> void YarnNetwork<Executor>::offer_caps(double dt)
+{
+    cap_views_.upload(caps_on_face_);
+    cap_sums_.upload(std::vector<CapSums>(caps_on_face_.size()));
+    const Cloth& cloth = scene_->cloth;
+    const FindCap find{segments(),
+                       cap_views_.data(),
+                       static_cast<int>(caps_on_face_.size()),
+                       {true, 0, cloth.warp_pitch, cloth.weft_pitch, std::max(2, cloth.threads_per_cell)}};
+    const WeighCaps weigh{find, climate_.density, dt, cap_sums_.data()};
+    each_crossing("find cap", find);
+    each_segment("weigh cap", weigh);
+    each_segment("offer cap", OfferCaps{weigh});
+}
+
+/// What stands on a face in this step, as flow sees it.
+template <typename Executor> StandingPool YarnNetwork<Executor>::standing_pool()
+{
+    if (caps_on_face_.empty()) return pools_.standing_pool(*scene_, climate_);
+    return {true, 0, cap_views_.data(), cap_sums_.data()};
 }
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -15,7 +15,9 @@ template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock
         exec_.for_each("see cells", static_cast<int>(cells), SeeCells{segments(), cells_.data()});
     }
     stock.delivered += pools_.pumped.mass();
-    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), std::int64_t(0));
+    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), caps_.water());
+    stock.caps = caps_.shown(stock.time);
+    stock.evaporated = evaporated_from_caps_.mass();
     stock.dripped += pools_.ran_off.mass();
     stock.unsolved_lines = unsolved_lines_;
     stock.unvisited = region_.unvisited();

@@ -106,7 +106,8 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::fed_segments: return scene.supply.fed.size();
     case SegmentCount::watched_segments: return scene.rules.step_error > 0 ? segments : 0;
     case SegmentCount::takers: return sucks ? 3 * segments / 2 : segments;
-    case SegmentCount::offered_takers: return sucks && !scene.supply.pools.empty() ? 3 * segments / 2 : 0;
+    case SegmentCount::offered_takers: return sucks && (!scene.supply.pools.empty() || scene.caps.on) ? 3 * segments / 2 : 0;
+    case SegmentCount::cap_crossings: return scene.caps.on ? segments / 2 : 0;
     case SegmentCount::uneven_segments: return scene.cloth.pores.size();
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;

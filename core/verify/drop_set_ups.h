@@ -4,7 +4,7 @@
 
 #include "core/scene/frame.h"
 #include "core/scene/scene.h"
-#include "core/verify/drop_shapes.h"
+#include "core/solver/drop_shapes.h"
 
 #include <vector>
 

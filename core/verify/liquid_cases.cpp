@@ -2,9 +2,9 @@
 // Free liquid against closed forms: drops that oscillate, rest, fall and strike a plate; a column of water.
 #include "core/physics/fluid_forces.h"
 #include "core/physics/particle_steps.h"
+#include "core/solver/drop_shapes.h"
 #include "core/solver/droplet.h"
 #include "core/verify/drop_set_ups.h"
-#include "core/verify/drop_shapes.h"
 #include "core/verify/fits.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/swing_fit.h"

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/cap_cases.cpp
   verify/cloth_cases.cpp
   verify/convergence_cases.cpp
   verify/drawn_pores.cpp
   verify/drop_set_ups.cpp
-  verify/drop_shapes.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
   verify/liquid_cases.cpp

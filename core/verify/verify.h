@@ -100,6 +100,7 @@ std::vector<VerifyCase> heat_cases();
 std::vector<VerifyCase> laboratory_cases();
 std::vector<VerifyCase> tester_cases();
 std::vector<VerifyCase> liquid_cases();
+std::vector<VerifyCase> cap_cases();
 std::vector<VerifyCase> yarn_drop_cases();
 std::vector<VerifyCase> cloth_cases();
 std::vector<VerifyCase> whole_run_cases();

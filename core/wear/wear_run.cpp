@@ -17,7 +17,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr double side_of_cells[] = {6e-3, 3e-3, 1.5e-3}; // m: draft, standard, reference
+constexpr double side_of_cells[] = {12e-3, 6e-3, 3e-3, 1.5e-3}; // m: live, draft, standard, reference
 
 } // namespace
 

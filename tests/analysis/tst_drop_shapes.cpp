@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Drops at rest on a plate against caps of balls, the balance of forces and puddles.
 #include "core/base/units.h"
-#include "core/verify/drop_shapes.h"
+#include "core/solver/drop_shapes.h"
 
 #include <QTest>
 

@@ -166,12 +166,12 @@ private Q_SLOTS:
     }
     void variantsAreTheLadderAndOneKnobEach()
     {
-        QCOMPARE(tradeoff_ladder().size(), std::size_t(3));
-        QCOMPARE(tradeoff_variants({}).size(), 3 + 2 * knob_table().size());
+        QCOMPARE(tradeoff_ladder().size(), std::size_t(4));
+        QCOMPARE(tradeoff_variants({}).size(), 4 + 2 * knob_table().size());
         const std::vector<TradeoffVariant> shells = tradeoff_variants({"fibre_shells"});
-        QCOMPARE(shells.size(), std::size_t(5));
-        QCOMPARE(shells[3].name, std::string("fibre_shells=5"));
-        QCOMPARE(shells[3].settings.size(), std::size_t(1));
+        QCOMPARE(shells.size(), std::size_t(6));
+        QCOMPARE(shells[4].name, std::string("fibre_shells=5"));
+        QCOMPARE(shells[4].settings.size(), std::size_t(1));
         QVERIFY_EXCEPTION_THROWN(tradeoff_variants({"shells"}), Error);
     }
     void convergenceRunsAreTwiceAndFourTimesAsFine()

@@ -264,11 +264,11 @@ private Q_SLOTS:
         for (const char* verb : {"plan", "simulate", "compare"}) {
             const Answer answer = run_cli({verb, project, "--fidelity", "best"});
             QCOMPARE(answer.code, 2);
-            QVERIFY2(answer.err.contains("draft, standard, reference or auto; given is \"best\""), answer.err);
+            QVERIFY2(answer.err.contains("live, draft, standard, reference or auto; given is \"best\""), answer.err);
         }
         QVERIFY(run_cli({"compare", project, "--fidelity", "auto"}).err.contains("needs either"));
         const Answer ladder = run_cli({"tradeoff", example("textile-F.hygro"), "--fidelities", "draft,auto"}); // where auto is none
-        QVERIFY2(ladder.err.contains("draft, standard or reference; \"auto\""), ladder.err);
+        QVERIFY2(ladder.err.contains("live, draft, standard or reference; \"auto\""), ladder.err);
     }
     void autoSaysWhatItTookAndWhy()
     {

@@ -26,6 +26,7 @@ done
 for experiment in droplet moisture_management vertical_wicking horizontal_wicking drying conditioning sweat; do
     try "$experiment agrees with the CPU" "$cli" verify experiments_agree --set experiment=$experiment --backend cuda
 done
+try "a drop as a cap agrees with the CPU" "$cli" verify experiments_agree --set closure=pores --set fidelity=live --backend cuda
 examples=$(dirname "$0")/../../resources/examples
 without_times() { grep -v '"wall_s"' "$1"; }
 if [ -d "$examples" ]; then
@@ -41,6 +42,7 @@ if [ -d "$examples" ]; then
         try "they agree to the byte" cmp "$results/a" "$results/b"
     }
     agree "a drop" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2"
+    agree "a drop as a cap" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2" --set fidelity.free_liquid=cap
     agree "a drying" "$examples/laboratory.hygro" --experiment drying --set "experiments[4].duration_s=600"
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
     compared() { # fabrics at once, file
@@ -67,6 +69,8 @@ if command -v compute-sanitizer > /dev/null; then
             --set particles=100 --set time_s=0.01 --backend cuda
         try "$tool, yarns" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set duration_s=0.1 --backend cuda
+        try "$tool, a cap" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
+            --set closure=pores --set fidelity=live --set duration_s=0.05 --backend cuda
         try "$tool, yarns that touch" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set "fabric=Textile C" --set duration_s=0.02 --backend cuda
     done

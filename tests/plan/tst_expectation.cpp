@@ -39,7 +39,7 @@ std::vector<ModelPlan> ladder(std::array<double, 3> seconds, std::array<std::opt
 {
     std::vector<ModelPlan> plans(3);
     for (std::size_t i = 0; i < 3; ++i) {
-        plans[i].fidelity = static_cast<Fidelity>(i);
+        plans[i].fidelity = all_fidelities[i + 1];
         plans[i].expected_seconds = seconds[i];
         plans[i].expected_error = errors[i];
     }

@@ -2,6 +2,7 @@
 // The knobs behind a fidelity: each is set alone, is refused with a sentence, and reaches the plan, its JSON and the scene.
 #include "core/base/error.h"
 #include "core/plan/plan_json.h"
+#include "core/plan/planning.h"
 #include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
@@ -9,6 +10,8 @@
 #include "tests/support/drop_design.h"
 
 #include <QTest>
+
+#include <functional>
 
 using namespace hygroloom;
 
@@ -56,7 +59,7 @@ class TestFidelity : public QObject {
 private Q_SLOTS:
     void everyFidelityLiesInTheRangesOfTheKnobs()
     {
-        for (Fidelity fidelity : {Fidelity::draft, Fidelity::standard, Fidelity::reference}) {
+        for (Fidelity fidelity : all_fidelities) {
             const Knobs knobs = knobs_of(fidelity);
             for (const KnobInfo& knob : knob_table()) require_in_range(knob, knobs.*knob.value);
         }
@@ -208,6 +211,50 @@ private Q_SLOTS:
         QVERIFY2(unknown.starts_with("fidelity.fibre_shels: There is no such knob; did you mean \"fibre_shells\"?"), unknown.c_str());
         QVERIFY(unknown.find("neglected_share") != std::string::npos);
         QVERIFY_EXCEPTION_THROWN(plan_with({{"fibre_shells", 40}}), Error);
+    }
+    void aKnobOfWordsTakesThem()
+    {
+        KnobSettings settings;
+        set_knob(settings, "free_liquid", "cap");
+        QCOMPARE(settings.at("free_liquid"), 1.0);
+        QCOMPARE(text_of(knob_named("free_liquid"), 1), std::string("cap"));
+        for (const char* wrong : {"1", "drop", ""})
+            QCOMPARE(refusal("free_liquid", wrong),
+                     std::string("fidelity.free_liquid: It must be auto or cap or particles; \"") + wrong + "\" was given.");
+        const ModelPlan plan = plan_with(settings);
+        QVERIFY(plan_json(plan).find("\"free_liquid\": \"cap\"") != std::string::npos);
+        QCOMPARE(plan_from_json(plan_json(plan)).knobs.free_liquid, 1.0);
+    }
+    void dropsAreCapsWhereTheSceneAllowsIt()
+    {
+        const auto plan_of = [](const std::function<void(Experiment&)>& change, double model) {
+            Design design = drop_on_cotton(5, 1, 35);
+            change(design.experiments[0]);
+            const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+            return plan_model(design, textile, design.experiments[0], Fidelity::standard, {}, {{"free_liquid", model}});
+        };
+        const auto as_is = [](Experiment&) {};
+        for (double model : {0.0, 1.0}) {
+            const ModelPlan plan = plan_of(as_is, model);
+            QVERIFY(plan.on("cap") && plan.particles_per_droplet == 0);
+            QCOMPARE(plan.idle_knobs.at("settle_share"), std::string("drops are caps"));
+        }
+        QVERIFY(!plan_of(as_is, 2).on("cap"));
+        const std::pair<std::function<void(Experiment&)>, const char*> without[] = {
+            {[](Experiment& e) { e.closure = Closure::kissa; }, "closure pores"},
+            {[](Experiment& e) { e.droplets[0].volume_ul = 300; }, "over the sample's edge"},
+            {[](Experiment& e) {
+                 e.droplets[0].at_mm = {5.5, 0};
+             },
+             "over the sample's edge"},
+            {[](Experiment& e) { e.droplets[0].speed_m_s = 5; }, "may splash"}};
+        for (const auto& [change, why] : without) {
+            const ModelPlan plan = plan_of(change, 1);
+            QVERIFY2(!plan.on("cap") && plan.particles_per_droplet > 0, why);
+            const auto part = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "cap"; });
+            QVERIFY(part != plan.parts.end());
+            QVERIFY2(part->reason.find(why) != std::string::npos, part->reason.c_str());
+        }
     }
     void anOldNameOfAKnobIsStillRead()
     {

@@ -33,7 +33,7 @@ struct Network : SegmentFields<HostArray> {
             [&](const auto& field, auto& array) {
                 using Count = SegmentCount; // liquid does not flow by suction
                 if (field.count == Count::sucking_segments || field.count == Count::sucking_crossings ||
-                    field.count == Count::offered_takers)
+                    field.count == Count::offered_takers || field.count == Count::cap_crossings)
                     return;
                 const bool per_shell = field.count == SegmentCount::shells, per_crossing = field.count == SegmentCount::crossings;
                 array.assign(per_shell ? n * static_cast<std::size_t>(shells) : per_crossing ? n / 2 : n, {});

@@ -21,7 +21,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::standard, Fidelity::reference};
 
 } // namespace
 
@@ -79,16 +78,16 @@ RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
 void RunForm::addFidelities()
 {
     auto* row = new QHBoxLayout;
-    const QString tips[] = {tr("Cells about 6 mm wide."), tr("Cells about 3 mm wide."), tr("Cells about 1.5 mm wide.")};
-    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
-        auto* button = new QRadioButton(fidelityName(fidelity_order[i]));
+    const QString tips[] = {tr("Cells about 12 mm wide."), tr("Cells about 6 mm wide."), tr("Cells about 3 mm wide."), tr("Cells about 1.5 mm wide.")};
+    for (std::size_t i = 0; i < all_fidelities.size(); ++i) {
+        auto* button = new QRadioButton(fidelityName(all_fidelities[i]));
         button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));
         button->setToolTip(tips[i]);
         fidelities_->addButton(button, static_cast<int>(i));
         row->addWidget(button);
     }
     row->addStretch();
-    fidelities_->button(0)->setChecked(true);
+    setFidelity(Fidelity::draft);
     connect(fidelities_, &QButtonGroup::idClicked, this, &RunForm::estimate);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     expected_->setForegroundRole(QPalette::PlaceholderText);
@@ -117,12 +116,12 @@ void RunForm::addDevices()
     layout()->addWidget(device_);
 }
 
-Fidelity RunForm::fidelity() const { return fidelity_order[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
+Fidelity RunForm::fidelity() const { return all_fidelities[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
 
 void RunForm::setFidelity(Fidelity fidelity)
 {
-    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
-        if (fidelity_order[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
+    for (std::size_t i = 0; i < all_fidelities.size(); ++i) {
+        if (all_fidelities[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
     }
     estimate();
 }

@@ -4,6 +4,7 @@
 #include "ui/picture/liquid_surface.h"
 
 #include "core/base/units.h"
+#include "core/scene/liquid_points.h"
 
 #include <algorithm>
 #include <array>
@@ -195,10 +196,11 @@ void add_normals(LiquidSurface& surface)
 LiquidSurface liquid_surface(const Frame& frame)
 {
     LiquidSurface surface;
-    if (frame.positions.empty() || !(frame.ledger.water_free > 0)) { return surface; }
+    const std::vector<std::array<float, 3>> points = liquid_points(frame);
+    if (points.empty() || !(frame.ledger.water_free > 0)) { return surface; }
     std::vector<QVector3D> centres;
-    centres.reserve(frame.positions.size());
-    for (const auto& position : frame.positions) { centres.emplace_back(1000 * position[0], 1000 * position[1], 1000 * position[2]); }
+    centres.reserve(points.size());
+    for (const auto& position : points) { centres.emplace_back(1000 * position[0], 1000 * position[1], 1000 * position[2]); }
     // Spacing of particles that lie as dense as in water at rest; its density is near enough for a picture.
     const double spacing = mm_from_metre(std::cbrt(frame.ledger.water_free / 1000 / static_cast<double>(centres.size())));
     Grid grid = grid_round(centres, spacing);

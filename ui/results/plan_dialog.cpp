@@ -51,6 +51,7 @@ QString inWords(const ModelPlan& plan)
 QString fidelityName(Fidelity fidelity)
 {
     switch (fidelity) {
+    case Fidelity::live: return PlanDialog::tr("Live");
     case Fidelity::draft: return PlanDialog::tr("Draft");
     case Fidelity::standard: return PlanDialog::tr("Standard");
     case Fidelity::reference: break;

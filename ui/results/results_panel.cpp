@@ -112,14 +112,20 @@ QString originOf(const RunRecord& run, bool live)
     return (parts << timeTaken(run, live)).join(", ");
 }
 
+QString knobValue(const KnobInfo& knob, const Knobs& knobs)
+{
+    const double value = knobs.*knob.value;
+    return knob.words.empty() ? QLocale().toString(value) : QString::fromStdString(text_of(knob, value));
+}
+
 QStringList originInFull(const RunRecord& run, bool live)
 {
     const Knobs usual = knobs_of(run.plan.fidelity);
     QStringList lines{ResultsPanel::tr("Fidelity: %1").arg(fidelityName(run.plan.fidelity))};
     for (const KnobInfo* knob : changed_knobs(usual, run.plan.knobs)) {
         lines << ResultsPanel::tr("%1 set to %2 (%3 has %4)")
-                     .arg(knob->name, QLocale().toString(run.plan.knobs.*knob->value), fidelityName(run.plan.fidelity).toLower(),
-                          QLocale().toString(usual.*knob->value));
+                     .arg(knob->name, knobValue(*knob, run.plan.knobs), fidelityName(run.plan.fidelity).toLower(),
+                          knobValue(*knob, usual));
     }
     const QString source = QString::fromStdString(run.plan.expectation_source);
     lines << sentence(expectedError(run.plan)) + (source.isEmpty() ? "" : ". " + source);

@@ -24,8 +24,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr std::array<Fidelity, 3> fidelity_order{Fidelity::draft, Fidelity::standard, Fidelity::reference};
-
 /// What a button needs to show another text.
 int widthOf(QPushButton* button, const QString& text)
 {
@@ -104,8 +102,8 @@ void SimulationPanel::addFidelities()
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
-    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
-        auto* button = new QRadioButton(fidelityName(fidelity_order[i]));
+    for (std::size_t i = 0; i < all_fidelities.size(); ++i) {
+        auto* button = new QRadioButton(fidelityName(all_fidelities[i]));
         button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));
         fidelities_->addButton(button, static_cast<int>(i));
         expected_[i] = new QLabel;
@@ -118,7 +116,7 @@ void SimulationPanel::addFidelities()
         grid->addWidget(button, static_cast<int>(i), 0);
         grid->addWidget(expected_[i], static_cast<int>(i), 1);
     }
-    fidelities_->button(0)->setChecked(true);
+    setFidelity(Fidelity::draft);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
     connect(fidelities_, &QButtonGroup::idClicked, this, [this] { Q_EMIT canRunChanged(); });
 }
@@ -142,12 +140,12 @@ void SimulationPanel::addDevices()
     static_cast<QVBoxLayout*>(layout())->addWidget(device_);
 }
 
-Fidelity SimulationPanel::fidelity() const { return fidelity_order[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
+Fidelity SimulationPanel::fidelity() const { return all_fidelities[static_cast<std::size_t>(std::max(0, fidelities_->checkedId()))]; }
 
 void SimulationPanel::setFidelity(Fidelity fidelity)
 {
-    for (std::size_t i = 0; i < fidelity_order.size(); ++i) {
-        if (fidelity_order[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
+    for (std::size_t i = 0; i < all_fidelities.size(); ++i) {
+        if (all_fidelities[i] == fidelity) { fidelities_->button(static_cast<int>(i))->setChecked(true); }
     }
     Q_EMIT canRunChanged();
 }
@@ -191,13 +189,13 @@ void SimulationPanel::refreshPlans()
     }
     planner_.run([this, design = document_.design(), fabric = document_.fabricIndex(), experiment = document_.experimentIndex(),
                   fitted = document_.fitted(), machine = expected_backend(backend())](const NewestJob::Turn& turn) {
-        std::array<Expectation, 3> plans;
+        std::array<Expectation, all_fidelities.size()> plans;
         const Experiment& test = design->experiments[static_cast<std::size_t>(experiment)];
         std::optional<Textile> textile;
         for (std::size_t i = 0; i < plans.size() && !turn.outdated(); ++i) {
             try {
                 if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test, fitted.get()); }
-                plans[i].plan = plan_run(*design, *textile, test, fidelity_order[i], {}, {}, machine);
+                plans[i].plan = plan_run(*design, *textile, test, all_fidelities[i], {}, {}, machine);
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());
             }

@@ -56,8 +56,8 @@ private:
     Document& document_;
     SimulationRun& run_;
     QButtonGroup* fidelities_;
-    std::array<QLabel*, 3> expected_{};
-    std::array<Expectation, 3> plans_;
+    std::array<QLabel*, all_fidelities.size()> expected_{};
+    std::array<Expectation, all_fidelities.size()> plans_;
     QComboBox* device_;
     QPushButton* start_;
     QPushButton* pause_;

@@ -160,12 +160,12 @@ struct FlowAlongLines : PoreRounds {
             }
             liquid(p, which) += mass;
             s.offered[taker(p, which)] -= quanta;
-            atomic_add(drawn, quanta);
+            atomic_add(pool.caps == nullptr ? drawn : &pool.sums[s.cap_over[p.crossing]].drawn, quanta);
         }
     }
     template <typename Team> HL_FN void shed_through_hole(const Line<Team>& line, const Place& p, int i) const
     {
-        const double passes = through_hole(room(p), line(suction + room_pores, i));
+        const double passes = through_hole(line, room(p), i);
         const auto quanta = static_cast<std::int64_t>(passes / water_quantum);
         if (quanta == 0) return;
         const double mass = static_cast<double>(quanta) * water_quantum;

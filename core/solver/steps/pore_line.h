@@ -3,15 +3,18 @@
 // readily. Which way liquid goes, and how readily, follows from the step's start and stays.
 #pragma once
 
+#include "core/solver/caps.h"
 #include "core/solver/steps/pores_found.h"
 #include "core/solver/steps/yarn_lines.h"
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// A pool on a face.
+/// A pool on a face, or caps.
 struct StandingPool {
     bool stands = false;
-    double pressure = 0; ///< Pa, by its weight and its curved surface
+    double pressure = 0;             ///< Pa, of a pool, by its weight and its curved surface
+    const CapOnFace* caps = nullptr; ///< null: it is a pool
+    CapSums* sums = nullptr;         ///< of the caps
 };
 
 /// Classes of pores at a place of a line.
@@ -34,9 +37,10 @@ struct PoreLines {
         own_room = 32,     ///< kg/Pa
         own_crossed = 33,  ///< kg/Pa
         room_crossed = 34, ///< kg/Pa
-        response = 35      ///< Pa/kg, of the crossed segment
+        response = 35,     ///< Pa/kg, of the crossed segment
+        presses = 36       ///< Pa, of the pool or cap over the place
     };
-    static constexpr int columns = 36;
+    static constexpr int columns = 37;
     static constexpr double near_course = 1e-6; // of saturation
 
     Segments s;
@@ -151,6 +155,13 @@ struct PoreLines {
             line(empties + which, i) = course.empties;
             line(bend + which, i) = course.bend;
         }
+        if (pool.stands) line(presses, i) = pressure_over(p);
+    }
+    HL_FN double pressure_over(const Place& p) const
+    {
+        if (pool.caps == nullptr) return pool.pressure;
+        const int cap = s.cap_over[p.crossing];
+        return cap < 0 ? 0.0 : pool.caps[cap].pressure;
     }
     template <typename Team> HL_FN PoreCourse course(const Line<Team>& line, const Place& p, int which, int i) const
     {
@@ -268,7 +279,8 @@ struct PoreLines {
             const End to = end_of(line, p, which, i);
             const double conductance =
                 which == room_pores ? find().permeability_of_room(p.crossing, room(p)) * room(p).face : yarn_of(p, which).face_conductance;
-            line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : to.gate);
+            const double gate = pool.caps != nullptr && which != room_pores ? to.gate * pores(p, which).between_hairs : to.gate;
+            line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : gate);
             any = any || line(feed + which, i) > 0;
         }
         return any;

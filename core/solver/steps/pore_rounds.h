@@ -37,21 +37,21 @@ struct PoreRounds : PoreLines {
     template <typename Team> HL_FN double from_pool(const Line<Team>& line, int which, int i) const
     {
         if (!pool.stands) return 0;
-        const double draws = line(feed + which, i) * (line(suction + which, i) + pool.pressure), most = line(most_fed + which, i);
+        const double draws = line(feed + which, i) * (line(suction + which, i) + line(presses, i)), most = line(most_fed + which, i);
         return draws < most ? draws : most;
     }
 
     /// kg/Pa that pass through the hole of a crossing where a pool can press liquid through it.
-    HL_FN double hole(const BetweenParameters& room) const
+    HL_FN double hole(const BetweenParameters& room, double pressure) const
     {
-        const bool opens = pool.stands && pool.pressure > room.holds_back;
+        const bool opens = pool.stands && pressure > room.holds_back;
         return opens ? climate.density * room.through * 0.5 * dt : 0.0;
     }
-    /// kg out of a room at a suction.
-    HL_FN double through_hole(const BetweenParameters& room, double suction) const
+    /// kg out of a room.
+    template <typename Team> HL_FN double through_hole(const Line<Team>& line, const BetweenParameters& room, int i) const
     {
-        const double over = -suction - room.holds_back;
-        return over > 0 ? hole(room) * over : 0.0;
+        const double over = -line(suction + room_pores, i) - room.holds_back;
+        return over > 0 ? hole(room, line(presses, i)) * over : 0.0;
     }
 
     /// What a class holds at its suction; nested: as if the bends that are not taken were straight.
@@ -83,7 +83,7 @@ struct PoreRounds : PoreLines {
         const double coupled[3] = {line(along, i) + (starts ? 0.0 : line(along, i - 1)) + ab_all + ax_all,
                                    line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
-        const double shed = through_hole(room(p), line(suction + room_pores, i)), leak = shed > 0 ? hole(room(p)) : 0.0;
+        const double shed = through_hole(line, room(p), i), leak = shed > 0 ? hole(room(p), line(presses, i)) : 0.0;
         bool open = false;
         for (int which = 0; which < 3; ++which) {
             const double cap = capacity(p, which), fed = from_pool(line, which, i);

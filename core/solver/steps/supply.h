@@ -49,6 +49,13 @@ struct Taker {
         const double draws = density * dt * conductance(pores, from_drop) * pores.suction;
         return draws > 0 ? draws : 0.0;
     }
+    /// The same from a cap that stands on the face, where liquid flows by suction.
+    HL_FN double draws_from_cap(double dt, double pressure) const
+    {
+        const PoresFound pores = found();
+        const double draws = density * dt * conductance(pores, true) * (pores.suction + pressure);
+        return draws > 0 ? draws : 0.0;
+    }
     /// m3/(Pa s), from liquid on one of its faces, where liquid flows by suction.
     HL_FN double conductance() const { return conductance(found(), false); }
 
@@ -83,12 +90,13 @@ private:
     }
 };
 
-/// Where a face is fed: within a circle round the sample's middle.
+/// Where a face is fed: within a circle.
 struct FedFace {
     bool top = true;
     double radius = 0; ///< m; less than 0: the whole face
     double warp_pitch = 0, weft_pitch = 0;
-    int places = 1; ///< along each side of a crossing's cell that are looked at; more in bundles of yarns
+    int places = 1;      ///< along each side of a crossing's cell that are looked at; more in bundles of yarns
+    double x = 0, y = 0; ///< m, its middle, from the sample's
 
     /// Part of a segment that lies on the fed face, and there within the circle.
     HL_FN double share(const Segments& s, int i) const
@@ -108,9 +116,9 @@ struct FedFace {
     HL_FN double beside(int place) const { return (place + 0.5) / places - 0.5; }
     HL_FN bool is_inside(const Segments& s, int crossing, double beside_end, double beside_pick) const
     {
-        const double x = (crossing / s.picks + beside_end - 0.5 * (s.ends - 1)) * warp_pitch,
-                     y = (crossing % s.picks + beside_pick - 0.5 * (s.picks - 1)) * weft_pitch;
-        return x * x + y * y <= radius * radius;
+        const double across = (crossing / s.picks + beside_end - 0.5 * (s.ends - 1)) * warp_pitch - x,
+                     along = (crossing % s.picks + beside_pick - 0.5 * (s.picks - 1)) * weft_pitch - y;
+        return across * across + along * along <= radius * radius;
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/verify/drop_shapes.h"
+#include "core/solver/drop_shapes.h"
 
 #include "core/base/units.h"
 
@@ -52,15 +52,23 @@ template <typename F> double where_falls_to(double value, double guess, const F&
 
 } // namespace
 
-DropOnPlate drop_of_top(double top_curvature, double contact_angle, double weight)
+std::vector<DropOnPlate> drops_of_top(double top_curvature, std::span<const double> contact_angles, double weight)
 {
     const double longest = 0.02 / (top_curvature + std::sqrt(weight));
+    std::vector<DropOnPlate> drops;
     Outline at{};
-    for (double left = contact_angle; std::abs(left) > 1e-12; left = contact_angle - at[angle]) {
-        at = step(at, std::min(longest, left / slope(at, top_curvature, weight)[angle]), top_curvature, weight);
+    for (double wanted : contact_angles) {
+        for (double left = wanted - at[angle]; std::abs(left) > 1e-12; left = wanted - at[angle])
+            at = step(at, std::min(longest, left / slope(at, top_curvature, weight)[angle]), top_curvature, weight);
+        drops.push_back({at[volume], at[radius], at[depth], at[depth] - at[depth_moment] / at[volume], at[square_moment] / at[volume],
+                         wanted, top_curvature});
     }
-    return {at[volume],    at[radius],   at[depth], at[depth] - at[depth_moment] / at[volume], at[square_moment] / at[volume],
-            contact_angle, top_curvature};
+    return drops;
+}
+
+DropOnPlate drop_of_top(double top_curvature, double contact_angle, double weight)
+{
+    return drops_of_top(top_curvature, std::array{contact_angle}, weight)[0];
 }
 
 DropOnPlate drop_of_volume(double volume, double contact_angle, double weight)

@@ -2,6 +2,9 @@
 // A drop at rest on a plate, with gravity or without: Young and Laplace's equation from the top down (Bashforth and Adams 1883).
 #pragma once
 
+#include <span>
+#include <vector>
+
 namespace hygroloom {
 
 /// Lengths in m.
@@ -18,6 +21,9 @@ struct DropOnPlate {
 /// By the curvature of its top, 1/m, the angle in rad from 0 to pi, and weight: density x gravity / surface tension, 1/m2, 0 for a cap of a
 /// ball. Relative error below 1e-6.
 DropOnPlate drop_of_top(double top_curvature, double contact_angle, double weight);
+
+/// The same for several angles in rising order, which are parts of one outline.
+std::vector<DropOnPlate> drops_of_top(double top_curvature, std::span<const double> contact_angles, double weight);
 
 /// By its volume.
 DropOnPlate drop_of_volume(double volume, double contact_angle, double weight);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/geometry/face_angles.h"
+
+#include "core/physics/pores.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+/// Of what covers so much of a face, with liquid or air beside it.
+double cosine_beside(double cosine, double cover, bool liquid) { return cover * cosine + (liquid ? 1.0 : -1.0) * (1.0 - cover); }
+
+} // namespace
+
+FaceAngles angles_on_face(const Textile& textile)
+{
+    double advancing = 0, receding = 0, covered = 0;
+    bool takes_in = false;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnSystem& system = textile.system(kind);
+        for (std::uint8_t own : system.order) {
+            const YarnType& type = system.types[own];
+            const double angle = textile.face_angle.value_or(type.contact_angle);
+            const double back = std::max(0.0, angle - std::max(0.0, type.contact_angle - type.receding_angle));
+            const bool wets = gate_of_dry_fibres(type.packing, angle) > 0;
+            takes_in = takes_in || wets;
+            const double covers = type.section.width / (system.pitch * static_cast<double>(system.order.size()));
+            advancing += covers * cosine_beside(std::cos(angle), type.packing, wets);
+            receding += covers * cosine_beside(std::cos(back), type.packing, wets);
+            covered += covers;
+        }
+    }
+    const double cover = std::min(1.0, textile.quantities.cover_factor);
+    const auto angle_of = [](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
+    const double spreads = angle_of(cosine_beside(advancing / covered, cover, false));
+    return {spreads, std::min(spreads, angle_of(cosine_beside(receding / covered, cover, takes_in)))};
+}
+
+} // namespace hygroloom

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Drops that stand on the upper face as caps with a contact line, instead of as particles: where they are, how they spread, and what they
+// lose to the air. What yarns draw from them is found by stages: see core/solver/steps/cap_supply.h.
+#pragma once
+
+#include "core/scene/frame.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hygroloom {
+
+/// A drop after its release: it falls, then stands.
+struct Cap {
+    double x = 0, y = 0;    ///< m, from the cloth's middle
+    std::int64_t water = 0; ///< quanta
+    double base = 0;        ///< m, radius of the face under it; 0: it falls
+    double lands = 0;       ///< s
+    double ball = 0;        ///< m, radius of the ball it came as
+    double speed = 0;       ///< m/s, with which it lands
+
+    bool stands() const { return base > 0 && water > 0; }
+};
+
+/// As stages see one.
+struct CapOnFace {
+    double x = 0, y = 0, base = 0; ///< m
+    double pressure = 0;           ///< Pa over the air's, at the face
+    std::int64_t water = 0;        ///< quanta
+};
+
+/// What stages count of each in a step of the yarns, in quanta.
+struct CapSums {
+    std::int64_t wanted = 0, drawn = 0;
+};
+
+/// Lines of contact go by viscosity or inertia, whichever is slower, until a drop shows its advancing angle; they stay until it shows its
+/// receding one, at which they go back at once. Caps that touch become one of their volume about their common middle.
+class Caps {
+public:
+    void load(const Scene& scene);
+
+    /// s, when the next drop is released or lands; infinite where none will.
+    double next_event(double time) const;
+    /// Those that were due before a time fall; returns their water, quanta.
+    std::int64_t release(double time);
+    /// Lands those that are due and lets lines of contact go on for dt, s. Returns whether any landed.
+    bool spread(double time, double dt);
+    /// Quanta that go to the air in dt, s.
+    std::int64_t evaporate(const ClimateParameters& climate, double dt);
+    /// What yarns have drawn of each in on_face().
+    void take(const std::vector<CapSums>& sums);
+
+    /// Those that stand, in order.
+    std::vector<CapOnFace> on_face() const;
+    std::vector<FrameCap> shown(double time) const;
+    /// Whether any falls, or holds more than clings to the cloth.
+    bool feed() const;
+    std::int64_t water() const;
+
+    template <typename Archive> void pass_state(Archive& archive)
+    {
+        archive.value(next_);
+        archive.value(came_);
+        std::size_t count = caps_.size();
+        archive.value(count);
+        if constexpr (Archive::reads) caps_.resize(count < next_ ? count : next_);
+        archive.values(caps_, "drops");
+    }
+
+private:
+    Cap released(const SceneDroplet& drop) const;
+    double volume(const Cap& cap) const;
+    double base_at(const Cap& cap, double angle) const;
+    void spread(Cap& cap, double dt) const;
+    void join();
+
+    const Scene* scene_ = nullptr;
+    double weight_ = 0;     ///< 1/m2, see drop_of_top()
+    std::size_t next_ = 0;  ///< of the scene's drops
+    std::int64_t came_ = 0; ///< quanta
+    std::vector<Cap> caps_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Drops that stand as caps, on a plate that takes up nothing: their shape, how they spread, and where they stay when they lose liquid.
+#include "core/physics/caps.h"
+#include "core/solver/cap_shapes.h"
+#include "core/solver/caps.h"
+#include "core/solver/drop_shapes.h"
+#include "core/verify/set_ups.h"
+#include "core/verify/verify.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
+
+const double temperature = kelvin_from_celsius(20);
+
+/// A plate on which one drop lands at 0 s without a fall.
+Scene plate(double volume, double advancing, double receding)
+{
+    Scene scene = bare_scene(4, 4, 1e-3, temperature);
+    SceneDroplet drop;
+    drop.volume = volume;
+    drop.centre.z = scene.cloth.half_thickness + std::cbrt(3.0 * volume / (4.0 * pi));
+    scene.supply.droplets = {drop};
+    scene.caps = {true, advancing, receding};
+    return scene;
+}
+
+double weight_of(const Scene& scene) { return scene.climate.density * gravity_acceleration / scene.climate.surface_tension; }
+
+/// m, after a time in steps of the yarns' usual length.
+double base_after(Caps& caps, const Scene& scene, double time)
+{
+    constexpr int steps = 400;
+    caps.load(scene);
+    caps.release(1e-9);
+    caps.spread(1e-9, 1e-9);
+    for (int k = 0; k < steps; ++k) caps.spread((k + 1) * time / steps, time / steps);
+    return caps.on_face().at(0).base;
+}
+
+std::vector<VerifyResult> cap_shape(const VerifyValues& v, Backend&)
+{
+    const double volume = cubic_metre_from_ul(value(v, "volume_ul")), angle = radian_from_degree(value(v, "contact_angle_deg"));
+    const Scene scene = plate(volume, angle, angle);
+    const bool heavy = value(v, "gravity") > 0;
+    const DropOnPlate expected = drop_of_volume(volume, angle, heavy ? weight_of(scene) : 0.0);
+    const double weight = heavy ? weight_of(scene) : 1e-9 * weight_of(scene); // of what hardly weighs
+    const double base = CapShapes::table().base(volume, angle, weight), height = CapShapes::table().shape(volume, base, weight).height;
+    return {{"base_radius_mm", 1e3 * base, 1e3 * expected.base_radius, 0.01 * 1e3 * expected.base_radius},
+            {"height_mm", 1e3 * height, 1e3 * expected.height, 0.01 * 1e3 * expected.height}};
+}
+
+/// m, by the same law of the contact line over outlines integrated one by one, from angle to angle.
+double spread_by_outlines(const Scene& scene, double volume, double time)
+{
+    constexpr int pieces = 300;
+    const ClimateParameters& c = scene.climate;
+    const double ball = std::cbrt(3.0 * volume / (4.0 * pi)), weight = weight_of(scene), first = 0.2 * ball;
+    double flattest = scene.caps.advancing, steepest = pi - 1e-3;
+    for (int k = 0; k < 40; ++k) { // the angle on the base on which it begins
+        const double middle = 0.5 * (flattest + steepest);
+        (drop_of_volume(volume, middle, weight).base_radius > first ? flattest : steepest) = middle;
+    }
+    double passed = 0, base = first;
+    for (int k = 1; k < pieces; ++k) {
+        const double angle = steepest + (scene.caps.advancing - steepest) * k / pieces;
+        const double next = drop_of_volume(volume, angle, weight).base_radius, middle = 0.5 * (base + next);
+        const double speed = std::min(speed_of_contact_line(c.surface_tension, c.viscosity,
+                                                            angle - 0.5 * (scene.caps.advancing - steepest) / pieces, scene.caps.advancing),
+                                      speed_of_inertia(c.surface_tension, c.density, ball, 0, middle));
+        const double takes = (next - base) / speed;
+        if (passed + takes >= time) return base + (next - base) * (time - passed) / takes;
+        passed += takes;
+        base = next;
+    }
+    return base;
+}
+
+std::vector<VerifyResult> cap_spreading(const VerifyValues& v, Backend&)
+{
+    const double volume = cubic_metre_from_ul(value(v, "volume_ul")), angle = radian_from_degree(value(v, "contact_angle_deg"));
+    const double time = value(v, "time_s");
+    const Scene scene = plate(volume, angle, 0);
+    Caps caps;
+    const double radius = base_after(caps, scene, time), expected = spread_by_outlines(scene, volume, time);
+    return {{"radius_mm", 1e3 * radius, 1e3 * expected, 0.02 * 1e3 * expected}};
+}
+
+std::vector<VerifyResult> cap_pinning(const VerifyValues& v, Backend&)
+{
+    const double volume = cubic_metre_from_ul(value(v, "volume_ul")), angle = radian_from_degree(value(v, "contact_angle_deg")),
+                 receding = std::min(angle, radian_from_degree(value(v, "receding_angle_deg")));
+    const double left = std::min(volume, cubic_metre_from_ul(value(v, "left_ul")));
+    const Scene scene = plate(volume, angle, receding);
+    const double weight = weight_of(scene);
+    Caps caps;
+    base_after(caps, scene, 30);
+    constexpr int pieces = 50;
+    const auto wanted = [&](int k) { // quanta
+        return std::llround((volume + (left - volume) * k / pieces) * scene.climate.density / water_quantum);
+    };
+    for (int k = 1; k <= pieces; ++k) {
+        caps.take({{0, caps.water() - wanted(k)}});
+        caps.spread(30 + k, 1);
+    }
+    const double base = caps.on_face().at(0).base, shown = CapShapes::table().shape(left, base, weight).angle;
+    const double pinned = drop_of_volume(volume, angle, weight).base_radius,
+                 drawn_back = drop_of_volume(left, receding, weight).base_radius;
+    double low = 1e-3, high = pi - 1e-3; // of what is left on the base that stays
+    for (int k = 0; k < 40; ++k) {
+        const double middle = 0.5 * (low + high);
+        (drop_of_volume(left, middle, weight).base_radius > pinned ? low : high) = middle;
+    }
+    const double expected = std::min(pinned, drawn_back), expected_angle = drawn_back < pinned ? receding : low;
+    return {{"base_radius_mm", 1e3 * base, 1e3 * expected, 0.01 * 1e3 * expected},
+            {"angle_deg", shown * 180 / pi, expected_angle * 180 / pi, 1}};
+}
+
+} // namespace
+
+std::vector<VerifyCase> cap_cases()
+{
+    return {{"cap_shape",
+             "The tabled shape of a drop on a plate, against Young and Laplace's equation, or a ball's cap where it has no weight.",
+             {{"volume_ul", 15, 0.01, 1000, ""}, {"contact_angle_deg", 60, 6, 160, ""}, whole_number("gravity", 1, 0, 1)},
+             cap_shape},
+            {"cap_spreading",
+             "The base of a drop that spreads, against Voinov's and Tanner's law and the limit by inertia over integrated outlines.",
+             {{"volume_ul", 5, 0.01, 200, ""}, {"contact_angle_deg", 20, 6, 120, ""}, {"time_s", 0.05, 1e-4, 100, ""}},
+             cap_spreading},
+            {"cap_pinning",
+             "The base of a drop that loses liquid: it stays down to the receding angle, then the angle stays.",
+             {{"volume_ul", 10, 0.01, 1000, ""},
+              {"contact_angle_deg", 90, 10, 150, ""},
+              {"receding_angle_deg", 40, 6, 150, ""},
+              {"left_ul", 5, 0.01, 1000, ""}},
+             cap_pinning}};
+}
+
+} // namespace hygroloom
