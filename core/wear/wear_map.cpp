@@ -111,7 +111,7 @@ void draw_legend(cairo_t* cairo, const WearMap& map, double x, double y)
         const double from = map.most * step / steps, to = map.most * (step + 1) / steps;
         write_text(cairo, x + 30, top + 17,
                    map.scale == WearScale::same ? fmt::format("{:.3g} to {:.3g}", from, to)
-                                                : fmt::format("{:.0f} to {:.0f} %", 100 * from, 100 * to));
+                                                : fmt::format("{:.3g} to {:.3g} %", 100 * from, 100 * to));
     }
 }
 
@@ -128,6 +128,16 @@ std::array<std::uint8_t, 3> step_colour(double share)
                                                                       {33, 113, 181},
                                                                       {8, 48, 107}}};
     return colours[static_cast<std::size_t>(std::clamp(share * steps, 0.0, steps - 1.0))];
+}
+
+double round_most(double most)
+{
+    constexpr double rounding = 1e-9;
+    if (!(most > 0)) return 1;
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (double round : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (round * power >= most * (1 - rounding)) return round * power;
+    return 10 * power;
 }
 
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
@@ -157,8 +167,7 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
         map.values.push_back(options.scale == WearScale::same ? 1e3 * sum.water / sum.area : sum.water / sum.capacity);
         most = std::max(most, map.values.back());
     }
-    const double usual = options.scale == WearScale::capacity ? 1.0 : most > 0 ? most : 1.0;
-    map.most = options.most > 0 ? options.most : usual;
+    map.most = options.most > 0 ? options.most : round_most(most);
     const WearPanel& first = layout.panels.front();
     map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);
     return map;
