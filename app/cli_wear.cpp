@@ -201,7 +201,8 @@ int plan_garment(const WearVerbOptions& options)
     for (std::size_t k = 0; k < layout.panels.size(); ++k)
         print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
                      area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
-    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s by the number of cells; runs took from half to three times that.\n", 1e-6 * plan.bytes, plan.seconds);
+    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s by the number of cells; runs took from half to three times that.\n",
+                 1e-6 * plan.bytes, plan.seconds);
     return exit_ok;
 }
 
