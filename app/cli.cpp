@@ -4,6 +4,7 @@
 #include "app/cli_interrupt.h"
 
 #include "core/base/words.h"
+#include "core/design/wear.h"
 #include "core/project/project_file.h"
 #include "core/run/learned_times.h"
 #include "core/run/recording.h"
@@ -302,8 +303,33 @@ const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options)
                   "hygroloom-cli presets lists fabrics to begin with; in the window: Fabric, Add Fabric.");
 }
 
+namespace {
+
+/// That an experiment is on a garment, and which verbs take it.
+Stop of_garment(const std::string& subject, const std::string& name)
+{
+    return {exit_usage, fmt::format("{0} on a garment (type wear), not on a sample of fabric: hygroloom-cli simulate runs it, "
+                                    "hygroloom-cli garment plan says what it takes; both with --experiment \"{1}\".",
+                                    subject, name)};
+}
+
+} // namespace
+
 const Experiment& chosen_experiment(const Design& design, const ProjectOptions& options)
 {
+    if (find_wear(design, options.experiment) != nullptr)
+        throw of_garment("The experiment \"" + options.experiment + "\" is one", options.experiment);
+    if (design.experiments.empty() && !design.wears.empty())
+        throw of_garment("The project's only experiments are", design.wears.front().name);
+    if (options.experiment.empty() && design.experiments.size() > 1 && !design.wears.empty()) {
+        std::string samples, garments;
+        for (const Experiment& experiment : design.experiments) samples += (samples.empty() ? "\"" : ", \"") + experiment.name + "\"";
+        for (const WearExperiment& wear : design.wears) garments += (garments.empty() ? "\"" : ", \"") + wear.name + "\"";
+        throw Stop(exit_usage,
+                   fmt::format("The project has several experiments; choose one with --experiment: {} on a sample of fabric, or "
+                               "{} on a garment, which takes no --fabric.",
+                               samples, garments));
+    }
     return chosen(design.experiments, options.experiment, "experiment",
                   "Add one to its \"experiments\", such as {\"name\": \"one drop\", \"type\": \"droplet\", \"sample_mm\": [20, 20], "
                   "\"duration_s\": 10, \"droplets\": [{\"volume_ul\": 5}]}; in the window: Experiment, Add Experiment.");

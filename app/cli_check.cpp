@@ -6,11 +6,15 @@
 #include "core/base/units.h"
 #include "core/base/words.h"
 #include "core/design/validate.h"
+#include "core/garment/check_garment.h"
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iterator>
 
 namespace hygroloom {
 namespace {
@@ -232,11 +236,37 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     for (const std::string& note : q.notes) print_result("  {}\n", note);
 }
 
+/// Each garment's panels and their areas; those that could be read.
+void show_garments(const Design& design, const GarmentCheck& garments, bool as_json, Json& json)
+{
+    json["garments"] = Json::array();
+    for (std::size_t i = 0; i < garments.patterns.size(); ++i) {
+        if (!garments.patterns[i]) continue;
+        const GarmentPattern& pattern = *garments.patterns[i];
+        Json panels = Json::array();
+        std::string listed;
+        double area = 0;
+        for (const PatternPanel& panel : pattern.panels) {
+            area += area_of(panel);
+            panels.push_back({{"name", panel.name}, {"area_m2", area_of(panel)}});
+            listed += fmt::format("{}{} {:.3f}", listed.empty() ? "" : ", ", panel.name, area_of(panel));
+        }
+        json["garments"].push_back(
+            {{"name", design.garments[i].name}, {"area_m2", area}, {"seams", pattern.seams.size()}, {"panels", std::move(panels)}});
+        if (!as_json)
+            print_result("Garment {}: {:.3f} m2 in {} panels, {} seams: {}\n", design.garments[i].name, area, pattern.panels.size(),
+                         pattern.seams.size(), listed);
+    }
+}
+
 int check(const ProjectOptions& options)
 {
     const Design design = load_project(options);
     const Validation validation = validate_and_fit(design);
-    const std::vector<Issue>& issues = validation.issues;
+    GarmentCheck garments = check_garments(design, std::filesystem::absolute(options.project).parent_path(), validation.issues);
+    std::vector<Issue> issues = validation.issues;
+    std::move(garments.issues.begin(), garments.issues.end(), std::back_inserter(issues));
+    const bool is_sound = !has_error(validation.issues);         // what garments' files hold changes no fabric
     if (!options.fabric.empty()) chosen_fabric(design, options); // throws when there is none of that name
 
     constexpr const char* severities[] = {"note", "warning", "error"};
@@ -251,7 +281,7 @@ int check(const ProjectOptions& options)
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
     json["fabrics"] = Json::array();
-    for (std::size_t i = 0; i < design.fabrics.size() && !has_error(issues); ++i) { // calculated from wrong values they would be wrong
+    for (std::size_t i = 0; i < design.fabrics.size() && is_sound; ++i) { // calculated from wrong values they would be wrong
         const Fabric& fabric = design.fabrics[i];
         if (!options.fabric.empty() && fabric.name != options.fabric) continue;
         const FittedFabric& fitted = *validation.fabrics[i];
@@ -270,6 +300,7 @@ int check(const ProjectOptions& options)
         print_fabric(fabric, quantities, stripes, geometry, formulas);
         print_weave(fabric, fitted.yarns);
     }
+    show_garments(design, garments, options.json, json);
     if (options.json) print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return has_error(issues) ? exit_invalid : exit_ok;
 }

@@ -3,6 +3,7 @@
 #include "app/cli_wear.h"
 
 #include "core/base/words.h"
+#include "core/design/wear.h"
 #include "core/garment/pattern.h"
 #include "core/project/atomic_file.h"
 #include "core/project/library.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -57,8 +59,22 @@ Garment garment_of(const GarmentOptions& options)
     return garment;
 }
 
-/// Adds the garment to a design, with a fabric of the library where that has none.
-void add_to(Design& design, const GarmentOptions& options, Garment& garment)
+/// Accepts the end of a scale.
+CLI::Validator most_validator()
+{
+    return CLI::Validator(
+        [](std::string& text) {
+            double most = 0;
+            const char* const end = text.data() + text.size();
+            const auto [last, failure] = std::from_chars(text.data(), end, most);
+            const bool fits = failure == std::errc() && last == end && most > 0 && most <= 1e6;
+            return fits ? std::string() : "This must be a number over 0, at most 1000000; given is \"" + text + "\".";
+        },
+        "NUMBER");
+}
+
+/// Adds the garment to a design, worn in an experiment of its own, with a fabric of the library where that has none.
+std::string add_to(Design& design, const GarmentOptions& options, Garment& garment)
 {
     if (design.fabrics.empty()) add_preset(design, shipped_presets().front());
     garment.panels["*"].fabric = design.fabrics.front().name;
@@ -68,6 +84,13 @@ void add_to(Design& design, const GarmentOptions& options, Garment& garment)
     }
     garment.name = free_name(garment.name, [&design](const std::string& name) { return find_garment(design, name) != nullptr; });
     design.garments.push_back(garment);
+    WearExperiment wear;
+    wear.garment = garment.name;
+    wear.name = free_name("wear", [&design](const std::string& name) {
+        return find_wear(design, name) != nullptr || find_experiment(design, name) != nullptr;
+    });
+    design.wears.push_back(wear);
+    return wear.name;
 }
 
 Json json_of(const GarmentPattern& pattern)
@@ -122,8 +145,9 @@ int import_garment(const GarmentOptions& options)
         throw Stop(exit_invalid, error.what());
     }
     std::vector<Issue> issues;
+    std::string experiment;
     if (!options.output.empty()) {
-        add_to(design, options, garment);
+        experiment = add_to(design, options, garment);
         const std::string where = fmt::format("garments[{}]", design.garments.size() - 1);
         for (const Issue& issue : validate(design))
             if (issue.where.starts_with(where)) issues.push_back(issue);
@@ -131,11 +155,13 @@ int import_garment(const GarmentOptions& options)
     }
     if (options.json) {
         Json json = json_of(pattern);
-        if (!options.output.empty()) json.update({{"project", options.output}, {"garment", garment.name}, {"added", existing}});
+        if (!options.output.empty())
+            json.update({{"project", options.output}, {"garment", garment.name}, {"experiment", experiment}, {"added", existing}});
         print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
     } else {
         print_pattern(options, garment, pattern);
-        if (!options.output.empty()) print_result("{} {}\n", existing ? "Added to" : "Written to", options.output);
+        if (!options.output.empty())
+            print_result("{} {}, worn in the experiment \"{}\".\n", existing ? "Added to" : "Written to", options.output, experiment);
     }
     if (!options.quiet) print_in_short(options.output, issues, false);
     return exit_ok;
@@ -177,13 +203,15 @@ void add_garment(CLI::App& app, Verb& verb)
         ->check(CLI::Range(0.05, 100.0));
     garment_verb.add_option("--time", options->map.time, "With map: time, s; the end when left out")
         ->default_str("")
-        ->check(CLI::NonNegativeNumber);
+        ->check(time_validator());
     garment_verb.add_option("--cells", options->map.cells,
                             "With map: crossings over which water is summed up each way, or auto: as computed");
     garment_verb.add_option("--scale", options->map.scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
         ->check(CLI::IsMember({"same", "capacity"}));
-    garment_verb.add_option("--most", options->map.most, "With map: the scale's end, g/m2 or a share; the map's largest when left out")
-        ->check(CLI::PositiveNumber);
+    garment_verb
+        .add_option("--most", options->map.most,
+                    "With map: the scale's end, g/m2 or a share; next round number over the map's largest when left out")
+        ->check(most_validator());
     garment_verb
         .add_option(
             "--steps", options->map.steps,
@@ -200,7 +228,7 @@ void add_garment(CLI::App& app, Verb& verb)
                     "With --report: times of its maps, s, separated by commas; at each quarter of the run when left out")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::NonNegativeNumber);
+        ->check(time_validator());
     add_common_options(garment_verb, *options);
     garment_verb.callback([&verb, options] { verb = [options] { return act(*options); }; });
 }

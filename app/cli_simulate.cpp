@@ -99,13 +99,14 @@ int plan(const SimulateOptions& options)
     const KnobSettings knobs = knob_settings(options);
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
+    const Experiment& chosen = chosen_experiment(design, options);
     const Fabric& fabric = chosen_fabric(design, options);
-    const std::vector<Textile> textile = textiles_of_runs(design, fitted, {fabric.name}, chosen_experiment(design, options));
+    const std::vector<Textile> textile = textiles_of_runs(design, fitted, {fabric.name}, chosen);
     const FidelityChoice choice = chosen_fidelity(options, design, textile, forced, knobs);
     ModelPlan plan = planned(options, design, textile.front(), choice.fidelity, forced, knobs);
     plan.fidelity_reason = choice.reason;
-    const std::string experiment = chosen_experiment(design, options).name;
-    const std::vector<IdleKey> idle = idle_keys(fabric, chosen_experiment(design, options), plan);
+    const std::string experiment = chosen.name;
+    const std::vector<IdleKey> idle = idle_keys(fabric, chosen, plan);
     if (options.json) {
         nlohmann::ordered_json json{{"fabric", fabric.name}, {"experiment", experiment}};
         json.update(plan_value(plan));
@@ -191,8 +192,8 @@ bool has_older_recording(const std::string& path)
 
 int simulate_one(const SimulateOptions& options, const Design& design, const FittedFabrics& fitted, RunOptions how)
 {
-    const Fabric& fabric = chosen_fabric(design, options);
     const Experiment& experiment = chosen_experiment(design, options);
+    const Fabric& fabric = chosen_fabric(design, options);
     const std::vector<Textile> textile = textiles_of_runs(design, fitted, {fabric.name}, experiment);
     const FidelityChoice choice = chosen_fidelity(options, design, textile, how.forced, how.knobs);
     how.fidelity = choice.fidelity;

@@ -6,6 +6,8 @@
 #include "app/cli_report.h"
 
 #include "core/analysis/map_image.h"
+#include "core/base/words.h"
+#include "core/garment/check_garment.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_report.h"
@@ -100,6 +102,38 @@ void require_other_file(const std::string& report, const std::string& recording)
         throw Stop(exit_usage, report + ": This is the recording that is read; give another name for what is written.");
 }
 
+/// Panels and seams that the garment names and does not have.
+void print_misnamed(const Design& design, const GarmentParts& parts, const std::string& project)
+{
+    const auto number = parts.garment - design.garments.data();
+    for (const Issue& issue : misnamed_in(*parts.garment, parts.pattern, fmt::format("garments[{}]", number))) print_issue(project, issue);
+}
+
+/// For what works on garments alone: of that name, or the only one on a garment. Throws Stop.
+const WearExperiment& required_wear(const Design& design, const ProjectOptions& options)
+{
+    if (options.experiment.empty() && design.wears.size() == 1) return design.wears.front();
+    if (const WearExperiment* wear = find_wear(design, options.experiment)) return *wear;
+    if (design.wears.empty())
+        throw Stop(exit_usage, "The project has no experiment of the type wear. hygroloom-cli garment import built-in:tee -o " +
+                                   options.project + " adds a garment with one.");
+    std::vector<std::string> names;
+    std::string listed;
+    for (const WearExperiment& wear : design.wears) {
+        names.push_back(wear.name);
+        listed += (listed.empty() ? "\"" : ", \"") + wear.name + "\"";
+    }
+    if (options.experiment.empty())
+        throw Stop(exit_usage, "The project has several experiments of the type wear; choose one with --experiment: " + listed + ".");
+    if (find_experiment(design, options.experiment) != nullptr)
+        throw Stop(exit_usage,
+                   fmt::format("The experiment \"{}\" is one on a sample of fabric; hygroloom-cli plan plans it. Of the type wear "
+                               "the project has {}.",
+                               options.experiment, listed));
+    throw Stop(exit_usage, fmt::format("The project has no experiment \"{}\" of the type wear{} It has {}.", options.experiment,
+                                       did_you_mean(options.experiment, names), listed));
+}
+
 } // namespace
 
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options)
@@ -114,6 +148,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
     const GarmentParts parts = parts_of(design, wear, options.project);
     if (!options.quiet)
         for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
+    if (!options.quiet) print_misnamed(design, parts, options.project);
     const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
     const WearLayout layout = wear_layout(parts, garment);
     const std::unique_ptr<Backend> backend = open_backend(options);
@@ -157,15 +192,15 @@ int plan_garment(const WearVerbOptions& options)
 {
     const Design design = load_project(options);
     require_valid(design, options);
-    const WearExperiment* wear = chosen_wear(design, options);
-    if (wear == nullptr) throw Stop(exit_usage, "Name an experiment of the type wear with --experiment.");
-    const GarmentParts parts = parts_of(design, *wear, options.project);
+    const WearExperiment& wear = required_wear(design, options);
+    const GarmentParts parts = parts_of(design, wear, options.project);
+    if (!options.quiet) print_misnamed(design, parts, options.project);
     const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
     const WearLayout layout = wear_layout(parts, garment);
     const WearPlan plan = plan_wear(garment, parts);
     if (options.json) {
         Json json{{"garment", layout.garment},
-                  {"experiment", wear->name},
+                  {"experiment", wear.name},
                   {"cells", plan.cells},
                   {"bytes", plan.bytes},
                   {"seconds", plan.seconds}};
@@ -180,11 +215,12 @@ int plan_garment(const WearVerbOptions& options)
         print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
         return exit_ok;
     }
-    print_result("{} in \"{}\": {} cells; {}\n", layout.garment, wear->name, plan.cells, layout.cells_in_words);
+    print_result("{} in \"{}\": {} cells; {}\n", layout.garment, wear.name, plan.cells, layout.cells_in_words);
     for (std::size_t k = 0; k < layout.panels.size(); ++k)
         print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
                      area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
-    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s, a guess from the counts.\n", 1e-6 * plan.bytes, plan.seconds);
+    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s by the number of cells; runs took from half to three times that.\n",
+                 1e-6 * plan.bytes, plan.seconds);
     return exit_ok;
 }
 
@@ -212,6 +248,9 @@ int map_garment(const WearMapVerbOptions& options)
     const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
     const WearLayout& layout = recording.record().layout;
     int nearest = recording.frames() - 1;
+    if (const double end = recording.time_of(nearest); options.time > end * (1 + 1e-9))
+        throw Stop(exit_usage, fmt::format("--time {:g}: The run {} at {:g} s; take a time from 0 to {:g}.", options.time,
+                                           recording.finished() ? "ends" : "was stopped", end, end));
     for (int k = 0; options.time >= 0 && k < recording.frames(); ++k)
         if (std::abs(recording.time_of(k) - options.time) < std::abs(recording.time_of(nearest) - options.time)) nearest = k;
     const WearFrame frame = as_invalid([&] { return recording.frame(nearest); });

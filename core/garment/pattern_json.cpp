@@ -80,6 +80,19 @@ const ProjectJson& PatternReader::object_in(const ProjectJson& parent, const cha
     return *at;
 }
 
+/// Of a file that is no pattern: what it may be.
+std::string what_it_has(const ProjectJson& json)
+{
+    constexpr std::size_t most = 5;
+    if (const auto format = json.find("format"); format != json.end() && *format == "hygroloom-project")
+        return "it is a project of Hygroloom; name one of its garments' sources.";
+    std::string keys;
+    std::size_t count = 0;
+    for (const auto& [key, value] : json.items())
+        if (count++ < most) keys += (keys.empty() ? "" : ", ") + in_words(key);
+    return keys.empty() ? "it is empty." : "its keys are " + keys + (count > most ? " and more." : ".");
+}
+
 FlatPlace PatternReader::pair_in(const ProjectJson& value, const std::string& path, double most) const
 {
     if (!value.is_array() || value.size() != 2)
@@ -312,7 +325,9 @@ void PatternReader::read_panel(const std::string& name, const ProjectJson& json)
 
 GarmentPattern PatternReader::read()
 {
-    if (!json_.is_object()) throw FileError(name_ + ": This is no sewing pattern; it has no \"pattern\".");
+    if (!json_.is_object())
+        throw FileError(name_ + ": This is no sewing pattern: it holds " + in_words(json_) + " in place of an object in { }.");
+    if (!json_.contains("pattern")) throw FileError(name_ + ": This is no sewing pattern: it has no \"pattern\"; " + what_it_has(json_));
     note_unknown(json_, {"pattern", "properties", "parameters", "parameter_order", "constraints", "constraint_order"}, "the file");
     const ProjectJson& pattern = object_in(json_, "pattern", "the file");
     note_unknown(pattern, {"panels", "stitches", "panel_order"}, "pattern");

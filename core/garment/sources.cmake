@@ -4,6 +4,7 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/body_sweat_json.cpp
   garment/body.cpp
   garment/built_in.cpp
+  garment/check_garment.cpp
   garment/drape.cpp
   garment/fill.cpp
   garment/flat_islands.cpp

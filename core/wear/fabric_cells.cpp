@@ -35,7 +35,63 @@ Experiment as_sample(const WearExperiment& wear)
     return experiment;
 }
 
+/// Two parts of a list, each the other's place.
+template <typename Value> void exchange(std::vector<Value>& values, std::size_t first)
+{
+    std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), values.end());
+}
+
+/// Of each crossing, end x picks + pick.
+template <typename Value> std::vector<Value> transposed(const std::vector<Value>& values, int ends, int picks)
+{
+    std::vector<Value> across;
+    across.reserve(values.size());
+    for (int pick = 0; pick < picks && !values.empty(); ++pick)
+        for (int end = 0; end < ends; ++end) across.push_back(values[static_cast<std::size_t>(end * picks + pick)]);
+    return across;
+}
+
+CrossingParameters turned(CrossingParameters crossing)
+{
+    std::swap(crossing.warp_rise, crossing.weft_rise);
+    BetweenParameters& between = crossing.between;
+    std::swap(between.along_warp, between.along_weft);
+    std::swap(between.to_warp, between.to_weft);
+    const double below = between.on_warp[0];
+    between.on_warp[0] = 1 - between.on_warp[1];
+    between.on_warp[1] = 1 - below;
+    return crossing;
+}
+
 } // namespace
+
+FabricCells turned(const FabricCells& cells)
+{
+    FabricCells made = cells;
+    std::swap(made.ends, made.picks);
+    std::swap(made.end_pitch, made.pick_pitch);
+    made.turned = !cells.turned;
+    const Cloth& from = cells.tile.cloth;
+    Cloth& cloth = made.tile.cloth;
+    const auto ends = static_cast<std::size_t>(from.ends), crossings = static_cast<std::size_t>(from.crossings()),
+               warps = static_cast<std::size_t>(from.warp_types), wefts = static_cast<std::size_t>(from.weft_types());
+    std::swap(cloth.ends, cloth.picks);
+    std::swap(cloth.warp_pitch, cloth.weft_pitch);
+    exchange(cloth.length, crossings); // a segment has its place in the order of its line and of its place along that
+    if (!cloth.touching.empty()) exchange(cloth.touching, crossings);
+    cloth.warp_up = transposed(from.warp_up, from.ends, from.picks);
+    for (std::uint8_t& up : cloth.warp_up) up = up == 0 ? 1 : 0;
+    cloth.warp_up_share = transposed(from.warp_up_share, from.ends, from.picks);
+    for (float& share : cloth.warp_up_share) share = 1 - share;
+    exchange(cloth.yarns, warps);
+    exchange(cloth.type, ends);
+    for (std::uint8_t& type : cloth.type) type = static_cast<std::uint8_t>(type < warps ? type + wefts : type - warps);
+    cloth.warp_types = static_cast<int>(wefts);
+    cloth.crossing.clear();
+    for (std::size_t weft = 0; weft < wefts; ++weft)
+        for (std::size_t warp = 0; warp < warps; ++warp) cloth.crossing.push_back(turned(from.crossing[warp * wefts + weft]));
+    return made;
+}
 
 FabricCells fabric_cells(const Design& design, const Fabric& fabric, const WearExperiment& wear, const Knobs& knobs, double side)
 {

@@ -15,6 +15,7 @@ struct FabricCells {
     int ends = 0, picks = 0;
     int crossings_per_cell = 1;
     double end_pitch = 0, pick_pitch = 0; ///< m, of cells, across the ends and across the picks
+    bool turned = false;                  ///< ends are the fabric's picks, and picks its ends
 
     double cell_area() const { return end_pitch * pick_pitch; }
     std::size_t crossing(int end, int pick) const
@@ -32,5 +33,8 @@ struct FabricCells {
 /// Cells whose sides are near a length (m), at least one crossing each. Yarns are even: unevenness acts in samples only.
 /// Precondition: validate() found no error.
 FabricCells fabric_cells(const Design& design, const Fabric& fabric, const WearExperiment& wear, const Knobs& knobs, double side);
+
+/// The same cells with ends and picks exchanged.
+FabricCells turned(const FabricCells& cells);
 
 } // namespace hygroloom

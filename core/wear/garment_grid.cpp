@@ -87,6 +87,16 @@ PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, 
     return grid;
 }
 
+PanelGrid turned(const PanelGrid& grid)
+{
+    PanelGrid made = grid;
+    std::swap(made.ends, made.picks);
+    std::swap(made.across, made.along);
+    for (int end = 0; end < made.ends; ++end)
+        for (int pick = 0; pick < made.picks; ++pick) made.there[made.cell(end, pick)] = grid.there[grid.cell(pick, end)];
+    return made;
+}
+
 void for_cells_in_triangles(const PanelGrid& grid, const GarmentShape& shape, int panel, const VisitCell& visit)
 {
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {

@@ -34,6 +34,9 @@ struct PanelGrid {
 /// counter-clockwise).
 PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, double pick_pitch);
 
+/// The same cells with ends and picks exchanged.
+PanelGrid turned(const PanelGrid& grid);
+
 /// A cell whose middle lies in a triangle of the garment's shape, and the shares of the triangle's corners there.
 struct CellInTriangle {
     std::size_t triangle = 0;

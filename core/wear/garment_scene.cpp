@@ -22,6 +22,7 @@ struct Builder {
     GarmentScene made;
     std::vector<std::size_t> first_warp, first_weft; ///< of each fabric's types in the cloth's
     std::size_t weft_types = 0;
+    std::map<std::pair<std::string, bool>, int> known;        ///< by fabric and whether it is turned, its place in made.fabrics
     std::map<std::tuple<int, double, int>, std::uint8_t> air; ///< by fabric, gap and, where the skin's warmth changes, zone
 
     Cloth& cloth() { return made.scene.cloth; }
@@ -38,22 +39,43 @@ struct Builder {
     const FabricCells& fabric_of(std::size_t panel) const { return made.fabrics[static_cast<std::size_t>(made.fabric[panel])]; }
 };
 
-void cut_panels(Builder& b)
+/// Which seam passes how much.
+std::vector<double> passes(const GarmentParts& parts)
 {
-    std::map<std::string, int> known;
+    std::vector<double> pass;
+    for (const PatternSeam& seam : parts.pattern.seams)
+        pass.push_back(parts.garment->seam_between(parts.pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
+                                                   parts.pattern.panels[static_cast<std::size_t>(seam.panel_b)].name));
+    return pass;
+}
+
+/// The place of a fabric's cells in the scene, which are made where they are not there yet.
+int cells_of(Builder& b, const std::string& name, bool is_turned)
+{
+    const auto [at, is_new] = b.known.try_emplace({name, is_turned}, 0);
+    if (!is_new) return at->second;
+    const Fabric* fabric = find_fabric(*b.parts.design, name);
+    FabricCells cells = is_turned ? turned(b.made.fabrics[static_cast<std::size_t>(cells_of(b, name, false))])
+                                  : fabric_cells(*b.parts.design, *fabric, *b.parts.wear, b.resolution.knobs, b.resolution.side);
+    b.made.fabrics.push_back(std::move(cells));
+    return at->second = static_cast<int>(b.made.fabrics.size()) - 1;
+}
+
+void cut_panels(Builder& b, const std::vector<bool>& is_turned)
+{
     const std::vector<PatternPanel>& panels = b.parts.pattern.panels;
     if (panels.size() > most_kinds) throw Error("A garment of more than 255 panels cannot be computed.");
     for (const PatternPanel& panel : panels) {
         const PanelCut* cut = b.parts.garment->cut_of(panel.name);
-        const Fabric* fabric = cut != nullptr ? find_fabric(*b.parts.design, cut->fabric) : nullptr;
-        if (fabric == nullptr)
+        if (cut == nullptr || find_fabric(*b.parts.design, cut->fabric) == nullptr)
             throw Error("The panel \"" + panel.name + "\" of the garment \"" + b.parts.garment->name +
                         "\" has no fabric; name it or \"*\" in its panels.");
-        const auto [at, is_new] = known.try_emplace(cut->fabric, static_cast<int>(b.made.fabrics.size()));
-        if (is_new) b.made.fabrics.push_back(fabric_cells(*b.parts.design, *fabric, *b.parts.wear, b.resolution.knobs, b.resolution.side));
-        b.made.fabric.push_back(at->second);
-        const FabricCells& cells = b.made.fabrics[static_cast<std::size_t>(at->second)];
-        PanelGrid grid = panel_grid(panel, radian_from_degree(cut->grain_deg), cells.end_pitch, cells.pick_pitch);
+        const bool turn = is_turned[b.made.grids.size()];
+        b.made.fabric.push_back(cells_of(b, cut->fabric, turn));
+        const FabricCells& cells = b.made.fabrics[static_cast<std::size_t>(b.made.fabric.back())];
+        const double end_pitch = turn ? cells.pick_pitch : cells.end_pitch, pick_pitch = turn ? cells.end_pitch : cells.pick_pitch;
+        PanelGrid grid = panel_grid(panel, radian_from_degree(cut->grain_deg), end_pitch, pick_pitch);
+        if (turn) grid = turned(grid);
         if (std::count(grid.there.begin(), grid.there.end(), 1) == 0)
             throw Error("The panel \"" + panel.name + "\" is smaller than a cell; take smaller cells.");
         grid.first_pick = b.cloth().picks;
@@ -299,16 +321,6 @@ void wet(Builder& b)
     }
 }
 
-/// Which seam passes how much.
-std::vector<double> passes(const GarmentParts& parts)
-{
-    std::vector<double> pass;
-    for (const PatternSeam& seam : parts.pattern.seams)
-        pass.push_back(parts.garment->seam_between(parts.pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
-                                                   parts.pattern.panels[static_cast<std::size_t>(seam.panel_b)].name));
-    return pass;
-}
-
 } // namespace
 
 GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base)
@@ -326,8 +338,9 @@ GarmentParts garment_parts(const Design& design, const WearExperiment& wear, con
 
 GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution)
 {
-    Builder b{parts, resolution, {}, {}, {}, 0, {}};
-    cut_panels(b);
+    Builder b{parts, resolution, {}, {}, {}, 0, {}, {}};
+    const std::vector<double> pass = passes(parts);
+    cut_panels(b, turned_panels(parts.pattern, *parts.garment, pass));
     Cloth& cloth = b.cloth();
     const Scene& first = b.made.fabrics.front().tile;
     b.made.scene.climate = first.climate;
@@ -360,7 +373,7 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
     add_cells(b, places);
     add_rises(b, places);
     wet(b);
-    sew(cloth, seam_joints(parts.pattern, b.made, passes(parts)));
+    sew(cloth, seam_joints(parts.pattern, b.made, pass));
     b.made.scene.rules.shows_segments = false;
     b.made.shown = show_cells(b.made, parts.pattern, resolution.shown);
     return std::move(b.made);

@@ -30,7 +30,7 @@ constexpr double contact_gap = 0.3e-3; ///< m of still air that cloth on skin st
 /// A cell of the garment.
 struct GarmentCell {
     int panel = 0;
-    int end = 0, pick = 0;   ///< in the panel's grid
+    int end = 0, pick = 0;   ///< in the panel's grid; of computed cells as that lies in the cloth
     int zone = 0;            ///< of body_zones()
     int crossing = 0;        ///< in the scene's cloth
     FlatPlace flat{};        ///< m
@@ -57,7 +57,7 @@ struct GarmentScene {
     Scene scene;
     std::vector<FabricCells> fabrics; ///< that panels are cut from, each once
     std::vector<int> fabric;          ///< of each panel, its place in fabrics
-    std::vector<PanelGrid> grids;     ///< of each panel
+    std::vector<PanelGrid> grids;     ///< of each panel, with ends and picks exchanged where its fabric is turned
     std::vector<GarmentCell> cells;   ///< as computed, in the order of the scene's panels.crossings
     ShownCells shown;
 };
@@ -77,6 +77,10 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
 
 /// Which cells frames show; tells the scene which crossings each sums up. Throws Error for a panel that the garment does not have.
 ShownCells show_cells(GarmentScene& garment, const GarmentPattern& pattern, const ShownSize& size);
+
+/// Which panels lie with their picks as the cloth's ends, so that as many yarns as can be meet others of their system at seams: as the weft
+/// of a body meets the warp of its sleeves. pass: share of each seam. The first panel of those that are sewn together lies as it is woven.
+std::vector<bool> turned_panels(const GarmentPattern& pattern, const Garment& garment, const std::vector<double>& pass);
 
 /// The joints of the pattern's seams between cells; pass: share of each seam.
 std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentScene& garment, const std::vector<double>& pass);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/garment/outline.h"
 #include "core/wear/garment_scene.h"
+#include "core/wear/on_edge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +9,7 @@
 #include <optional>
 
 namespace hygroloom {
-namespace {
 
-/// A place on an edge, and the direction out of the panel there.
-struct OnEdge {
-    FlatPlace place;
-    FlatPlace out;
-};
-
-/// At a share of its length. Panels go counter-clockwise, so that out is to the right.
 OnEdge at_share(const PanelEdge& edge, double share)
 {
     double left = share * length_of(edge);
@@ -30,6 +23,8 @@ OnEdge at_share(const PanelEdge& edge, double share)
     return {edge.places.back(), {0, 0}};
 }
 
+namespace {
+
 /// The cell of a panel that lies at its edge there.
 std::optional<std::array<int, 2>> cell_inside(const PanelGrid& grid, const OnEdge& at)
 {
@@ -41,44 +36,95 @@ std::optional<std::array<int, 2>> cell_inside(const PanelGrid& grid, const OnEdg
     return std::nullopt;
 }
 
-/// Of a cell, up to a seam: the segment that runs into it more steeply, and what it and the room beside it conduct over a metre of seam,
-/// m3/(Pa s) per m.
+/// Cosine between the way out and a step along the yarns of one system; none where these run along the seam but for rounding.
+double cosine_to(const FlatPlace& out, const FlatPlace& step, double pitch)
+{
+    constexpr double rounding = 1e-9;
+    const double cosine = (out[0] * step[0] + out[1] * step[1]) / pitch;
+    return std::abs(cosine) > rounding ? cosine : 0.0;
+}
+
+/// One of a cell's two segments up to a seam: what its yarns, and the room beside them, conduct over a metre of seam, m3/(Pa s) per m.
 struct HalfWay {
-    int segment = 0, crossing = 0;
+    int segment = 0;
+    bool is_cut = false; ///< by the seam: the next cell towards it is not there
     double yarns = 0, rooms = 0;
 };
-HalfWay half_way(const GarmentScene& garment, std::size_t panel, const std::array<int, 2>& cell, const FlatPlace& out)
+/// A cell at a seam. Where the seam runs along the yarns of one system, it cuts those of the other alone.
+struct CellAtSeam {
+    int crossing = 0;
+    std::array<HalfWay, 2> ways; ///< of the warp, of the weft
+
+    double yarns() const { return ways[0].yarns + ways[1].yarns; }
+    double rooms() const { return ways[0].rooms + ways[1].rooms; }
+    /// Of what its yarns conduct. All of it is for those that the seam cuts, if any.
+    std::array<double, 2> shares() const
+    {
+        const bool any = ways[0].is_cut || ways[1].is_cut;
+        std::array<double, 2> parts{};
+        for (std::size_t k = 0; k < 2; ++k) parts[k] = any && !ways[k].is_cut ? 0.0 : ways[k].yarns;
+        const double all = parts[0] + parts[1];
+        if (all > 0)
+            for (double& part : parts) part /= all;
+        return parts;
+    }
+};
+
+CellAtSeam cell_at_seam(const GarmentScene& garment, std::size_t panel, const std::array<int, 2>& cell, const FlatPlace& out)
 {
     const PanelGrid& grid = garment.grids[panel];
     const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[panel])];
     const Cloth &cloth = garment.scene.cloth, &tile = fabric.tile.cloth;
-    const double along = std::abs(out[0] * grid.along[0] + out[1] * grid.along[1]) / fabric.pick_pitch,
-                 across = std::abs(out[0] * grid.across[0] + out[1] * grid.across[1]) / fabric.end_pitch;
-    const bool by_warp = along >= across;
     const int end = cell[0], pick = cell[1], row = grid.first_pick + pick;
     const std::size_t warp_type = tile.type[static_cast<std::size_t>(end % fabric.ends)],
                       weft_type = tile.type[static_cast<std::size_t>(tile.ends + pick % fabric.picks)];
-    const YarnParameters& yarn = tile.yarns[by_warp ? warp_type : weft_type];
     const BetweenParameters& room =
         tile.crossing[warp_type * static_cast<std::size_t>(tile.weft_types()) + weft_type - static_cast<std::size_t>(tile.warp_types)]
             .between;
-    const double length = tile.length[by_warp ? fabric.warp(end, pick) : fabric.weft(end, pick)];
-    const double yarns_per_metre = by_warp ? along / fabric.end_pitch : across / fabric.pick_pitch; // bundles that the seam cuts
-    HalfWay half;
-    half.crossing = end * cloth.picks + row;
-    half.segment = by_warp ? half.crossing : cloth.crossings() + row * cloth.ends + end;
-    half.yarns = 2 * yarn.flow_along / length * yarns_per_metre;
-    half.rooms = 2 * (by_warp ? room.along_warp : room.along_weft) * yarns_per_metre;
-    return half;
+    const double along = cosine_to(out, grid.along, fabric.pick_pitch), across = cosine_to(out, grid.across, fabric.end_pitch);
+    CellAtSeam found;
+    found.crossing = end * cloth.picks + row;
+    const auto add = [&](std::size_t way, int segment, const YarnParameters& yarn, double length, double room_along, double bundles,
+                         bool is_cut) {
+        found.ways[way] = {segment, is_cut && bundles != 0, 2 * yarn.flow_along / length * std::abs(bundles),
+                           2 * room_along * std::abs(bundles)};
+    };
+    add(0, found.crossing, tile.yarns[warp_type], tile.length[fabric.warp(end, pick)], room.along_warp, along / fabric.end_pitch,
+        !grid.has(end, pick + (along > 0 ? 1 : -1)));
+    add(1, cloth.crossings() + row * cloth.ends + end, tile.yarns[weft_type], tile.length[fabric.weft(end, pick)], room.along_weft,
+        across / fabric.pick_pitch, !grid.has(end + (across > 0 ? 1 : -1), pick));
+    return found;
 }
 
 double in_series(double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0.0; }
+
+using Joints = std::map<std::pair<int, int>, SeamJoint>;
+
+/// Of a piece of seam, m. Warp is joined with warp and weft with weft, since those can be solved together as chains; a system with the
+/// other only where nothing else meets. Within a cell both exchange at its crossings.
+void add_joints(Joints& joints, const CellAtSeam& one, const CellAtSeam& other, double length)
+{
+    const std::array<double, 2> from = one.shares(), to = other.shares();
+    std::array<std::array<double, 2>, 2> shares{};
+    const double alike = std::min(from[0], to[0]) + std::min(from[1], to[1]);
+    for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 2; ++b) shares[a][b] = alike <= 0 ? from[a] * to[b] : a == b ? std::min(from[a], to[a]) / alike : 0.0;
+    const double yarns = length * in_series(one.yarns(), other.yarns()), rooms = length * in_series(one.rooms(), other.rooms());
+    for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 2; ++b) {
+            if (shares[a][b] <= 0) continue;
+            const int first = one.ways[a].segment, second = other.ways[b].segment;
+            SeamJoint& joint = joints.try_emplace({first, second}, SeamJoint{first, second}).first->second;
+            joint.yarns += shares[a][b] * yarns;
+            joint.rooms += shares[a][b] * rooms;
+        }
+}
 
 } // namespace
 
 std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentScene& garment, const std::vector<double>& pass)
 {
-    std::map<std::pair<int, int>, SeamJoint> joints;
+    Joints joints;
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
         const PatternSeam& seam = pattern.seams[s];
         if (pass[s] <= 0) continue;
@@ -97,11 +143,8 @@ std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentS
             const OnEdge at_a = at_share(edge_a, share), at_b = at_share(edge_b, seam.reversed ? 1 - share : share);
             const auto cell_a = cell_inside(garment.grids[a], at_a), cell_b = cell_inside(garment.grids[b], at_b);
             if (!cell_a || !cell_b) continue;
-            const HalfWay from = half_way(garment, a, *cell_a, at_a.out), to = half_way(garment, b, *cell_b, at_b.out);
-            if (from.crossing == to.crossing) continue;
-            SeamJoint& joint = joints.try_emplace({from.segment, to.segment}, SeamJoint{from.segment, to.segment}).first->second;
-            joint.yarns += pass[s] * length / steps * in_series(from.yarns, to.yarns);
-            joint.rooms += pass[s] * length / steps * in_series(from.rooms, to.rooms);
+            const CellAtSeam from = cell_at_seam(garment, a, *cell_a, at_a.out), to = cell_at_seam(garment, b, *cell_b, at_b.out);
+            if (from.crossing != to.crossing) add_joints(joints, from, to, pass[s] * length / steps);
         }
     }
     std::vector<SeamJoint> all;

@@ -117,6 +117,11 @@ ShownCells show_cells(GarmentScene& garment, const GarmentPattern& pattern, cons
         shown.grids[panel].there[shown.grids[panel].cell(cell.end, cell.pick)] = 1;
         shown.cells.push_back(cell);
     }
+    const auto is_turned = [&](std::size_t panel) { return garment.fabrics[static_cast<std::size_t>(garment.fabric[panel])].turned; };
+    for (GarmentCell& cell : shown.cells)
+        if (is_turned(static_cast<std::size_t>(cell.panel))) std::swap(cell.end, cell.pick);
+    for (std::size_t panel = 0; panel < shown.grids.size(); ++panel)
+        if (is_turned(panel)) shown.grids[panel] = turned(shown.grids[panel]);
     return shown;
 }
 

@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   wear/seam_joints.cpp
   wear/sewing.cpp
   wear/shown_cells.cpp
+  wear/turned_panels.cpp
   wear/wear_layout.cpp
   wear/wear_map.cpp
   wear/wear_metrics.cpp

@@ -19,7 +19,9 @@ std::string cells_in_words(const GarmentScene& garment)
     std::set<std::string> words;
     for (int fabric : garment.fabric) {
         const FabricCells& cells = garment.fabrics[static_cast<std::size_t>(fabric)];
-        words.insert(fmt::format("cells of {:.2g} x {:.2g} mm, {} x {} crossings", 1e3 * cells.end_pitch, 1e3 * cells.pick_pitch,
+        const double end_pitch = cells.turned ? cells.pick_pitch : cells.end_pitch,
+                     pick_pitch = cells.turned ? cells.end_pitch : cells.pick_pitch;
+        words.insert(fmt::format("cells of {:.2g} x {:.2g} mm, {} x {} crossings", 1e3 * end_pitch, 1e3 * pick_pitch,
                                  cells.crossings_per_cell, cells.crossings_per_cell));
     }
     std::string all;

@@ -151,6 +151,16 @@ std::array<std::uint8_t, 3> step_colour(std::size_t step)
     return colours[step];
 }
 
+double round_most(double most)
+{
+    constexpr double rounding = 1e-9;
+    if (!(most > 0)) return 1;
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (double round : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (round * power >= most * (1 - rounding)) return round * power;
+    return 10 * power;
+}
+
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
 {
     const auto group_of = [&](const WearPanel& panel) {
@@ -178,8 +188,7 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
         map.values.push_back(options.scale == WearScale::same ? 1e3 * sum.water / sum.area : sum.water / sum.capacity);
         most = std::max(most, map.values.back());
     }
-    const double usual = options.scale == WearScale::capacity ? 1.0 : most > 0 ? most : 1.0;
-    map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : usual);
+    map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : round_most(most));
     require_ascending(map.steps);
     const WearPanel& first = layout.panels.front();
     map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);

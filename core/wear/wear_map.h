@@ -27,9 +27,13 @@ std::size_t step_of(const WearSteps& steps, double value);
 struct WearMapOptions {
     int crossings = 2; ///< over which water is summed up each way; at least a cell
     WearScale scale = WearScale::same;
-    double most = 0;                ///< at the scale's end, g/m2 or a share; 0: the map's own maximum, a share's is 1
+    double most = 0;                ///< at the scale's end, g/m2 or a share; 0: see round_most()
     std::optional<WearSteps> steps; ///< instead of even ones up to most
 };
+
+/// Where a scale of values up to this ends, so that its eight steps are round: 1, 1.2, 1.6, 2, 2.4, 3, 4, 5, 6 or 8 times a power of ten; 1
+/// where nothing is more than 0.
+double round_most(double most);
 
 /// Value of every cell: the mean over its group of cells. g/m2, or a share.
 struct WearMap {

@@ -133,6 +133,11 @@ void WearMetrics::add(const WearFrame& frame)
     ledger_ = frame.ledger;
 }
 
+double WearMetrics::imbalance() const
+{
+    return ledger_.water_imbalance() / std::max(1e-30, ledger_.water_delivered + ledger_.water_initial);
+}
+
 double WearMetrics::heat_of_evaporation() const
 {
     return hygroloom::heat_of_evaporation(layout_.skin_temperature) * ledger_.water_evaporated;
@@ -149,7 +154,7 @@ std::string WearMetrics::json() const
     json["metrics"]["dripped_g"] = 1e3 * ledger_.water_dripped;
     json["metrics"]["heat_from_skin_kj"] = 1e-3 * from_skin_;
     json["metrics"]["heat_of_evaporation_kj"] = 1e-3 * heat_of_evaporation();
-    json["water_imbalance"] = ledger_.water_imbalance() / std::max(1e-30, ledger_.water_delivered + ledger_.water_initial);
+    json["water_imbalance"] = imbalance();
     for (const WearPart& panel : panels_) json["panels"][panel.name] = numbers_of(panel, layout_.stops);
     for (const WearPart& zone : zones_) json["zones"][zone.name] = numbers_of(zone, layout_.stops);
     json["series"] = series_of(all_);

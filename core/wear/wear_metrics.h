@@ -53,6 +53,8 @@ public:
     /// kg of liquid that the cloth held at the start, and that the skin gave since.
     double at_start() const { return at_start_; }
     double sweat() const { return ledger_.water_delivered - at_start_; }
+    /// Share of all water, of the fibres' too, that is not accounted for.
+    double imbalance() const;
     /// J that the skin has given to the cloth, by the trapezoidal rule over frames; and J that evaporating takes at the skin's temperature.
     double heat_from_skin() const { return from_skin_; }
     double heat_of_evaporation() const;

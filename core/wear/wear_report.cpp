@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t most_curves = 8; ///< in one chart
 
 std::string grams(double kg) { return fmt::format("{:.4g}", 1e3 * kg); }
+/// Of water that was given: less than a billionth of it is rounding.
+std::string grams(double kg, double given) { return std::abs(kg) < 1e-9 * given ? "0" : grams(kg); }
 
 std::string results(const WearMetrics& metrics)
 {
@@ -38,7 +40,7 @@ std::string results(const WearMetrics& metrics)
 }
 
 /// A row for each part, at the end.
-std::string parts_table(const char* title, const std::vector<WearPart>& parts)
+std::string parts_table(const char* title, const std::vector<WearPart>& parts, double given)
 {
     std::string rows =
         fmt::format("<tr><th>{}</th><th>area, m²</th><th>water, g</th><th>water, g/m²</th><th>share of capacity</th><th>wet, m²"
@@ -50,7 +52,7 @@ std::string parts_table(const char* title, const std::vector<WearPart>& parts)
         for (const std::string& cell :
              {fmt::format("{:.3f}", part.area), grams(end.water), fmt::format("{:.1f}", 1e3 * end.water / part.area),
               fmt::format("{:.0f} %", 100 * end.water / part.capacity), fmt::format("{:.3f}", end.wet_area),
-              fmt::format("{:.3f}", part.largest_wet_area()), grams(end.on_skin), grams(end.evaporated),
+              fmt::format("{:.3f}", part.largest_wet_area()), grams(end.on_skin, given), grams(end.evaporated, given),
               fmt::format("{:.1f}", celsius_from_kelvin(end.temperature))})
             rows += "<td class=\"number\">" + cell + "</td>";
         rows += "</tr>\n";
@@ -105,13 +107,13 @@ std::string curves(const WearMetrics& metrics)
 std::string balance(const WearMetrics& metrics)
 {
     const Ledger& ledger = metrics.ledger();
-    const double evaporated = ledger.water_evaporated;
+    const double evaporated = ledger.water_evaporated, given = ledger.water_delivered;
     return table(row("in the cloth at the start", grams(metrics.at_start()), "g") + row("sweat", grams(metrics.sweat()), "g") +
                  row("in the cloth", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres") +
-                 row("on the skin", grams(ledger.water_free), "g") +
-                 row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated)), "g") +
-                 row("dripped", grams(ledger.water_dripped), "g") +
-                 row("not accounted for", fmt::format("{:.2g}", 1e3 * ledger.water_imbalance()), "g"));
+                 row("on the skin", grams(ledger.water_free, given), "g") +
+                 row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated), given), "g") +
+                 row("dripped", grams(ledger.water_dripped, given), "g") +
+                 row("not accounted for", fmt::format("{:.1g}", metrics.imbalance()), "of all water"));
 }
 
 std::string assumed(const WearRecord& record)
@@ -211,10 +213,11 @@ std::string wear_report_html(const WearRecord& record, const WearMetrics& metric
         (finished ? std::string() : fmt::format(" The run was stopped at {:.4g} s.", metrics.all().course.back().time));
     return page(record.layout.garment + ", " + record.layout.experiment,
                 "<p>" + origin_of_all + "</p>\n" + section("Results", results(metrics)) +
-                    section("Panels", parts_table("panel", metrics.panels())) +
-                    section("Zones of the body", parts_table("zone", metrics.zones())) + section("Maps", figures_of(pictures)) +
-                    section("Over time", curves(metrics)) + section("Balance", balance(metrics)) + section("Assumed", assumed(record)) +
-                    section("Inputs", input(record)) + section("Computation", origin(record, metrics)));
+                    section("Panels", parts_table("panel", metrics.panels(), metrics.ledger().water_delivered)) +
+                    section("Zones of the body", parts_table("zone", metrics.zones(), metrics.ledger().water_delivered)) +
+                    section("Maps", figures_of(pictures)) + section("Over time", curves(metrics)) + section("Balance", balance(metrics)) +
+                    section("Assumed", assumed(record)) + section("Inputs", input(record)) +
+                    section("Computation", origin(record, metrics)));
 }
 
 } // namespace hygroloom

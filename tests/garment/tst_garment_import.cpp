@@ -230,7 +230,7 @@ private Q_SLOTS:
             QTest::newRow(name) << QString::fromStdString(text) << QString(says);
         };
         const std::string good = squares();
-        row("empty", "{}", "test.json: the file: The key \"pattern\" is missing");
+        row("empty", "{}", "test.json: This is no sewing pattern: it has no \"pattern\"; it is empty.");
         row("a list", "[]", "This is no sewing pattern");
         row("no panels", "{\"pattern\": {\"panels\": {}}}", "no panel with an area");
         row("a wrong end", replaced(good, "[1, 2]", "[1, 4]"),

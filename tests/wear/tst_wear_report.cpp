@@ -98,6 +98,44 @@ private Q_SLOTS:
         QVERIFY(wear_report_html(recording.record(), metrics, {}, false).find("The run was stopped at 2 s.") != std::string::npos);
     }
 
+    /// What is rounding beside the water that was given is none.
+    void rounding_is_no_water()
+    {
+        const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
+        WearMetrics metrics(recording.record().layout);
+        for (int k = 0; k < recording.frames(); ++k) {
+            WearFrame frame = recording.frame(k);
+            frame.ledger.water_delivered = 0.1;
+            frame.ledger.water_free = 4e-17;
+            frame.ledger.water_dripped = 2e-10;
+            metrics.add(frame);
+        }
+        const QString html = QString::fromStdString(wear_report_html(recording.record(), metrics, {}, true));
+        QVERIFY(html.contains("<th>on the skin</th><td class=\"number\">0</td>"));
+        QVERIFY(html.contains("<th>dripped</th><td class=\"number\">2e-07</td>"));
+        QVERIFY(html.contains("of all water"));
+    }
+
+    /// The scale of shares ends at a round step over what is there, as that of water does.
+    void scales_follow_the_data()
+    {
+        const WearRecording recording(folder_.filePath("small.hygrorec").toStdString());
+        WearMapOptions how;
+        for (WearScale scale : {WearScale::same, WearScale::capacity}) {
+            how.scale = scale;
+            const WearMap map = wear_map(recording.record().layout, recording.frame(2), how);
+            const double most = *std::max_element(map.values.begin(), map.values.end());
+            QVERIFY(map.most >= most && map.most <= 1.25 * most);
+            QCOMPARE(map.most, round_most(most));
+        }
+        QCOMPARE(round_most(0), 1.0);
+        QCOMPARE(round_most(0.27), 0.3);
+        QCOMPARE(round_most(169), 200.0);
+        QCOMPARE(round_most(87), 100.0);
+        how.most = 0.5;
+        QCOMPARE(wear_map(recording.record().layout, recording.frame(2), how).most, 0.5);
+    }
+
     void names_of_strangers_are_text()
     {
         WearRecord record = small_wear();

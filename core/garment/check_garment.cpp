@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/garment/check_garment.h"
+
+#include "core/base/error.h"
+#include "core/base/words.h"
+#include "core/design/wear.h"
+#include "core/garment/sweat_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+std::vector<std::string> names_of(const GarmentPattern& pattern)
+{
+    std::vector<std::string> names;
+    for (const PatternPanel& panel : pattern.panels) names.push_back(panel.name);
+    return names;
+}
+
+bool is_in(const std::string& name, const std::vector<std::string>& names)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string no_panel(const std::string& name, const std::vector<std::string>& names)
+{
+    constexpr std::size_t most_listed = 20;
+    std::string listed;
+    for (std::size_t k = 0; k < std::min(most_listed, names.size()); ++k) listed += (k > 0 ? ", \"" : "\"") + names[k] + "\"";
+    if (names.size() > most_listed) listed += " and more";
+    return fmt::format("The pattern has no panel \"{}\"{} It has {}.", name, did_you_mean(name, names), listed);
+}
+
+bool are_sewn(const GarmentPattern& pattern, const std::string& one, const std::string& other)
+{
+    return std::any_of(pattern.seams.begin(), pattern.seams.end(), [&](const PatternSeam& seam) {
+        const std::string &a = pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
+                          &b = pattern.panels[static_cast<std::size_t>(seam.panel_b)].name;
+        return (a == one && b == other) || (a == other && b == one);
+    });
+}
+
+/// Whether an error concerns a place of the project or what is in it.
+bool is_wrong(const std::vector<Issue>& known, const std::string& where)
+{
+    return std::any_of(known.begin(), known.end(), [&](const Issue& issue) {
+        return issue.severity == Severity::error && (issue.where == where || issue.where.starts_with(where + "."));
+    });
+}
+
+} // namespace
+
+std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pattern, const std::string& where)
+{
+    const std::vector<std::string> names = names_of(pattern);
+    std::vector<Issue> issues;
+    for (const auto& [panel, cut] : garment.panels)
+        if (panel != "*" && !is_in(panel, names))
+            issues.push_back({Severity::warning, "unknown_panel", where + ".panels." + panel, no_panel(panel, names)});
+    for (const auto& [seam, share] : garment.seams) {
+        const std::size_t bar = seam.find('|');
+        if (bar == std::string::npos) continue; // "default"
+        const std::string at = where + ".seams." + seam, one = seam.substr(0, bar), other = seam.substr(bar + 1);
+        const std::size_t before = issues.size();
+        for (const std::string& panel : {one, other})
+            if (!is_in(panel, names)) issues.push_back({Severity::warning, "unknown_panel", at, no_panel(panel, names)});
+        if (issues.size() == before && !are_sewn(pattern, one, other))
+            issues.push_back({Severity::warning, "unknown_seam", at, fmt::format("\"{}\" and \"{}\" are not sewn together.", one, other)});
+    }
+    return issues;
+}
+
+GarmentCheck check_garments(const Design& design, const std::filesystem::path& base, const std::vector<Issue>& known)
+{
+    GarmentCheck found;
+    const auto read = [&](const char* code, const std::string& where, const auto& act) {
+        try {
+            act();
+        } catch (const FileError& error) {
+            found.issues.push_back({Severity::error, code, where, error.what()});
+        }
+    };
+    for (std::size_t i = 0; i < design.garments.size(); ++i) {
+        const Garment& garment = design.garments[i];
+        const std::string where = fmt::format("garments[{}]", i);
+        std::optional<GarmentPattern>& pattern = found.patterns.emplace_back();
+        if (is_wrong(known, where)) continue;
+        read("garment_source", where + ".source", [&] { pattern = read_pattern(garment, base); });
+        read("sweat_table", where + ".wearer.zones", [&] { sweat_table(garment.wearer.zones, base); });
+        if (!pattern) continue;
+        for (Issue& issue : misnamed_in(garment, *pattern, where)) found.issues.push_back(std::move(issue));
+    }
+    for (std::size_t i = 0; i < design.wears.size(); ++i) { // they stand behind the others
+        const WearExperiment& wear = design.wears[i];
+        const std::string where = fmt::format("experiments[{}]", design.experiments.size() + i);
+        if (!wear.activity_file.empty() && !is_wrong(known, where))
+            read("activity", where + ".activity", [&] { sweat_course(wear.activity_file, base); });
+    }
+    return found;
+}
+
+} // namespace hygroloom
