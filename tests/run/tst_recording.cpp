@@ -4,6 +4,7 @@
 #include "core/run/hdf5_file.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
+#include "core/scene/liquid_points.h"
 #include "core/solver/backend.h"
 #include "tests/support/drop_design.h"
 
@@ -11,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -70,6 +72,29 @@ private Q_SLOTS:
             QVERIFY(frame.positions == was.positions);
             QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
         }
+    }
+    void capsReadBackAndAreDrawn()
+    {
+        std::vector<Frame> frames;
+        const RunRecord run = record_run(at("caps.hygrorec"), 0.02, &frames);
+        Frame frame = frames.back();
+        QVERIFY(liquid_points(frame) == frame.positions);
+        frame.caps = {{1e-3, -2e-3, 1.5e-3, 3e-4, 1e-3, 4e-9}, {0, 0, 0, 3e-4, 4e-3, 8e-9}}; // one stands, one falls
+        RecordingWriter writer(at("caps.hygrorec"), run);
+        writer.append(frame);
+        writer.finish(0);
+        const Frame read = Recording(at("caps.hygrorec")).frame(0);
+        QCOMPARE(read.caps.size(), std::size_t(2));
+        for (double FrameCap::*value : {&FrameCap::x, &FrameCap::y, &FrameCap::base, &FrameCap::face, &FrameCap::height, &FrameCap::volume})
+            for (std::size_t k : {0, 1}) QCOMPARE(read.caps[k].*value, double(float(frame.caps[k].*value)));
+        const auto points = liquid_points(read);
+        QVERIFY(points.size() > 1000 && points.size() < 4000);
+        for (const auto& p : points) { // in one of the two, over the face
+            const double standing = std::hypot(double(p[0]) - 1e-3, double(p[1]) + 2e-3), falling = std::hypot(double(p[0]), double(p[1]));
+            QVERIFY(p[2] >= 3e-4f && (standing < 1.6e-3 || falling < 1.3e-3));
+        }
+        frame.caps = {{0, 0, 1e6, 0, 1e-30, 1e-30}, {0, 0, 0, 0, 1e30, 1e-30}, {0, 0, -1, 0, -1, -1}}; // of a stranger's file
+        QVERIFY(liquid_points(frame).size() < 500000);
     }
     void linesWhoseSuctionsWereNotFoundAreNotedWhereThereAreAny()
     {
